@@ -1,0 +1,49 @@
+package org.pendant.models.kinematics;
+
+import org.pendant.models.arm.Joints;
+
+/** What a search for joint positions found. */
+public sealed interface InverseResult {
+  /**
+   * Joint positions that reach the pose.
+   *
+   * @param q joint positions in rad, within the limits of the arm
+   * @param error what is left between the wanted pose and that of {@code q}
+   * @param wristFree true at the wrist singularity, where wrist 3 stays at the angle it is given or
+   *     as near as the arm's reach lets it
+   */
+  record Reached(Joints q, PoseError error, boolean wristFree) implements InverseResult {}
+
+  /**
+   * No joint positions reach the pose within the allowed errors.
+   *
+   * @param cause why
+   * @param leastError the error of the best attempt
+   */
+  record Unreachable(Cause cause, PoseError leastError) implements InverseResult {}
+
+  /** Why a pose is out of reach. */
+  enum Cause {
+    /** Wrist 1 would have to be nearer to the axis of joint 1 than the offset of the wrist. */
+    TOO_CLOSE_TO_BASE_AXIS("the wrist would be too close to the axis of the base joint"),
+    /** Farther from the shoulder than upper arm and forearm together. */
+    TOO_FAR("farther than the stretched arm reaches"),
+    /** Nearer to the shoulder than the folded arm comes. */
+    TOO_FOLDED("nearer to the shoulder than the folded arm comes"),
+    /** Every solution has a joint outside its range. */
+    JOINT_LIMITS("every solution has a joint outside its range"),
+    /** Reached, but not as exactly as was asked. */
+    TOLERANCE("the errors allowed are smaller than the precision of the computation");
+
+    private final String text;
+
+    Cause(String text) {
+      this.text = text;
+    }
+
+    /** The cause as part of a sentence. */
+    public String text() {
+      return text;
+    }
+  }
+}

@@ -1,0 +1,40 @@
+package org.pendant.models.kinematics;
+
+/**
+ * How far one frame is from another.
+ *
+ * @param positionM distance of the origins, m
+ * @param orientationRad angle between the orientations, rad
+ */
+public record PoseError(double positionM, double orientationRad) {
+  /**
+   * The error between two transformations (see {@link org.pendant.models.pose.Transforms}).
+   *
+   * <p>The angle comes from the size of the difference of the matrices, {@code 2 sqrt(2) sin(angle
+   * / 2)}, which keeps full precision for small angles.
+   */
+  static PoseError between(double[] a, double[] b) {
+    return new PoseError(position(a, b), orientation(a, b));
+  }
+
+  static double position(double[] a, double[] b) {
+    double dx = a[9] - b[9];
+    double dy = a[10] - b[10];
+    double dz = a[11] - b[11];
+    return Math.sqrt(dx * dx + dy * dy + dz * dz);
+  }
+
+  static double orientation(double[] a, double[] b) {
+    double sum = 0;
+    for (int i = 0; i < 9; i++) {
+      double difference = a[i] - b[i];
+      sum += difference * difference;
+    }
+    return 2 * Math.asin(Math.min(1, Math.sqrt(0.125 * sum)));
+  }
+
+  /** True if neither error is above its limit; false if one is not a number. */
+  public boolean within(double maxPositionM, double maxOrientationRad) {
+    return positionM <= maxPositionM && orientationRad <= maxOrientationRad;
+  }
+}

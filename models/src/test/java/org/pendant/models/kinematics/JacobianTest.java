@@ -1,0 +1,126 @@
+package org.pendant.models.kinematics;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import org.ejml.simple.SimpleMatrix;
+import org.junit.jupiter.api.Test;
+import org.pendant.models.arm.DhLengths;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
+
+class JacobianTest {
+  private static final int CASES = 1000;
+
+  private final DhLengths dh = Arms.UR5E.dh();
+  private final ForwardKinematics forward = new ForwardKinematics(dh);
+  private final Jacobian jacobian = new Jacobian(dh);
+
+  @Test
+  void columnsAreTheFiniteDifferencesOfTheTcpPose() {
+    Random random = new Random(71);
+    double step = 1e-5;
+    double[] j = new double[Jacobian.SIZE];
+    for (int n = 0; n < CASES; n++) {
+      Joints q = Arms.joints(random);
+      Pose offset = Arms.tcp(random);
+      jacobian.at(q.toArray(), offset, j);
+      for (int i = 0; i < Joints.COUNT; i++) {
+        Pose after = forward.tcpPose(q.with(i, q.get(i) + step), offset);
+        Pose before = forward.tcpPose(q.with(i, q.get(i) - step), offset);
+        Pose difference = Poses.sub(after, before);
+        for (int row = 0; row < Pose.SIZE; row++) {
+          String entry = "row " + row + ", joint " + i + " at " + q + " with " + offset;
+          assertEquals(difference.get(row) / (2 * step), j[6 * row + i], 1e-9, entry);
+        }
+      }
+    }
+  }
+
+  @Test
+  void determinantIsTheProductOfTheSingularityMeasures() {
+    Random random = new Random(72);
+    double[] j = new double[Jacobian.SIZE];
+    double reach = Math.abs(dh.a2()) + Math.abs(dh.a3());
+    for (int n = 0; n < CASES; n++) {
+      Joints q = Arms.joints(random);
+      jacobian.at(q.toArray(), Pose.ZERO, j);
+      double product = dh.a2() * dh.a3() * reach;
+      for (Singularity singularity : Singularity.values()) {
+        product *= singularity.measure(dh, q);
+      }
+      assertEquals(product, Math.abs(matrix(j).determinant()), 1e-14, q::toString);
+    }
+  }
+
+  @Test
+  void speedsFoundGiveTheTwistAsked() {
+    Random random = new Random(73);
+    double[] j = new double[Jacobian.SIZE];
+    double[] qd = new double[Joints.COUNT];
+    double[] given = new double[Joints.COUNT];
+    for (int n = 0; n < CASES; n++) {
+      Joints q = Arms.joints(random);
+      double[] twist = Arms.joints(random).toArray();
+      jacobian.at(q.toArray(), Pose.ZERO, j);
+      assertTrue(jacobian.solve(j, twist, qd), q::toString);
+      Jacobian.twist(j, qd, given);
+      double largest = 1;
+      for (double speed : qd) {
+        largest = Math.max(largest, Math.abs(speed));
+      }
+      assertArrayEquals(twist, given, 1e-13 * largest, q::toString);
+    }
+  }
+
+  @Test
+  void dampedSpeedsSolveTheDampedProblem() {
+    Random random = new Random(74);
+    double damping = 0.05;
+    double[] j = new double[Jacobian.SIZE];
+    double[] qd = new double[Joints.COUNT];
+    for (int n = 0; n < CASES; n++) {
+      Joints q = Arms.joints(random);
+      SimpleMatrix twist = new SimpleMatrix(Arms.joints(random).toArray());
+      jacobian.at(q.toArray(), Pose.ZERO, j);
+      jacobian.solveDamped(j, twist.getDDRM().getData(), damping, qd);
+      SimpleMatrix a = matrix(j);
+      SimpleMatrix expected =
+          a.transpose()
+              .mult(a)
+              .plus(SimpleMatrix.identity(6).scale(damping * damping))
+              .solve(a.transpose().mult(twist));
+      assertArrayEquals(expected.getDDRM().getData(), qd, 1e-9, q::toString);
+    }
+  }
+
+  @Test
+  void aSingularArmIsReportedAndDampingPassesThrough() {
+    double[] j = new double[Jacobian.SIZE];
+    double[] qd = new double[Joints.COUNT];
+    double[] twist = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+    jacobian.at(new double[] {0.1, -1.5, 1.2, -1, 0, 0.3}, Pose.ZERO, j);
+    assertFalse(jacobian.solve(j, twist, qd));
+    jacobian.solveDamped(j, twist, 0.1, qd);
+    for (double speed : qd) {
+      assertTrue(Math.abs(speed) < 10);
+    }
+  }
+
+  @Test
+  void dampingMustBePositive() {
+    double[] j = new double[Jacobian.SIZE];
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> jacobian.solveDamped(j, new double[6], 0, new double[6]));
+  }
+
+  private static SimpleMatrix matrix(double[] j) {
+    return new SimpleMatrix(6, 6, true, j);
+  }
+}
