@@ -1,0 +1,105 @@
+package org.pendant.language.check;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Set;
+import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Statement.Definition;
+
+/** Who calls whom, and what follows from it for robot time. */
+final class CallGraph {
+
+  /** One function, thread or main level. */
+  static final class Node {
+    private final List<Node> callers = new ArrayList<>();
+    private final List<Node> callees = new ArrayList<>();
+    private final List<Refusal> refusals = new ArrayList<>();
+    private boolean waits;
+
+    /** Notes that this one may let robot time pass, or end the program. */
+    void waits() {
+      waits = true;
+    }
+
+    void calls(Node callee) {
+      callees.add(callee);
+      callee.callers.add(this);
+    }
+
+    /** Notes something that no secondary program may do. */
+    void refuseInSecondary(SourceRange range, String what) {
+      refusals.add(new Refusal(range, what));
+    }
+  }
+
+  private record Refusal(SourceRange range, String what) {}
+
+  /** A loop without end or wait of its own; what it calls may still wait. */
+  private record EndlessLoop(SourceRange range, List<Node> callees) {}
+
+  private final IdentityHashMap<Definition, Node> nodes = new IdentityHashMap<>();
+  private final List<EndlessLoop> loops = new ArrayList<>();
+
+  Node node(Definition definition) {
+    return nodes.computeIfAbsent(definition, _ -> new Node());
+  }
+
+  void endlessLoop(SourceRange range, List<Node> callees) {
+    loops.add(new EndlessLoop(range, callees));
+  }
+
+  void reportEndlessLoops(Findings findings) {
+    spreadWaits();
+    for (EndlessLoop loop : loops) {
+      if (loop.callees().stream().noneMatch(callee -> callee.waits)) {
+        findings.warning(
+            "endless-loop",
+            loop.range(),
+            "this loop never ends and never waits; expected a sync(), a sleep or a move in it");
+      }
+    }
+  }
+
+  /** Reports everything that the secondary program {@code name} reaches but may not do. */
+  void reportSecondary(Node secondary, String name, Findings findings) {
+    Set<Node> reached = new HashSet<>();
+    Deque<Node> open = new ArrayDeque<>();
+    open.add(secondary);
+    reached.add(secondary);
+    while (!open.isEmpty()) {
+      Node node = open.remove();
+      for (Refusal refusal : node.refusals) {
+        findings.error(
+            "physical-time",
+            refusal.range(),
+            refusal.what() + " in the secondary program " + name + ", which must end at once");
+      }
+      for (Node callee : node.callees) {
+        if (reached.add(callee)) {
+          open.add(callee);
+        }
+      }
+    }
+  }
+
+  private void spreadWaits() {
+    Deque<Node> open = new ArrayDeque<>();
+    for (Node node : nodes.values()) {
+      if (node.waits) {
+        open.add(node);
+      }
+    }
+    while (!open.isEmpty()) {
+      for (Node caller : open.remove().callers) {
+        if (!caller.waits) {
+          caller.waits = true;
+          open.add(caller);
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,165 @@
+package org.pendant.language.check;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+import org.pendant.language.signature.Catalogue;
+import org.pendant.language.signature.Signature;
+import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Statement.Definition;
+import org.pendant.language.syntax.Statement.DefinitionKind;
+
+/** What all functions of one check share. */
+final class CheckRun {
+  /** The one built-in that the language itself must know: it opens a running program to lines. */
+  private static final String INTERPRETER_MODE = "interpreter_mode";
+
+  private final Catalogue catalogue;
+  private final Survey survey;
+  private final boolean interpreted;
+  private final Findings findings = new Findings();
+  private final Findings unassigned = new Findings();
+  private final CallGraph graph = new CallGraph();
+  private final Nearest nearest = new Nearest();
+  private final Map<String, Optional<Builtin>> builtins = new HashMap<>();
+  private final IdentityHashMap<Definition, Head> heads = new IdentityHashMap<>();
+  private final Set<String> deprecated = new HashSet<>();
+  private boolean entersInterpreterMode;
+
+  /** A built-in function and what calls of it must look like. */
+  record Builtin(Signature signature, Head head) {}
+
+  /**
+   * A run over a program or one line.
+   *
+   * @param interpreted whether it is a line of interpreter mode
+   */
+  CheckRun(Catalogue catalogue, Survey survey, boolean interpreted) {
+    this.catalogue = catalogue;
+    this.survey = survey;
+    this.interpreted = interpreted;
+  }
+
+  Catalogue catalogue() {
+    return catalogue;
+  }
+
+  Survey survey() {
+    return survey;
+  }
+
+  boolean interpreted() {
+    return interpreted;
+  }
+
+  Findings findings() {
+    return findings;
+  }
+
+  CallGraph graph() {
+    return graph;
+  }
+
+  Head head(Definition definition) {
+    return heads.computeIfAbsent(definition, Head::of);
+  }
+
+  /** The built-in function of this name, if there is one. */
+  Optional<Builtin> builtin(String name) {
+    return builtins.computeIfAbsent(
+        name, _ -> catalogue.function(name).map(found -> new Builtin(found, Head.of(found))));
+  }
+
+  /** Kept apart: lines of interpreter mode may assign what the program does not. */
+  void unassigned(SourceRange range, String message) {
+    unassigned.error("unassigned-variable", range, message);
+  }
+
+  /** Everything found, in the order of the text. */
+  Findings finished() {
+    graph.reportEndlessLoops(findings);
+    if (!entersInterpreterMode) {
+      findings.addAll(unassigned.sorted());
+    }
+    return findings;
+  }
+
+  /** What is to say about a built-in beside its arguments. */
+  void calls(Signature signature, SourceRange range, FunctionScope scope) {
+    if (!signature.deprecated().isEmpty() && deprecated.add(signature.name())) {
+      findings.warning(
+          "deprecated", range, signature.name() + " is deprecated; use " + signature.deprecated());
+    }
+    if (signature.name().equals(INTERPRETER_MODE)) {
+      entersInterpreterMode = true;
+      if (interpreted || insideThread(scope)) {
+        findings.error(
+            "interpreter-mode",
+            range,
+            INTERPRETER_MODE
+                + (interpreted ? " is called by an interpreted line" : " is called by a thread")
+                + "; expected a call by the program's main thread");
+      }
+    }
+  }
+
+  void unknownFunction(String name, SourceRange range, FunctionScope scope) {
+    if (scope.binds(name) || scope.globals().contains(name)) {
+      findings.nameNotFound(
+          "unknown-function", name, range, name + " is a variable; expected a function to call");
+      return;
+    }
+    findings.nameNotFound(
+        "unknown-function",
+        name,
+        range,
+        "function " + name + " is not defined" + suggestion(name, () -> functions(scope)));
+  }
+
+  void unknownVariable(String name, SourceRange range, FunctionScope scope) {
+    String message = "variable " + name + " is never assigned";
+    if (scope.function(name).isPresent() || builtin(name).isPresent()) {
+      message += "; the function " + name + " needs parentheses";
+    } else {
+      message += suggestion(name, () -> variables(scope));
+    }
+    findings.nameNotFound("unknown-variable", name, range, message);
+  }
+
+  private List<String> functions(FunctionScope scope) {
+    List<String> functions = new ArrayList<>(scope.visibleFunctions());
+    for (Signature signature : catalogue.all()) {
+      if (signature.receiver().isEmpty()) {
+        functions.add(signature.name());
+      }
+    }
+    functions.add(Inference.STRUCT);
+    return functions;
+  }
+
+  private static List<String> variables(FunctionScope scope) {
+    List<String> variables = new ArrayList<>(List.of("True", "False", "None"));
+    variables.addAll(scope.locals());
+    variables.addAll(scope.globals());
+    return variables;
+  }
+
+  /** The end of a message that offers the name probably meant. */
+  String suggestion(String name, Supplier<? extends Collection<String>> candidates) {
+    return nearest.to(name, candidates).map(found -> "; did you mean " + found + "?").orElse("");
+  }
+
+  private static boolean insideThread(FunctionScope scope) {
+    return scope
+        .definition()
+        .filter(definition -> definition.kind() == DefinitionKind.THREAD)
+        .isPresent();
+  }
+}

@@ -1,0 +1,76 @@
+package org.pendant.language.check;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.pendant.language.signature.Catalogue;
+import org.pendant.language.source.Diagnostic;
+import org.pendant.language.syntax.ParameterDeclaration;
+import org.pendant.language.syntax.Script;
+import org.pendant.language.syntax.Statement.Definition;
+import org.pendant.language.syntax.Statement.DefinitionKind;
+
+/**
+ * Finds what is certainly wrong with a program before it runs.
+ *
+ * <p>Errors are certain: a program without them may still fail, but every error is a statement that
+ * fails if it runs. Warnings name what runs but is hardly meant. The text must have been parsed
+ * without syntax errors.
+ */
+public final class Checker {
+  private Checker() {}
+
+  /** Everything to say about {@code form}, in the order of the text. */
+  public static List<Diagnostic> check(ProgramForm form, Catalogue catalogue) {
+    return check(form, Scopes.of(form), catalogue);
+  }
+
+  /**
+   * Everything to say about {@code form}, in the order of the text.
+   *
+   * @param scopes those of {@code form}
+   */
+  public static List<Diagnostic> check(ProgramForm form, Scopes scopes, Catalogue catalogue) {
+    Survey survey = Survey.of(form, scopes, new Inference(catalogue));
+    CheckRun run = new CheckRun(catalogue, survey, false);
+    DefinitionCheck definitions = new DefinitionCheck(run);
+    Set<String> defined = new HashSet<>();
+    for (Definition sibling : form.siblings()) {
+      definitions.check(sibling, scopes.scope(sibling), defined);
+    }
+    CallGraph.Node node = form.entry().map(run.graph()::node).orElseGet(CallGraph.Node::new);
+    FunctionState main = new FunctionState(scopes.mainScope(), node);
+    if (form.entry().isPresent()) {
+      definitions.head(form.entry().get(), scopes.outermost(), defined);
+      for (ParameterDeclaration parameter : form.entry().get().parameters()) {
+        main.flow().assigned(new Binding.Global(parameter.name()));
+      }
+    }
+    new StatementCheck(run, main).block(form.body());
+    for (Definition definition : scopes.definitions()) {
+      if (definition.kind() == DefinitionKind.SECONDARY) {
+        run.graph()
+            .reportSecondary(run.graph().node(definition), definition.name(), run.findings());
+      }
+    }
+    Findings findings = run.finished();
+    findings.addAll(form.problems());
+    return findings.sorted();
+  }
+
+  /**
+   * Everything to say about one line of interpreter mode (manual 13), in the order of the text.
+   *
+   * @param line the line as a text of its own
+   * @param scope the scope before the line: that of the function that called interpreter mode, or
+   *     the one that the previous line has left
+   */
+  public static List<Diagnostic> checkLine(Script line, FunctionScope scope, Catalogue catalogue) {
+    FunctionScope extended = scope.extendedBy(line.statements());
+    Survey survey = Survey.nothingKnown(new Inference(catalogue));
+    CheckRun run = new CheckRun(catalogue, survey, true);
+    FunctionState state = new FunctionState(extended, new CallGraph.Node());
+    new StatementCheck(run, state).block(line.statements());
+    return run.finished().sorted();
+  }
+}

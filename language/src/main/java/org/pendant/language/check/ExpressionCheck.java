@@ -1,0 +1,295 @@
+package org.pendant.language.check;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.language.signature.Signature;
+import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Argument;
+import org.pendant.language.syntax.Expression;
+import org.pendant.language.syntax.Statement.Definition;
+import org.pendant.language.syntax.Statement.DefinitionKind;
+
+/** Checks expressions, innermost first; each answers what its value certainly is. */
+final class ExpressionCheck {
+  private final CheckRun run;
+  private final FunctionState state;
+  private final ArgumentCheck arguments;
+
+  ExpressionCheck(CheckRun run, FunctionState state) {
+    this.run = run;
+    this.state = state;
+    this.arguments = new ArgumentCheck(run, this, state);
+  }
+
+  Kind check(Expression expression) {
+    return switch (expression) {
+      case Expression.IntLiteral _, Expression.FloatLiteral _ -> Kind.NUMBER;
+      case Expression.StringLiteral _ -> Kind.STRING;
+      case Expression.BoolLiteral _ -> Kind.BOOL;
+      case Expression.NoneLiteral _ -> Kind.ANY;
+      case Expression.Name name -> name(name);
+      case Expression.PoseLiteral pose -> pose(pose);
+      case Expression.ListLiteral list -> Inference.list(all(list.elements()));
+      case Expression.Unary unary -> unary(unary);
+      case Expression.Binary binary -> binary(binary);
+      case Expression.Call call -> call(call);
+      case Expression.MethodCall call -> method(call);
+      case Expression.Member member -> member(member);
+      case Expression.Index index -> index(index);
+      case Expression.Run start -> start(start);
+    };
+  }
+
+  /** A condition of {@code if} or {@code while}. */
+  void condition(Expression condition) {
+    Kind kind = check(condition);
+    if (!kind.condition()) {
+      mismatch(condition.range(), "the condition is " + kind.text() + ", expected a bool");
+    }
+  }
+
+  /** The operand of {@code join} or {@code kill}. */
+  void handle(Expression handle) {
+    Kind kind = check(handle);
+    if (kind.certain() && kind != Kind.NUMBER) {
+      mismatch(handle.range(), "the operand is " + kind.text() + ", expected a thread handle");
+    }
+  }
+
+  /** Whether a pose element, an index or the like certainly cannot be this. */
+  static boolean isNoNumber(Kind kind) {
+    return kind.certain() && kind != Kind.NUMBER && kind != Kind.BOOL;
+  }
+
+  private List<Kind> all(List<Expression> expressions) {
+    List<Kind> kinds = new ArrayList<>(expressions.size());
+    for (Expression expression : expressions) {
+      kinds.add(check(expression));
+    }
+    return kinds;
+  }
+
+  private Kind name(Expression.Name name) {
+    FunctionScope scope = state.scope();
+    Binding binding = scope.resolve(name.name(), name.range().start());
+    boolean local = binding instanceof Binding.Local;
+    if (local && !scope.binds(name.name())) {
+      run.unknownVariable(name.name(), name.range(), scope);
+      return Kind.ANY;
+    }
+    Kind kind = state.flow().kind(binding);
+    if (kind.certain()) {
+      return kind;
+    }
+    if (certainlyUnassigned(binding)) {
+      run.unassigned(
+          name.range(), "variable " + name.name() + " is read before anything assigns it");
+      state.flow().assigned(binding);
+    }
+    return run.survey().kind(scope, binding);
+  }
+
+  private boolean certainlyUnassigned(Binding binding) {
+    if (state.flow().mayBeAssigned(binding)) {
+      return false;
+    }
+    return switch (binding) {
+      case Binding.Local(String name) -> !state.scope().startsAssigned(name);
+      case Binding.Global(String name) ->
+          state.scope().mainLevel()
+              && !run.interpreted()
+              && !run.survey().assignedInFunctions(name);
+    };
+  }
+
+  private Kind pose(Expression.PoseLiteral pose) {
+    for (Expression element : pose.elements()) {
+      Kind kind = check(element);
+      if (isNoNumber(kind)) {
+        mismatch(element.range(), "a pose element is " + kind.text() + ", expected a number");
+      }
+    }
+    return Kind.POSE;
+  }
+
+  private Kind unary(Expression.Unary unary) {
+    Kind operand = check(unary.operand());
+    if (Operators.fails(unary.operator(), operand)) {
+      mismatch(
+          unary.range(),
+          "operator " + unary.operator().text() + " does not take " + operand.text());
+    }
+    return Operators.result(unary.operator(), operand);
+  }
+
+  private Kind binary(Expression.Binary binary) {
+    Kind left = check(binary.left());
+    Kind right = check(binary.right());
+    if (Operators.fails(binary.operator(), left, right)) {
+      mismatch(
+          binary.range(),
+          "operator "
+              + binary.operator().text()
+              + " does not take "
+              + left.text()
+              + " and "
+              + right.text());
+    }
+    return Operators.result(binary.operator(), left, right);
+  }
+
+  private Kind index(Expression.Index index) {
+    Kind receiver = check(index.receiver());
+    List<Kind> indices = all(index.indices());
+    if (receiver == Kind.NUMBER || receiver == Kind.BOOL) {
+      mismatch(index.receiver().range(), receiver.text() + " has no elements, expected a list");
+    }
+    for (int i = 0; i < indices.size(); i++) {
+      if (isNoNumber(indices.get(i))) {
+        mismatch(
+            index.indices().get(i).range(),
+            "the index is " + indices.get(i).text() + ", expected a number");
+      }
+    }
+    boolean flat = receiver == Kind.LIST || receiver == Kind.POSE || receiver == Kind.STRUCT;
+    if (flat && indices.size() > 1) {
+      mismatch(index.range(), receiver.text() + " takes one index, found " + indices.size());
+    }
+    return Inference.index(receiver, indices.size());
+  }
+
+  private Kind member(Expression.Member member) {
+    Kind receiver = check(member.receiver());
+    switch (receiver) {
+      case BOOL, STRING, POSE, LIST, MATRIX ->
+          run.findings()
+              .error(
+                  "unknown-member",
+                  member.nameRange(),
+                  receiver.text() + " has no member " + member.member() + "; expected a struct");
+      case ANY, NUMBER, STRUCT -> {}
+    }
+    return Kind.ANY;
+  }
+
+  private Kind call(Expression.Call call) {
+    String name = call.function();
+    Optional<Definition> defined = state.scope().function(name);
+    if (defined.isPresent()) {
+      callDefined(defined.get(), call);
+      return Kind.ANY;
+    }
+    if (name.equals(Inference.STRUCT)) {
+      arguments.checkStruct(call.arguments(), call.nameRange());
+      return Kind.STRUCT;
+    }
+    Optional<CheckRun.Builtin> builtin = run.builtin(name);
+    if (builtin.isEmpty()) {
+      run.unknownFunction(name, call.nameRange(), state.scope());
+      checkValues(call.arguments());
+      state.waits();
+      return Kind.ANY;
+    }
+    Signature signature = builtin.get().signature();
+    arguments.check(builtin.get().head(), call.arguments(), call.nameRange());
+    run.calls(signature, call.nameRange(), state.scope());
+    noteTime(signature, call.nameRange());
+    return Kind.of(signature.result());
+  }
+
+  private void callDefined(Definition definition, Expression.Call call) {
+    if (definition.kind() == DefinitionKind.FUNCTION) {
+      arguments.check(run.head(definition), call.arguments(), call.nameRange());
+      state.calls(run.graph().node(definition));
+      return;
+    }
+    checkValues(call.arguments());
+    state.waits();
+    String name = definition.name();
+    String message =
+        definition.kind() == DefinitionKind.THREAD
+            ? name + " is a thread; expected run " + name + "()"
+            : name + " is a secondary program; expected a function";
+    run.findings().error("not-a-function", call.nameRange(), message);
+  }
+
+  private Kind method(Expression.MethodCall call) {
+    Kind receiver = check(call.receiver());
+    return switch (receiver) {
+      case LIST, MATRIX, STRUCT -> knownMethod(call, receiver);
+      case ANY, BOOL, NUMBER, STRING, POSE -> {
+        checkValues(call.arguments());
+        // A remote procedure waits for its answer.
+        state.waits();
+        yield Kind.ANY;
+      }
+    };
+  }
+
+  private Kind knownMethod(Expression.MethodCall call, Kind receiver) {
+    Optional<Signature> signature = run.catalogue().method(receiver.receiver(), call.method());
+    if (signature.isEmpty()) {
+      checkValues(call.arguments());
+      run.findings()
+          .error(
+              "unknown-method",
+              call.nameRange(),
+              receiver.text()
+                  + " has no method "
+                  + call.method()
+                  + run.suggestion(call.method(), () -> methods(receiver)));
+      return Kind.ANY;
+    }
+    arguments.check(Head.of(signature.get()), call.arguments(), call.nameRange());
+    noteTime(signature.get(), call.nameRange());
+    return Kind.of(signature.get().result());
+  }
+
+  private List<String> methods(Kind receiver) {
+    return run.catalogue().all().stream()
+        .filter(method -> method.receiver().equals(Optional.of(receiver.receiver())))
+        .map(Signature::name)
+        .toList();
+  }
+
+  private Kind start(Expression.Run start) {
+    checkValues(start.arguments());
+    String name = start.thread();
+    state.node().refuseInSecondary(start.range(), "run starts a thread");
+    Optional<Definition> defined = state.scope().function(name);
+    if (defined.isEmpty() && run.builtin(name).isEmpty()) {
+      run.unknownFunction(name, start.nameRange(), state.scope());
+    } else if (defined.filter(d -> d.kind() == DefinitionKind.THREAD).isEmpty()) {
+      run.findings()
+          .error("not-a-thread", start.nameRange(), name + " is a function; expected a thread");
+    } else if (!start.arguments().isEmpty()) {
+      run.findings()
+          .error(
+              "thread-arguments",
+              start.arguments().getFirst().range(),
+              "thread " + name + " is given arguments; expected run " + name + "()");
+    }
+    return Kind.NUMBER;
+  }
+
+  private void checkValues(List<Argument> values) {
+    for (Argument argument : values) {
+      check(argument.value());
+    }
+  }
+
+  private void noteTime(Signature signature, SourceRange range) {
+    if (signature.physicalTime()) {
+      state.waits();
+      state.node().refuseInSecondary(range, signature.name() + " takes robot time");
+    } else if (!signature.allowedInSecondary()) {
+      state.waits();
+      state.node().refuseInSecondary(range, signature.name() + " may have to wait");
+    }
+  }
+
+  private void mismatch(SourceRange range, String message) {
+    run.findings().error("type-mismatch", range, message);
+  }
+}

@@ -1,0 +1,224 @@
+package org.pendant.language.check;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Expression.Name;
+import org.pendant.language.syntax.ParameterDeclaration;
+import org.pendant.language.syntax.Statement;
+import org.pendant.language.syntax.Statement.Assign;
+import org.pendant.language.syntax.Statement.Definition;
+import org.pendant.language.syntax.Statement.Qualifier;
+
+/**
+ * The names of one function, thread or main level, and what they stand for.
+ *
+ * <p>Variables and functions are separate tables. Nothing here changes after {@link Scopes} is
+ * built; interpreter mode gets a new scope for every line through {@link #extendedBy}.
+ */
+public final class FunctionScope {
+  private final Optional<Definition> definition;
+  private final Optional<FunctionScope> parent;
+  private final boolean mainLevel;
+  private final boolean extension;
+  private final Set<String> globals;
+  private final Map<String, Definition> functions = new LinkedHashMap<>();
+  private final Map<String, Reach> names = new LinkedHashMap<>();
+  private final IdentityHashMap<Definition, FunctionScope> nested = new IdentityHashMap<>();
+
+  /**
+   * From where on a name means the local variable: on the target of its first {@code local}
+   * assignment, and from the end of that assignment on.
+   */
+  private record Reach(int targetStart, int targetEnd, int from) {
+    static final Reach EVERYWHERE = new Reach(0, 0, 0);
+
+    /** No {@code local} word: local only if no such global exists. */
+    static final Reach FREE = new Reach(Integer.MAX_VALUE, Integer.MAX_VALUE, Integer.MAX_VALUE);
+
+    static Reach of(Assign assign) {
+      SourceRange target = assign.target().range();
+      return new Reach(target.start(), target.end(), assign.range().end());
+    }
+
+    boolean covers(int offset) {
+      return offset >= from || (offset >= targetStart && offset < targetEnd);
+    }
+  }
+
+  private FunctionScope(
+      Optional<Definition> definition,
+      Optional<FunctionScope> parent,
+      boolean mainLevel,
+      boolean extension,
+      Set<String> globals) {
+    this.definition = definition;
+    this.parent = parent;
+    this.mainLevel = mainLevel;
+    this.extension = extension;
+    this.globals = globals;
+  }
+
+  /** The level around all top-level definitions: functions, no variables. */
+  static FunctionScope outermost(Set<String> globals) {
+    return new FunctionScope(Optional.empty(), Optional.empty(), false, false, globals);
+  }
+
+  static FunctionScope main(Optional<Definition> entry, FunctionScope parent, Set<String> globals) {
+    return new FunctionScope(entry, Optional.of(parent), true, false, globals);
+  }
+
+  static FunctionScope function(Definition definition, FunctionScope parent) {
+    FunctionScope scope =
+        new FunctionScope(
+            Optional.of(definition), Optional.of(parent), false, false, parent.globals);
+    for (ParameterDeclaration parameter : definition.parameters()) {
+      scope.names.put(parameter.name(), Reach.EVERYWHERE);
+    }
+    return scope;
+  }
+
+  /** The definition whose body this is; empty for the main level of a fragment. */
+  public Optional<Definition> definition() {
+    return definition;
+  }
+
+  /** Whether this is the program's first level, where every variable is global. */
+  public boolean mainLevel() {
+    return mainLevel;
+  }
+
+  /**
+   * What {@code name} stands for when read at {@code offset} of the source. A name that nothing
+   * assigns is answered as a local that {@link #locals} does not list; the checker refuses those.
+   */
+  public Binding resolve(String name, int offset) {
+    Reach reach = names.get(name);
+    boolean local = reach != null && reach.covers(offset);
+    return !local && globals.contains(name) ? new Binding.Global(name) : new Binding.Local(name);
+  }
+
+  /**
+   * The variable that {@code assign} sets, or whose element or member it sets.
+   *
+   * @throws IllegalArgumentException if the target does not start with a name
+   */
+  public Binding target(Assign assign) {
+    if (!(Assignments.root(assign.target()) instanceof Name name)) {
+      throw new IllegalArgumentException(assign.target() + " is no variable");
+    }
+    return switch (assign.qualifier()) {
+      case GLOBAL -> new Binding.Global(name.name());
+      case LOCAL, FREE -> resolve(name.name(), name.range().start());
+    };
+  }
+
+  /**
+   * The variables of one call, parameters first, then in the order of their first assignment. Those
+   * of an extended scope begin with those of the scope that it extends.
+   */
+  public List<String> locals() {
+    List<String> locals = new ArrayList<>();
+    names.forEach(
+        (name, reach) -> {
+          if (!reach.equals(Reach.FREE) || !globals.contains(name)) {
+            locals.add(name);
+          }
+        });
+    return locals;
+  }
+
+  /** The names of the program's globals. */
+  public Set<String> globals() {
+    return Collections.unmodifiableSet(globals);
+  }
+
+  /** The function, thread or secondary program that {@code name} calls here. */
+  public Optional<Definition> function(String name) {
+    FunctionScope scope = this;
+    while (true) {
+      Definition found = scope.functions.get(name);
+      if (found != null) {
+        return Optional.of(found);
+      }
+      if (scope.parent.isEmpty()) {
+        return Optional.empty();
+      }
+      scope = scope.parent.get();
+    }
+  }
+
+  /**
+   * The scope of a definition that stands directly in this one.
+   *
+   * @throws IllegalArgumentException if it does not
+   */
+  public FunctionScope nested(Definition inner) {
+    FunctionScope scope = nested.get(inner);
+    if (scope == null) {
+      throw new IllegalArgumentException(inner.name() + " is not defined here");
+    }
+    return scope;
+  }
+
+  /**
+   * The scope in which one line of interpreter mode runs (manual 13) when this is the scope that
+   * called interpreter mode, or that of the line before. Names known here mean the same there; new
+   * ones become locals after those of this scope; functions of the line join the visible ones and
+   * hide earlier ones of the same name. This scope stays as it is, so that a discarded line leaves
+   * no trace.
+   */
+  public FunctionScope extendedBy(List<Statement> line) {
+    FunctionScope extended =
+        new FunctionScope(
+            definition, extension ? parent : Optional.of(this), mainLevel, true, globals);
+    for (String local : locals()) {
+      extended.names.put(local, Reach.EVERYWHERE);
+    }
+    if (extension) {
+      extended.functions.putAll(functions);
+    }
+    new ScopeBuilder(false).collect(extended, line);
+    return extended;
+  }
+
+  /** Names of all functions visible here, nearest first. */
+  List<String> visibleFunctions() {
+    List<String> visible = new ArrayList<>();
+    for (Optional<FunctionScope> at = Optional.of(this); at.isPresent(); at = at.get().parent) {
+      visible.addAll(at.get().functions.keySet());
+    }
+    return visible;
+  }
+
+  /** Whether some assignment or parameter makes a local of this name. */
+  boolean binds(String name) {
+    return names.containsKey(name);
+  }
+
+  /** Whether the local {@code name} has a value before the first statement. */
+  boolean startsAssigned(String name) {
+    return Reach.EVERYWHERE.equals(names.get(name));
+  }
+
+  void declare(Definition inner, FunctionScope scope) {
+    functions.put(inner.name(), inner);
+    nested.put(inner, scope);
+  }
+
+  /** Notes an assignment to the plain name {@code name} that is not a {@code global} one. */
+  void bind(String name, Assign assign) {
+    boolean local = assign.qualifier() == Qualifier.LOCAL && !mainLevel;
+    if (local) {
+      names.merge(name, Reach.of(assign), (old, found) -> old.equals(Reach.FREE) ? found : old);
+    } else if (!mainLevel || !globals.contains(name)) {
+      names.putIfAbsent(name, Reach.FREE);
+    }
+  }
+}

@@ -1,0 +1,46 @@
+package org.pendant.language.check;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.pendant.language.signature.Parameter;
+import org.pendant.language.signature.Signature;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+import org.pendant.language.syntax.ParameterDeclaration;
+import org.pendant.language.syntax.Statement.Definition;
+
+/**
+ * What a call must look like, for built-in and defined functions alike.
+ *
+ * @param positions where each parameter stands
+ * @param text the head for messages
+ */
+record Head(String name, List<Parameter> parameters, Map<String, Integer> positions, String text) {
+
+  static Head of(Signature signature) {
+    return of(signature.name(), signature.parameters(), signature.head());
+  }
+
+  static Head of(Definition definition) {
+    List<Parameter> parameters = new ArrayList<>();
+    StringBuilder text = new StringBuilder(definition.name()).append('(');
+    String separator = "";
+    for (ParameterDeclaration declared : definition.parameters()) {
+      boolean required = declared.defaultValue().isEmpty();
+      parameters.add(new Parameter(declared.name(), Type.ANY, Unit.NONE, required, ""));
+      text.append(separator).append(declared.name()).append(required ? "" : "=...");
+      separator = ", ";
+    }
+    return of(definition.name(), parameters, text.append(')').toString());
+  }
+
+  private static Head of(String name, List<Parameter> parameters, String text) {
+    Map<String, Integer> positions = new HashMap<>();
+    for (int i = 0; i < parameters.size(); i++) {
+      positions.putIfAbsent(parameters.get(i).name(), i);
+    }
+    return new Head(name, List.copyOf(parameters), positions, text);
+  }
+}

@@ -1,0 +1,107 @@
+package org.pendant.language.check;
+
+import org.pendant.language.signature.Type;
+
+/** What a value certainly is, as far as the text alone tells; {@link #ANY} where it does not. */
+enum Kind {
+  ANY("a value"),
+  BOOL("a bool"),
+  /** An int, a float or a thread handle. */
+  NUMBER("a number"),
+  STRING("a string"),
+  POSE("a pose"),
+  LIST("a list"),
+  MATRIX("a matrix"),
+  STRUCT("a struct");
+
+  private final String text;
+
+  Kind(String text) {
+    this.text = text;
+  }
+
+  /** With its article, for messages. */
+  String text() {
+    return text;
+  }
+
+  boolean certain() {
+    return this != ANY;
+  }
+
+  /** Whether it has a truth: bools do, and numbers, where all but zero are true. */
+  boolean condition() {
+    return this == ANY || this == BOOL || this == NUMBER;
+  }
+
+  /** What a variable may hold that is assigned this kind and {@code other} at different places. */
+  Kind or(Kind other) {
+    return this == other ? this : ANY;
+  }
+
+  /**
+   * Whether a variable that holds this kind certainly cannot take {@code other}. Structs convert to
+   * lists (manual 4.1.1), so that pair is never certain.
+   */
+  boolean refuses(Kind other) {
+    boolean convertible = (this == STRUCT && other == LIST) || (this == LIST && other == STRUCT);
+    return certain() && other.certain() && this != other && !convertible;
+  }
+
+  static Kind of(Type type) {
+    return switch (type) {
+      case BOOL -> BOOL;
+      case INT, NUMBER -> NUMBER;
+      case STRING -> STRING;
+      case POSE -> POSE;
+      case LIST, JOINTS -> LIST;
+      case MATRIX -> MATRIX;
+      case STRUCT -> STRUCT;
+      case ANY, NONE, POSE_OR_JOINTS -> ANY;
+    };
+  }
+
+  /** The type of receiver whose methods the catalogue lists for this kind, else ANY. */
+  Type receiver() {
+    return switch (this) {
+      case LIST -> Type.LIST;
+      case MATRIX -> Type.MATRIX;
+      case STRUCT -> Type.STRUCT;
+      case ANY, BOOL, NUMBER, STRING, POSE -> Type.ANY;
+    };
+  }
+
+  /** Whether a parameter of {@code type} may take this kind; true unless it certainly may not. */
+  boolean fits(Type type) {
+    return switch (this) {
+      case ANY -> true;
+      case STRING ->
+          switch (type) {
+            case ANY, NONE, STRING -> true;
+            case BOOL, INT, NUMBER, POSE, LIST, JOINTS, POSE_OR_JOINTS, MATRIX, STRUCT -> false;
+          };
+      case BOOL, NUMBER ->
+          switch (type) {
+            case ANY, NONE, BOOL, INT, NUMBER -> true;
+            case STRING, POSE, LIST, JOINTS, POSE_OR_JOINTS, MATRIX, STRUCT -> false;
+          };
+      case POSE, LIST ->
+          switch (type) {
+            case ANY, NONE, POSE, LIST, JOINTS, POSE_OR_JOINTS -> true;
+            case MATRIX -> this == LIST;
+            case STRUCT -> this == LIST;
+            case BOOL, INT, NUMBER, STRING -> false;
+          };
+      case MATRIX ->
+          switch (type) {
+            case ANY, NONE, MATRIX, LIST -> true;
+            case BOOL, INT, NUMBER, STRING, POSE, JOINTS, POSE_OR_JOINTS, STRUCT -> false;
+          };
+      case STRUCT ->
+          switch (type) {
+            case ANY, NONE, STRUCT, LIST, JOINTS -> true;
+            case BOOL, INT, NUMBER, STRING, POSE, POSE_OR_JOINTS, MATRIX -> false;
+          };
+    };
+  }
+}

@@ -1,0 +1,161 @@
+package org.pendant.language.check;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.language.source.Diagnostic;
+import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Expression.Call;
+import org.pendant.language.syntax.ParameterDeclaration;
+import org.pendant.language.syntax.Script;
+import org.pendant.language.syntax.Statement;
+import org.pendant.language.syntax.Statement.Definition;
+import org.pendant.language.syntax.Statement.DefinitionKind;
+import org.pendant.language.syntax.Statement.Evaluate;
+import org.pendant.language.syntax.Statement.Label;
+
+/**
+ * Which part of a script runs, and as what.
+ *
+ * @param kind what the script is
+ * @param name the program's name: that of {@code entry}, or the file's name without extension
+ * @param body the statements that run as the main level; the variables assigned there are globals
+ * @param entry the definition whose body that is; empty for a fragment
+ * @param siblings the other top-level definitions, callable from everywhere; empty for a fragment,
+ *     whose definitions stand in {@code body}
+ * @param problems what is wrong with the form itself: {@code empty-program}, {@code
+ *     entry-parameters}, and the warning {@code trailing-call}
+ */
+public record ProgramForm(
+    Kind kind,
+    String name,
+    List<Statement> body,
+    Optional<Definition> entry,
+    List<Definition> siblings,
+    List<Diagnostic> problems) {
+
+  /** What a script is. */
+  public enum Kind {
+    /** Definitions only; the last function among them runs. */
+    PROGRAM,
+    /** Definitions only, the last one a secondary program (manual 12). */
+    SECONDARY,
+    /** Statements without a function around them. */
+    FRAGMENT
+  }
+
+  public ProgramForm {
+    body = List.copyOf(body);
+    siblings = List.copyOf(siblings);
+    problems = List.copyOf(problems);
+  }
+
+  /** The form of {@code script}. */
+  public static ProgramForm of(Script script) {
+    List<Definition> definitions = new ArrayList<>();
+    List<Statement> others = new ArrayList<>();
+    for (Statement statement : script.statements()) {
+      if (statement instanceof Definition definition) {
+        definitions.add(definition);
+      } else if (!(statement instanceof Label)) {
+        others.add(statement);
+      }
+    }
+    Optional<Definition> entry = entry(definitions);
+    if (entry.isPresent()) {
+      if (others.isEmpty()) {
+        return program(entry.get(), definitions, List.of());
+      }
+      if (callsLastFunction(script.statements(), others, entry.get())) {
+        String name = entry.get().name();
+        String message =
+            name + "() is called after its end, but a file's last function runs by itself";
+        return program(
+            entry.get(),
+            definitions,
+            List.of(Diagnostic.warning("trailing-call", others.getFirst().range(), message)));
+      }
+    }
+    return fragment(script, definitions.isEmpty() && others.isEmpty());
+  }
+
+  private static ProgramForm program(
+      Definition entry, List<Definition> definitions, List<Diagnostic> warnings) {
+    List<Diagnostic> problems = new ArrayList<>(warnings);
+    for (ParameterDeclaration parameter : entry.parameters()) {
+      if (parameter.defaultValue().isEmpty()) {
+        String message =
+            entry.name()
+                + " is the program, so nothing gives its parameter "
+                + parameter.name()
+                + " a value; expected no parameters";
+        problems.add(Diagnostic.error("entry-parameters", parameter.range(), message, ""));
+      }
+    }
+    // Not equals: two definitions with the same text are still two.
+    List<Definition> siblings = new ArrayList<>(definitions);
+    siblings.removeIf(definition -> isSame(definition, entry));
+    Kind kind = entry.kind() == DefinitionKind.SECONDARY ? Kind.SECONDARY : Kind.PROGRAM;
+    return new ProgramForm(
+        kind, entry.name(), entry.body(), Optional.of(entry), siblings, problems);
+  }
+
+  private static ProgramForm fragment(Script script, boolean empty) {
+    List<Diagnostic> problems = List.of();
+    if (empty) {
+      SourceRange start = new SourceRange(0, 0);
+      String message = script.source().name() + " holds no program; expected def name(): ... end";
+      problems = List.of(Diagnostic.error("empty-program", start, message, ""));
+    }
+    return new ProgramForm(
+        Kind.FRAGMENT,
+        baseName(script.source().name()),
+        script.statements(),
+        Optional.empty(),
+        List.of(),
+        problems);
+  }
+
+  /** The last function or secondary program; a thread never starts by itself. */
+  private static Optional<Definition> entry(List<Definition> definitions) {
+    Optional<Definition> lastSecondary = Optional.empty();
+    for (Definition definition : definitions.reversed()) {
+      if (definition.kind() == DefinitionKind.FUNCTION) {
+        boolean secondaryIsLast =
+            lastSecondary.isPresent() && isSame(lastSecondary.get(), definitions.getLast());
+        return secondaryIsLast ? lastSecondary : Optional.of(definition);
+      }
+      if (definition.kind() == DefinitionKind.SECONDARY && lastSecondary.isEmpty()) {
+        lastSecondary = Optional.of(definition);
+      }
+    }
+    return lastSecondary;
+  }
+
+  private static boolean callsLastFunction(
+      List<Statement> all, List<Statement> others, Definition entry) {
+    if (others.size() != 1 || entry.kind() != DefinitionKind.FUNCTION) {
+      return false;
+    }
+    Statement only = others.getFirst();
+    return only instanceof Evaluate evaluate
+        && evaluate.expression() instanceof Call call
+        && call.function().equals(entry.name())
+        && call.arguments().isEmpty()
+        && all.stream().noneMatch(s -> s instanceof Definition && follows(s, only));
+  }
+
+  private static boolean follows(Statement later, Statement earlier) {
+    return later.range().start() > earlier.range().start();
+  }
+
+  private static boolean isSame(Definition one, Definition other) {
+    return one.range().equals(other.range());
+  }
+
+  private static String baseName(String path) {
+    String file = path.substring(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
+    int dot = file.lastIndexOf('.');
+    return dot > 0 ? file.substring(0, dot) : file;
+  }
+}

@@ -1,0 +1,122 @@
+package org.pendant.language.check;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.pendant.language.syntax.Expression.Name;
+import org.pendant.language.syntax.ParameterDeclaration;
+import org.pendant.language.syntax.Statement;
+import org.pendant.language.syntax.Statement.Assign;
+import org.pendant.language.syntax.Statement.Branch;
+import org.pendant.language.syntax.Statement.Definition;
+import org.pendant.language.syntax.Statement.Evaluate;
+import org.pendant.language.syntax.Statement.If;
+import org.pendant.language.syntax.Statement.Label;
+import org.pendant.language.syntax.Statement.While;
+
+/** A first look at all assignments: what each variable holds wherever it is assigned. */
+final class Survey {
+  private final Inference inference;
+  private final Map<String, Kind> globals = new HashMap<>();
+  private final Map<FunctionScope, Map<String, Kind>> locals = new HashMap<>();
+  private final Map<String, Kind> opening = new HashMap<>();
+  private final Set<String> assignedInFunctions = new HashSet<>();
+
+  private Survey(Inference inference) {
+    this.inference = inference;
+  }
+
+  /** The survey of a whole program. */
+  static Survey of(ProgramForm form, Scopes scopes, Inference inference) {
+    Survey survey = new Survey(inference);
+    FunctionScope main = scopes.mainScope();
+    survey.look(main, form.body());
+    for (Definition definition : scopes.definitions()) {
+      FunctionScope scope = scopes.scope(definition);
+      if (!scope.mainLevel()) {
+        survey.look(scope, definition.body());
+      }
+    }
+    form.entry().ifPresent(survey::lookAtParameters);
+    survey.lookAtOpening(main, form.body());
+    return survey;
+  }
+
+  /** One line of interpreter mode: what variables hold is not known from it alone. */
+  static Survey nothingKnown(Inference inference) {
+    return new Survey(inference);
+  }
+
+  /** What {@code binding} holds whenever it has a value. */
+  Kind kind(FunctionScope scope, Binding binding) {
+    return switch (binding) {
+      case Binding.Global(String name) ->
+          opening.getOrDefault(name, globals.getOrDefault(name, Kind.ANY));
+      case Binding.Local(String name) ->
+          locals.getOrDefault(scope, Map.of()).getOrDefault(name, Kind.ANY);
+    };
+  }
+
+  /** What the program's first statements certainly put into a global. */
+  Kind openingKind(Binding binding) {
+    return switch (binding) {
+      case Binding.Global(String name) -> opening.getOrDefault(name, Kind.ANY);
+      case Binding.Local _ -> Kind.ANY;
+    };
+  }
+
+  boolean assignedInFunctions(String global) {
+    return assignedInFunctions.contains(global);
+  }
+
+  private void look(FunctionScope scope, List<Statement> statements) {
+    for (Statement statement : statements) {
+      if (statement instanceof Assign assign && assign.target() instanceof Name) {
+        Binding binding = scope.target(assign);
+        Kind kind = inference.kind(assign.value(), scope);
+        switch (binding) {
+          case Binding.Global(String name) -> {
+            globals.merge(name, kind, Kind::or);
+            if (!scope.mainLevel()) {
+              assignedInFunctions.add(name);
+            }
+          }
+          case Binding.Local(String name) -> {
+            Kind first = scope.startsAssigned(name) ? Kind.ANY : kind;
+            locals.computeIfAbsent(scope, _ -> new HashMap<>()).merge(name, first, Kind::or);
+          }
+        }
+      } else if (statement instanceof If choice) {
+        for (Branch branch : choice.branches()) {
+          look(scope, branch.body());
+        }
+        choice.otherwise().ifPresent(body -> look(scope, body));
+      } else if (statement instanceof While loop) {
+        look(scope, loop.body());
+      }
+    }
+  }
+
+  private void lookAtParameters(Definition entry) {
+    for (ParameterDeclaration parameter : entry.parameters()) {
+      globals.put(parameter.name(), Kind.ANY);
+    }
+  }
+
+  /** The statements before the first one that may branch or leave run in every run. */
+  private void lookAtOpening(FunctionScope main, List<Statement> statements) {
+    for (Statement statement : statements) {
+      if (statement instanceof Assign assign) {
+        if (assign.target() instanceof Name(String name, _)) {
+          opening.putIfAbsent(name, inference.kind(assign.value(), main));
+        }
+      } else if (!(statement instanceof Evaluate
+          || statement instanceof Label
+          || statement instanceof Definition)) {
+        return;
+      }
+    }
+  }
+}

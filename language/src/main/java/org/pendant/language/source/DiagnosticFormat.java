@@ -1,0 +1,72 @@
+package org.pendant.language.source;
+
+import java.nio.charset.StandardCharsets;
+
+/**
+ * The form of a {@link Diagnostic} for people: {@code file:line:column: error: message}, the source
+ * line below it and a caret under the fault.
+ */
+public final class DiagnosticFormat {
+  /** Lines longer than this are shown in part, in bytes. */
+  private static final int MAX_LINE = 160;
+
+  /** How much of a long line is shown in front of the fault, in bytes. */
+  private static final int LEAD = 60;
+
+  private DiagnosticFormat() {}
+
+  /**
+   * Three lines for a terminal, without a line end behind the last one. Source bytes are shown as
+   * UTF-8; the column counts bytes from 1, as the controller's own messages do.
+   */
+  public static String format(Source source, Diagnostic diagnostic) {
+    int start = Math.min(diagnostic.range().start(), source.text().length());
+    int line = source.line(start);
+    int column = source.column(start);
+    String text = source.lineText(line);
+    int from = Math.min(column - 1, text.length());
+    int to = Math.clamp((long) from + diagnostic.range().end() - start, from, text.length());
+    int shownFrom = text.length() > MAX_LINE ? Math.max(0, from - LEAD) : 0;
+    int shownTo = Math.min(text.length(), shownFrom + MAX_LINE);
+    String before = decoded(text.substring(shownFrom, from));
+    String fault = decoded(text.substring(from, Math.max(from, Math.min(to, shownTo))));
+    String after = decoded(text.substring(Math.max(from, Math.min(to, shownTo)), shownTo));
+    return String.format(
+        "%s:%d:%d: %s: %s%n%s%n%s",
+        source.name(),
+        line,
+        column,
+        diagnostic.isError() ? "error" : "warning",
+        decoded(diagnostic.message()),
+        before + fault + after,
+        blanks(before) + "^" + "~".repeat(Math.max(0, width(fault) - 1)));
+  }
+
+  /** As many blanks as {@code text} is wide, with its tabs kept so that the caret lines up. */
+  private static String blanks(String text) {
+    StringBuilder blanks = new StringBuilder();
+    text.codePoints().forEach(point -> blanks.append(point == '\t' ? '\t' : ' '));
+    return blanks.toString();
+  }
+
+  private static int width(String text) {
+    return text.codePointCount(0, text.length());
+  }
+
+  /** Bytes held as Latin-1, decoded as UTF-8; control bytes cannot disturb the terminal. */
+  private static String decoded(String bytes) {
+    if (bytes.chars().anyMatch(one -> one > 0xFF)) {
+      return printable(bytes);
+    }
+    return printable(
+        new String(bytes.getBytes(StandardCharsets.ISO_8859_1), StandardCharsets.UTF_8));
+  }
+
+  private static String printable(String text) {
+    StringBuilder printable = new StringBuilder(text.length());
+    text.codePoints()
+        .map(point -> point != '\t' && Character.isISOControl(point) ? '\uFFFD' : point)
+        .forEach(printable::appendCodePoint);
+    return printable.toString();
+  }
+}
