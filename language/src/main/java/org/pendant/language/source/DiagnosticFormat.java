@@ -1,7 +1,5 @@
 package org.pendant.language.source;
 
-import java.nio.charset.StandardCharsets;
-
 /**
  * The form of a {@link Diagnostic} for people: {@code file:line:column: error: message}, the source
  * line below it and a caret under the fault.
@@ -53,13 +51,9 @@ public final class DiagnosticFormat {
     return text.codePointCount(0, text.length());
   }
 
-  /** Bytes held as Latin-1, decoded as UTF-8; control bytes cannot disturb the terminal. */
+  /** Text with pieces of a script in it; control bytes cannot disturb the terminal. */
   private static String decoded(String bytes) {
-    if (bytes.chars().anyMatch(one -> one > 0xFF)) {
-      return printable(bytes);
-    }
-    return printable(
-        new String(bytes.getBytes(StandardCharsets.ISO_8859_1), StandardCharsets.UTF_8));
+    return printable(ByteText.decoded(bytes));
   }
 
   private static String printable(String text) {

@@ -1,0 +1,45 @@
+package org.pendant.language.parse;
+
+import java.util.List;
+import org.antlr.v4.runtime.TokenSource;
+import org.antlr.v4.runtime.misc.ParseCancellationException;
+import org.pendant.language.source.Source;
+import org.pendant.language.syntax.Statement;
+
+/**
+ * Reads a text that has syntax errors and reports each of them once.
+ *
+ * <p>Typical mistakes with a clear meaning are reported and mended in the tokens ({@link
+ * TokenRepair}), then blocks are balanced ({@link BlockRepair}), so that the parser meets only
+ * errors inside one statement or head, from which {@link StatementRecovery} goes on.
+ */
+final class RecoveringParse {
+  private final Source source;
+  private final Complaints complaints;
+
+  RecoveringParse(Source source, Complaints complaints) {
+    this.source = source;
+    this.complaints = complaints;
+  }
+
+  /** What could be read; nothing when there are too many errors to go on. */
+  List<Statement> parse(List<ScriptToken> broken, TokenSource tokenSource) {
+    List<ScriptToken> mended = new TokenRepair(source, complaints).mend(broken);
+    if (complaints.full()) {
+      return List.of();
+    }
+    List<ScriptToken> balanced = new BlockRepair(source, complaints).balance(mended);
+    if (complaints.full()) {
+      return List.of();
+    }
+    TokenArray tokens = new TokenArray(balanced, tokenSource);
+    BuildingParser parser = new BuildingParser(tokens, new StatementBuilder(source, complaints));
+    parser.setErrorHandler(
+        new StatementRecovery(tokens, complaints, new ErrorMessages(source, tokens)));
+    try {
+      return parser.statements();
+    } catch (ParseCancellationException tooMany) {
+      return List.of();
+    }
+  }
+}

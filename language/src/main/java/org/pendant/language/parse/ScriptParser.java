@@ -1,0 +1,73 @@
+package org.pendant.language.parse;
+
+import java.util.List;
+import java.util.Optional;
+import org.antlr.v4.runtime.BailErrorStrategy;
+import org.antlr.v4.runtime.misc.ParseCancellationException;
+import org.pendant.language.source.Source;
+import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Script;
+import org.pendant.language.syntax.Statement;
+
+/**
+ * Reads URScript text.
+ *
+ * <p>The passes: {@link TokenPass} makes tokens and bounds how deeply they nest; ANTLR's parser
+ * runs once without recovery, as nearly every text is right; {@link StatementBuilder} makes our
+ * tree. Only a text with an error is read again, by {@link RecoveringParse}.
+ */
+public final class ScriptParser {
+  /** Texts above this many bytes are refused; real programs stay below half a megabyte. */
+  public static final int MAX_BYTES = 4 << 20;
+
+  private ScriptParser() {}
+
+  /**
+   * A script file: definitions and statements in any mix, so a whole program and a fragment that is
+   * pasted into one are read alike.
+   */
+  public static ParseResult parseProgram(Source source) {
+    Complaints complaints = new Complaints(source);
+    List<Statement> statements = statements(source, complaints);
+    SourceRange all = new SourceRange(0, source.text().length());
+    return new ParseResult(new Script(source, statements, all), complaints.inOrder());
+  }
+
+  /** One line of interpreter mode (manual 13): one or more statements, definitions among them. */
+  public static ParseResult parseLine(Source source) {
+    return parseProgram(source);
+  }
+
+  private static List<Statement> statements(Source source, Complaints complaints) {
+    int bytes = source.text().length();
+    if (bytes > MAX_BYTES) {
+      complaints.refuse(
+          "source-too-large",
+          source.name() + " has " + bytes + " bytes: a script may have " + MAX_BYTES + " at most");
+      return List.of();
+    }
+    TokenPass pass = new TokenPass(source);
+    List<ScriptToken> tokens = pass.read();
+    if (pass.tooDeep().isPresent()) {
+      complaints.tooDeep(pass.tooDeep().get());
+      return List.of();
+    }
+    return strict(source, new TokenArray(tokens, pass.lexer()), complaints)
+        .orElseGet(
+            () -> {
+              complaints.clear();
+              return new RecoveringParse(source, complaints).parse(tokens, pass.lexer());
+            });
+  }
+
+  private static Optional<List<Statement>> strict(
+      Source source, TokenArray tokens, Complaints complaints) {
+    BuildingParser parser = new BuildingParser(tokens, new StatementBuilder(source, complaints));
+    parser.setErrorHandler(new BailErrorStrategy());
+    try {
+      return Optional.of(parser.statements());
+    } catch (ParseCancellationException stopped) {
+      return Optional.empty();
+    }
+  }
+}

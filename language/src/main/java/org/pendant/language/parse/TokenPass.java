@@ -1,0 +1,136 @@
+package org.pendant.language.parse;
+
+import static org.pendant.language.parse.UrScriptParser.*;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.antlr.v4.runtime.Token;
+import org.pendant.language.source.Source;
+
+/**
+ * Reads the tokens of a source and gives those where a line end matters their own type (see the
+ * head of the grammar). It also measures how deeply the text nests, so that the recursive passes
+ * after it never meet a text that would exhaust the stack.
+ */
+final class TokenPass {
+  /** Brackets open at once; generated programs stay below ten. */
+  static final int MAX_BRACKETS = 200;
+
+  /** Blocks open at once. */
+  static final int MAX_BLOCKS = 100;
+
+  /** Prefix operators in a row. */
+  static final int MAX_PREFIXES = 100;
+
+  private final UrScriptLexer lexer;
+  private final List<ScriptToken> tokens;
+  private ScriptToken previous;
+  private int brackets;
+  private int blocks;
+  private int prefixes;
+  private Optional<TooDeep> tooDeep = Optional.empty();
+
+  /** The token at which a limit was passed, and what there was too much of. */
+  record TooDeep(ScriptToken token, String what, int limit) {}
+
+  TokenPass(Source source) {
+    lexer = new UrScriptLexer(new ByteStream(source));
+    lexer.setTokenFactory(ScriptToken.FACTORY);
+    lexer.removeErrorListeners();
+    tokens = new ArrayList<>(16 + source.text().length() / 4);
+  }
+
+  UrScriptLexer lexer() {
+    return lexer;
+  }
+
+  Optional<TooDeep> tooDeep() {
+    return tooDeep;
+  }
+
+  /** Every token up to and with end-of-file; fewer when the text nests too deeply. */
+  List<ScriptToken> read() {
+    while (tooDeep.isEmpty()) {
+      ScriptToken token = (ScriptToken) lexer.nextToken();
+      boolean firstOnLine = previous == null || previous.getLine() != token.getLine();
+      if (!firstOnLine && previous.is(DOT) && TokenKinds.isReservedWord(token.getType())) {
+        token.setType(NAME);
+      }
+      if (firstOnLine && brackets > 0) {
+        leaveUnclosedBrackets(token);
+      }
+      token.place(firstOnLine, brackets);
+      if (token.is(LABEL)) {
+        if (!firstOnLine) {
+          token.setType(STRANGE);
+        } else if (brackets > 0) {
+          continue;
+        }
+      }
+      refineReturn(token);
+      refine(token);
+      tokens.add(token);
+      previous = token;
+      if (token.is(Token.EOF)) {
+        break;
+      }
+    }
+    return tokens;
+  }
+
+  /** A bracket that was forgotten must not hide the line ends of the rest of the file. */
+  private void leaveUnclosedBrackets(ScriptToken token) {
+    int type = token.getType();
+    if (TokenKinds.beginsStatementForSure(type)
+        || (type == NAME && TokenKinds.endsOperandOrLine(previous.getType()))) {
+      brackets = 0;
+    }
+  }
+
+  private void refineReturn(ScriptToken token) {
+    if (previous != null
+        && previous.is(RETURN)
+        && (token.firstOnLine() || token.is(Token.EOF) || TokenKinds.endsBlock(token.getType()))) {
+      previous.setType(BARE_RETURN);
+    }
+  }
+
+  private void refine(ScriptToken token) {
+    boolean lineStart = token.firstOnLine() && brackets == 0;
+    int type = token.getType();
+    switch (type) {
+      case LPAREN, LBRACK -> {
+        if (lineStart) {
+          token.setType(type == LPAREN ? LINE_LPAREN : LINE_LBRACK);
+        }
+        brackets++;
+        limit(token, brackets, "brackets", MAX_BRACKETS);
+      }
+      case RPAREN, RBRACK -> brackets = Math.max(0, brackets - 1);
+      case PLUS, MINUS -> {
+        if (lineStart) {
+          token.setType(type == PLUS ? LINE_PLUS : LINE_MINUS);
+        }
+      }
+      case DEF, SEC, THREAD, IF, WHILE -> {
+        brackets = 0;
+        blocks++;
+        limit(token, blocks, "blocks", MAX_BLOCKS);
+      }
+      case END -> {
+        brackets = 0;
+        blocks = Math.max(0, blocks - 1);
+      }
+      default -> {}
+    }
+    prefixes = TokenKinds.isPrefix(token.getType()) ? prefixes + 1 : 0;
+    limit(token, prefixes, "prefix operators", MAX_PREFIXES);
+  }
+
+  private void limit(ScriptToken token, int count, String what, int limit) {
+    if (count > limit) {
+      tooDeep = Optional.of(new TooDeep(token, what, limit));
+    }
+  }
+}
