@@ -1,0 +1,159 @@
+package org.pendant.controller;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.machine.Machine;
+import org.pendant.controller.machine.Program;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.machine.ScriptFailure;
+
+/**
+ * Takes commands from any thread and carries them out in the frame loop. Secondary programs wait
+ * until the primary one has had its turn of the frame.
+ */
+final class CommandDesk {
+  /** Most commands between two frames; more are refused. */
+  static final int CAPACITY = 1024;
+
+  private static final Reply DONE = new Reply.Done();
+
+  private final ControlBox box;
+  private final Machine machine;
+  private final BlockingQueue<Submitted> arrived = new ArrayBlockingQueue<>(CAPACITY);
+  private final List<Submitted> secondaries = new ArrayList<>();
+  private final List<Answered> answered = new ArrayList<>();
+
+  private record Answered(Submitted command, Reply reply) {}
+
+  CommandDesk(ControlBox box, Machine machine) {
+    this.box = box;
+    this.machine = machine;
+  }
+
+  /** Any thread: leaves a command for the next frame. */
+  CompletableFuture<Reply> submit(Command command) {
+    CompletableFuture<Reply> reply = new CompletableFuture<>();
+    if (!arrived.offer(new Submitted(command, reply))) {
+      reply.complete(
+          new Reply.Refused("more than " + CAPACITY + " commands in a frame, try again later"));
+    }
+    return reply;
+  }
+
+  /** Carries out what has arrived, in its order. */
+  void drain() {
+    for (Submitted next = arrived.poll(); next != null; next = arrived.poll()) {
+      if (next.command() instanceof Command.RunSecondary) {
+        secondaries.add(next);
+      } else {
+        answered.add(new Answered(next, carryOut(next.command())));
+      }
+    }
+  }
+
+  /** Runs the secondary programs that have arrived. */
+  void runSecondaries() {
+    for (Submitted next : secondaries) {
+      answered.add(new Answered(next, carryOut(next.command())));
+    }
+    secondaries.clear();
+  }
+
+  /** Hands out the replies; the snapshot that shows the effect is published. */
+  void reply() {
+    if (answered.isEmpty()) {
+      return;
+    }
+    List<Answered> ready = List.copyOf(answered);
+    answered.clear();
+    ready.forEach(each -> each.command().reply().complete(each.reply()));
+  }
+
+  private Reply carryOut(Command command) {
+    try {
+      return switch (command) {
+        case Command.StartProgram start -> start(start.program());
+        case Command.StopProgram stop -> done(machine::stop);
+        case Command.PauseProgram pause -> pause();
+        case Command.ResumeProgram resume -> resume();
+        case Command.RunSecondary secondary -> runSecondary(secondary.program());
+        case Command.SetInput set -> done(() -> box.io().setInput(set.name(), set.level()));
+        case Command.SetSpeedFraction set ->
+            done(() -> box.motion().setSpeedFraction(set.fraction()));
+        case Command.AnswerPopup answer -> answer(answer.number());
+        case Command.Interpret line ->
+            new Reply.Interpreted(machine.interpreter().submit(line.line()));
+        case Command.SkipInterpreted skip -> done(machine.interpreter()::skip);
+        case Command.AbortMove abort ->
+            machine.abortMove() ? DONE : new Reply.Refused("no move is under way");
+      };
+    } catch (IllegalArgumentException e) {
+      return new Reply.Refused(e.getMessage());
+    } catch (RuntimeException e) {
+      box.log().internalError(e);
+      return new Reply.Refused("internal error: " + e);
+    }
+  }
+
+  private static Reply done(Runnable action) {
+    action.run();
+    return DONE;
+  }
+
+  private Reply start(Program program) {
+    if (machine.state() != ProgramState.STOPPED) {
+      return new Reply.Refused("program " + machine.programName() + " runs already");
+    }
+    box.programStarted();
+    machine.start(program);
+    return DONE;
+  }
+
+  private Reply pause() {
+    if (machine.state() != ProgramState.RUNNING) {
+      return new Reply.Refused("no program is running");
+    }
+    machine.pause();
+    return DONE;
+  }
+
+  private Reply resume() {
+    if (machine.state() != ProgramState.PAUSED) {
+      return new Reply.Refused("no program is paused");
+    }
+    box.popups().closeBlocking();
+    machine.resume();
+    return DONE;
+  }
+
+  private Reply answer(long number) {
+    boolean blocked = box.popups().blocked();
+    if (!box.popups().answer(number)) {
+      return new Reply.Refused("popup " + number + " is not open");
+    }
+    if (blocked && !box.popups().blocked()) {
+      machine.resume();
+    }
+    return DONE;
+  }
+
+  private Reply runSecondary(Program program) {
+    Optional<ScriptFailure> failure = machine.runSecondary(program);
+    failure.ifPresent(
+        why ->
+            box.log()
+                .error(
+                    "secondary program "
+                        + program.name()
+                        + ", line "
+                        + why.line()
+                        + ": "
+                        + why.message()));
+    return failure.map(why -> (Reply) new Reply.Refused(why.message())).orElse(DONE);
+  }
+}

@@ -1,0 +1,107 @@
+package org.pendant.controller;
+
+import java.util.List;
+import java.util.SortedMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.BooleanSupplier;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.machine.Loaded;
+import org.pendant.controller.machine.Machine;
+import org.pendant.controller.machine.ProgramLoader;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.value.Value;
+import org.pendant.language.source.Source;
+
+/**
+ * One robot controller with its arm. Any number of them live in a process.
+ *
+ * <p>One thread at a time drives it, frame by frame, with {@link #advance}: a {@link FrameLoop}, or
+ * whoever created it. Everybody else reads {@link #state} and submits commands, from any thread.
+ */
+public final class Controller {
+  private final Builtins builtins;
+  private final ControlBox box;
+  private final Machine machine;
+  private final CommandDesk desk;
+  private final Frame frame;
+
+  /**
+   * Switches a controller on.
+   *
+   * @throws IllegalArgumentException if the robot or an input is not known
+   */
+  public Controller(ControllerOptions options) {
+    this(options, StandardBuiltins.create());
+  }
+
+  /** As {@link #Controller(ControllerOptions)}, with a catalogue that may be shared. */
+  public Controller(ControllerOptions options, Builtins builtins) {
+    this.builtins = builtins;
+    box = new ControlBox(options.boxSetup());
+    options.inputs().forEach(box.io()::setInput);
+    machine = new Machine(builtins, box);
+    desk = new CommandDesk(box, machine);
+    frame = new Frame(box, machine, desk);
+  }
+
+  /** The functions that programs may call. */
+  public Builtins builtins() {
+    return builtins;
+  }
+
+  /** Parses, checks and compiles a program; any thread. */
+  public Loaded load(Source source) {
+    return ProgramLoader.load(source, builtins);
+  }
+
+  /**
+   * Leaves a command for the next frame; any thread. What is chained to the reply without an
+   * executor runs in the frame loop and must be short.
+   */
+  public CompletableFuture<Reply> submit(Command command) {
+    return desk.submit(command);
+  }
+
+  /** Runs one frame in the calling thread. */
+  public void advance() {
+    frame.advance();
+  }
+
+  /**
+   * Runs frames in the calling thread until a condition holds, looked at after each.
+   *
+   * @param condition usually about {@link #state}
+   * @param maxFrames how many frames to run at most
+   * @return whether the condition came to hold
+   */
+  public boolean runUntil(BooleanSupplier condition, long maxFrames) {
+    for (long i = 0; i < maxFrames; i++) {
+      frame.advance();
+      if (condition.getAsBoolean()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** The newest snapshot; any thread. */
+  public ControllerState state() {
+    return frame.state();
+  }
+
+  /** Log lines after number {@code number} that are still kept, oldest first; any thread. */
+  public List<LogEntry> logSince(long number) {
+    return box.log().since(number);
+  }
+
+  /**
+   * Copies of the global variables of the running or last program, by name. Only for the thread
+   * that drives the frames.
+   */
+  public SortedMap<String, Value> globals() {
+    return machine.globals();
+  }
+}

@@ -1,0 +1,193 @@
+package org.pendant.controller;
+
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.machine.Ending;
+import org.pendant.controller.machine.Machine;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.machine.ScriptFailure;
+import org.pendant.controller.motion.MotionControl;
+import org.pendant.controller.state.ArmState;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.ProgramStatus;
+import org.pendant.language.source.SourceRange;
+
+/** What happens in one frame of 2 ms, in its order. One thread at a time calls {@link #advance}. */
+final class Frame {
+  private final ControlBox box;
+  private final Machine machine;
+  private final CommandDesk desk;
+
+  private ProgramState followed = ProgramState.STOPPED;
+  private ProgramStatus program = ProgramStatus.NONE;
+  private Optional<Ending> internalEnding = Optional.empty();
+  private long faultFrame;
+  private volatile ControllerState state;
+
+  Frame(ControlBox box, Machine machine, CommandDesk desk) {
+    this.box = box;
+    this.machine = machine;
+    this.desk = desk;
+    state = snapshot();
+  }
+
+  void advance() {
+    box.beginFrame();
+    applyCommands();
+    runScripts();
+    stepMotion();
+    stepArm();
+    checkSafety();
+    publish();
+  }
+
+  /** The newest snapshot; any thread. */
+  ControllerState state() {
+    return state;
+  }
+
+  private void applyCommands() {
+    desk.drain();
+    followProgram();
+  }
+
+  private void runScripts() {
+    try {
+      machine.advance();
+    } catch (RuntimeException | StackOverflowError e) {
+      endAfter(e);
+    }
+    if (box.popups().blocked()) {
+      machine.pause();
+    }
+    desk.runSecondaries();
+    followProgram();
+  }
+
+  private void stepMotion() {
+    box.motion().step();
+  }
+
+  private void stepArm() {
+    box.arm().step(box.motion().positionRad(), box.motion().speedRadPerS());
+  }
+
+  /**
+   * A motion that could not follow its path has stopped by itself. The thread that waits for it
+   * fails in the next frame; without one the program is stopped here.
+   */
+  private void checkSafety() {
+    if (box.motion().fault().isEmpty()) {
+      faultFrame = 0;
+    } else if (faultFrame == 0) {
+      faultFrame = box.frame();
+    } else if (box.frame() == faultFrame + 2 && !failed()) {
+      box.log().error("protective stop: " + box.motion().fault().get().message());
+      machine.stop();
+      followProgram();
+    }
+  }
+
+  private boolean failed() {
+    return machine.ending().isPresent() && machine.ending().get() instanceof Ending.Failed;
+  }
+
+  private void publish() {
+    state = snapshot();
+    desk.reply();
+  }
+
+  /** Makes the motion do what the program's state asks for. */
+  private void followProgram() {
+    ProgramState now = machine.state();
+    if (now == followed) {
+      return;
+    }
+    followed = now;
+    switch (now) {
+      case RUNNING -> {
+        internalEnding = Optional.empty();
+        box.motion().resume();
+      }
+      case PAUSED -> box.motion().pause();
+      case STOPPED -> {
+        box.motion().abort();
+        box.motion().resume();
+        box.popups().closeBlocking();
+        if (machine.ending().orElseThrow() instanceof Ending.Failed failed) {
+          ScriptFailure why = failed.failure();
+          box.log()
+              .ending(
+                  "program "
+                      + machine.programName()
+                      + " stopped in line "
+                      + why.line()
+                      + ": "
+                      + why.message());
+        }
+      }
+    }
+  }
+
+  /** Our own mistake, not the program's: it ends, and the log gets all there is to know. */
+  private void endAfter(Throwable cause) {
+    box.log().internalError(cause);
+    int line = machine.line();
+    machine.stop();
+    internalEnding =
+        Optional.of(
+            new Ending.Failed(
+                new ScriptFailure(
+                    "internal-error",
+                    "internal error: " + cause,
+                    new SourceRange(0, 0),
+                    Math.max(1, line),
+                    1,
+                    List.of())));
+  }
+
+  private ControllerState snapshot() {
+    return new ControllerState(
+        box.frame(),
+        box.timeS(),
+        armState(),
+        programStatus(),
+        box.io().levels(),
+        box.popups().open(),
+        box.log().takeNew(),
+        box.popups().takeNew(),
+        box.log().newest());
+  }
+
+  private ArmState armState() {
+    MotionControl motion = box.motion();
+    return new ArmState(
+        motion.positionRad(),
+        motion.speedRadPerS(),
+        motion.accelerationRadPerS2(),
+        box.arm().positionRad(),
+        box.arm().speedRadPerS(),
+        box.tool(),
+        box.forward(),
+        motion.moving(),
+        motion.steady(),
+        motion.speedFraction(),
+        motion.scaling(),
+        motion.fault());
+  }
+
+  /** The last status again while nothing has changed: most frames wait. */
+  private ProgramStatus programStatus() {
+    ProgramState now = machine.state();
+    int line = machine.line();
+    Optional<Ending> ending = internalEnding.isPresent() ? internalEnding : machine.ending();
+    if (now != program.state()
+        || line != program.line()
+        || !ending.equals(program.ending())
+        || !machine.programName().equals(program.name())) {
+      program = new ProgramStatus(now, machine.programName(), line, ending);
+    }
+    return program;
+  }
+}

@@ -1,0 +1,20 @@
+package org.pendant.controller;
+
+import org.pendant.controller.machine.Interpreter;
+
+/** The answer to a {@link Command}, given at the end of the frame that carried it out. */
+public sealed interface Reply {
+
+  /** Carried out. */
+  record Done() implements Reply {}
+
+  /**
+   * Not carried out, or failed.
+   *
+   * @param reason what, the value, what was expected
+   */
+  record Refused(String reason) implements Reply {}
+
+  /** What interpreter mode says to a line. */
+  record Interpreted(Interpreter.Reply reply) implements Reply {}
+}

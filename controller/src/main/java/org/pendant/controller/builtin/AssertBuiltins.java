@@ -1,0 +1,28 @@
+package org.pendant.controller.builtin;
+
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.language.signature.Type;
+
+/** A program's checks of itself (manual 7). */
+final class AssertBuiltins {
+  private AssertBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    builtins
+        .declare("assert")
+        .manual("core", "7")
+        .doc("Stops the program with an error unless the condition is True.")
+        .needs("condition", Type.BOOL)
+        .does(AssertBuiltins::check);
+  }
+
+  private static Outcome check(Call call) throws ScriptError {
+    if (!call.bool(0)) {
+      throw call.failure("assertion-failed", "condition is False, must be True");
+    }
+    return call.answer();
+  }
+}

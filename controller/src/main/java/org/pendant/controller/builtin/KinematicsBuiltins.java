@@ -1,0 +1,94 @@
+package org.pendant.controller.builtin;
+
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Declaration;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.value.PoseValue;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.InverseKinematics;
+import org.pendant.models.kinematics.InverseResult;
+import org.pendant.models.pose.Pose;
+
+/** From joint positions to poses and back (manual 16.13 to 16.16). */
+final class KinematicsBuiltins {
+  private static final String MODULE = "internals";
+  private static final String PRESENT_JOINTS = "current joint positions";
+  private static final String ACTIVE_TCP = "active tcp";
+
+  private KinematicsBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    builtins
+        .declare("get_forward_kin")
+        .manual(MODULE, "16.13")
+        .doc("The pose of the TCP in the base frame for joint positions.")
+        .mayTake("q", Type.JOINTS, Unit.RADIAN, PRESENT_JOINTS)
+        .mayTake("tcp", Type.POSE, Unit.NONE, ACTIVE_TCP)
+        .returns(Type.POSE)
+        .does(KinematicsBuiltins::forward);
+    withTolerances(
+            builtins
+                .declare("get_inverse_kin")
+                .manual(MODULE, "16.15")
+                .doc(
+                    "The joint positions nearest to qnear that put the TCP at a pose. It is an"
+                        + " error if there are none; get_inverse_kin_has_solution tells"
+                        + " beforehand.")
+                .needs("x", Type.POSE))
+        .returns(Type.JOINTS)
+        .does(KinematicsBuiltins::inverse);
+    withTolerances(
+            builtins
+                .declare("get_inverse_kin_has_solution")
+                .manual(MODULE, "16.16")
+                .doc("Whether get_inverse_kin finds joint positions for a pose.")
+                .needs("pose", Type.POSE))
+        .returns(Type.BOOL)
+        .does(call -> call.answer(solve(call) instanceof InverseResult.Reached));
+  }
+
+  private static Declaration withTolerances(Declaration declaration) {
+    double error = InverseKinematics.DEFAULT_ERROR;
+    return declaration
+        .mayTake("qnear", Type.JOINTS, Unit.RADIAN, PRESENT_JOINTS)
+        .takes("maxPositionError", Unit.METRE, error)
+        .takes("maxOrientationError", Unit.RADIAN, error)
+        .mayTake("tcp", Type.POSE, Unit.NONE, ACTIVE_TCP);
+  }
+
+  private static Outcome forward(Call call) throws ScriptError {
+    Joints q = call.given(0) ? MotionArguments.joints(call, 0) : call.box().arm().positionRad();
+    return call.answer(call.box().forward().tcpPose(q, MotionArguments.tcpOffset(call, 1)));
+  }
+
+  private static Outcome inverse(Call call) throws ScriptError {
+    return switch (solve(call)) {
+      case InverseResult.Reached found -> call.answer(found.q());
+      case InverseResult.Unreachable none ->
+          throw call.failure(
+              "no-solution",
+              "the pose " + text(call.pose(0)) + " is out of reach: " + none.cause().text());
+    };
+  }
+
+  private static InverseResult solve(Call call) throws ScriptError {
+    Pose pose = MotionArguments.pose(call, 0);
+    Pose flange = InverseKinematics.flangeOf(pose, MotionArguments.tcpOffset(call, 4));
+    return call.box()
+        .inverse()
+        .find(
+            flange,
+            MotionArguments.near(call, 1),
+            MotionArguments.notNegative(call, 2),
+            MotionArguments.notNegative(call, 3));
+  }
+
+  /** A pose as scripts print it. */
+  static String text(Pose pose) {
+    return new PoseValue(pose).text();
+  }
+}

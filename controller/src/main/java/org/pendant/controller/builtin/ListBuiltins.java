@@ -1,0 +1,137 @@
+package org.pendant.controller.builtin;
+
+import java.util.Arrays;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.value.Kind;
+import org.pendant.controller.value.ListValue;
+import org.pendant.controller.value.MatrixValue;
+import org.pendant.controller.value.NumberList;
+import org.pendant.controller.value.ObjectList;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.StringValue;
+import org.pendant.controller.value.StructValue;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+
+/** Functions that make and measure lists (manual 17); their methods are {@link ListMethods}. */
+final class ListBuiltins {
+  private ListBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    builtins
+        .declare("binary_list_to_integer")
+        .manual("urmath", "17.5")
+        .doc(
+            "The int whose bits a list of bools holds, the lowest first. Bools after the first 32"
+                + " do not count, an empty list is 0.")
+        .needs("l", Type.LIST)
+        .returns(Type.INT)
+        .does(ListBuiltins::integerOfBits);
+    builtins
+        .declare("get_list_length")
+        .manual("urmath", "17.11")
+        .doc("The number of elements of a list.")
+        .needs("v", Type.LIST)
+        .returns(Type.INT)
+        .does(call -> call.answerInt(call.list(0).length()));
+    builtins
+        .declare("integer_to_binary_list")
+        .manual("urmath", "17.12")
+        .doc("The 32 bits of an int as a list of bools, the lowest first.")
+        .needs("x", Type.INT)
+        .returns(Type.LIST)
+        .does(ListBuiltins::bitsOfInteger);
+    builtins
+        .declare("length")
+        .manual("urmath", "17.15")
+        .doc("The number of elements of a list, bytes of a string or members of a struct.")
+        .needs("v", Type.ANY)
+        .returns(Type.INT)
+        .does(ListBuiltins::length);
+    builtins
+        .declare("make_list")
+        .manual("urmath", "17.10")
+        .doc(
+            "A new list of equal elements, with room for as many as capacity says. The initial"
+                + " value fixes the type of the elements, also of a list of length 0.")
+        .needs("length", Type.INT)
+        .needs("initial_value", Type.ANY)
+        .mayTake("capacity", Type.INT, Unit.NONE, "length")
+        .returns(Type.LIST)
+        .does(ListBuiltins::makeList);
+    builtins
+        .declare("size")
+        .manual("urmath", "17.31")
+        .doc(
+            "The number of elements of a list or bytes of a string; of a matrix the numbers of rows"
+                + " and columns, as a list of two.")
+        .needs("v", Type.ANY)
+        .returns(Type.ANY)
+        .does(ListBuiltins::size);
+  }
+
+  private static Outcome integerOfBits(Call call) throws ScriptError {
+    ListValue list = call.list(0);
+    int bits = 0;
+    if (list instanceof NumberList bools
+        && (bools.elementKind() == Kind.BOOL || list.length() == 0)) {
+      for (int i = 0; i < Math.min(Integer.SIZE, bools.length()); i++) {
+        bits |= (int) bools.numberAt(i) << i;
+      }
+      return call.answerInt(bits);
+    }
+    throw call.wrongKind(0, "a list of bool");
+  }
+
+  private static Outcome bitsOfInteger(Call call) throws ScriptError {
+    int x = call.integer(0);
+    boolean[] bits = new boolean[Integer.SIZE];
+    for (int i = 0; i < bits.length; i++) {
+      bits[i] = (x >>> i & 1) != 0;
+    }
+    return call.answer(NumberList.ofBools(bits));
+  }
+
+  private static Outcome length(Call call) throws ScriptError {
+    return switch (call.value(0)) {
+      case ListValue list -> call.answerInt(list.length());
+      case StringValue text -> call.answerInt(text.bytes().length());
+      case StructValue struct -> call.answerInt(struct.length());
+      default -> throw call.wrongKind(0, "a list, string or struct");
+    };
+  }
+
+  private static Outcome size(Call call) throws ScriptError {
+    return switch (call.value(0)) {
+      case ListValue list -> call.answerInt(list.length());
+      case StringValue text -> call.answerInt(text.bytes().length());
+      case MatrixValue matrix -> call.answer(MatrixBuiltins.shape(matrix));
+      default -> throw call.wrongKind(0, "a list, string or matrix");
+    };
+  }
+
+  private static Outcome makeList(Call call) throws ScriptError {
+    int length = call.integer(0, 0, ListValue.MAX_CAPACITY);
+    int capacity = call.given(2) ? call.integer(2, length, ListValue.MAX_CAPACITY) : length;
+    Kind kind = call.kind(1);
+    return switch (kind) {
+      case BOOL, INT, FLOAT -> {
+        double[] elements = new double[capacity];
+        double initial = kind == Kind.BOOL ? (call.bool(1) ? 1 : 0) : call.number(1);
+        Arrays.fill(elements, 0, length, initial);
+        yield call.answer(NumberList.owning(elements, length, kind));
+      }
+      case STRING, POSE, STRUCT, HANDLE -> {
+        Value[] elements = new Value[capacity];
+        for (int i = 0; i < length; i++) {
+          elements[i] = call.value(1).copy();
+        }
+        yield call.answer(ObjectList.owning(elements, length, call.value(1).copy()));
+      }
+      case NONE, LIST, MATRIX -> throw call.wrongKind(1, "a number, bool, string, pose or struct");
+    };
+  }
+}

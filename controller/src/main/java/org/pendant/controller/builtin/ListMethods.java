@@ -1,0 +1,139 @@
+package org.pendant.controller.builtin;
+
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.value.Kind;
+import org.pendant.controller.value.ListValue;
+import org.pendant.controller.value.NumberList;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+
+/** The methods of lists (manual 4.3.1). They change the variable they are called on in place. */
+final class ListMethods {
+  private static final String MODULE = "core";
+  private static final String SECTION = "4.3.1";
+
+  private ListMethods() {}
+
+  static void declareIn(Builtins builtins) {
+    declareMeasures(builtins);
+    declareChanges(builtins);
+  }
+
+  private static void declareMeasures(Builtins builtins) {
+    builtins
+        .declareMethod(Type.LIST, "capacity")
+        .manual(MODULE, SECTION)
+        .doc("How many elements the list can hold; this never changes.")
+        .returns(Type.INT)
+        .does(call -> call.answerInt(call.list(0).capacity()));
+    builtins
+        .declareMethod(Type.LIST, "excess_capacity")
+        .manual(MODULE, SECTION)
+        .doc("How many more elements fit.")
+        .returns(Type.INT)
+        .does(call -> call.answerInt(call.list(0).capacity() - call.list(0).length()));
+    builtins
+        .declareMethod(Type.LIST, "length")
+        .manual(MODULE, SECTION)
+        .doc("The number of elements.")
+        .returns(Type.INT)
+        .does(call -> call.answerInt(call.list(0).length()));
+    builtins
+        .declareMethod(Type.LIST, "slice")
+        .manual(MODULE, SECTION)
+        .doc("A new list of the elements from begin_index up to but without end_index.")
+        .needs("begin_index", Type.INT)
+        .needs("end_index", Type.INT)
+        .returns(Type.LIST)
+        .does(call -> call.answer(call.list(0).slice(call.integer(1), call.integer(2))));
+    builtins
+        .declareMethod(Type.LIST, "to_string")
+        .manual(MODULE, SECTION)
+        .doc("The list as text, shortened with ...] beyond 1023 characters.")
+        .returns(Type.STRING)
+        .does(StringBuiltins::toStringMethod);
+  }
+
+  private static void declareChanges(Builtins builtins) {
+    builtins
+        .declareMethod(Type.LIST, "append")
+        .manual(MODULE, SECTION)
+        .doc("Adds an element at the end. It is an error when the list is full.")
+        .needs("element", Type.ANY)
+        .does(ListMethods::append);
+    builtins
+        .declareMethod(Type.LIST, "clear")
+        .manual(MODULE, SECTION)
+        .doc("Removes all elements.")
+        .does(ListMethods::clear);
+    builtins
+        .declareMethod(Type.LIST, "extend")
+        .manual(MODULE, SECTION)
+        .doc("Adds all elements of another list at the end. It is an error when they do not fit.")
+        .needs("list", Type.LIST)
+        .does(ListMethods::extend);
+    builtins
+        .declareMethod(Type.LIST, "insert")
+        .manual(MODULE, SECTION)
+        .doc("Inserts an element before the one at index. It is an error when the list is full.")
+        .needs("index", Type.INT)
+        .needs("element", Type.ANY)
+        .does(ListMethods::insert);
+    builtins
+        .declareMethod(Type.LIST, "pop")
+        .manual(MODULE, SECTION)
+        .doc("Removes the last element and returns it.")
+        .returns(Type.ANY)
+        .does(ListMethods::pop);
+    builtins
+        .declareMethod(Type.LIST, "remove")
+        .manual(MODULE, SECTION)
+        .doc("Removes the element at index; later ones move up.")
+        .needs("index", Type.INT)
+        .does(ListMethods::remove);
+  }
+
+  private static Outcome append(Call call) throws ScriptError {
+    ListValue list = call.list(0);
+    Kind kind = call.kind(1);
+    if (list instanceof NumberList numbers && kind.isNumber()) {
+      numbers.appendNumber(call.number(1), kind);
+    } else {
+      list.append(call.value(1).copy());
+    }
+    return call.answer();
+  }
+
+  private static Outcome clear(Call call) throws ScriptError {
+    call.list(0).clear();
+    return call.answer();
+  }
+
+  private static Outcome extend(Call call) throws ScriptError {
+    call.list(0).extend(call.list(1));
+    return call.answer();
+  }
+
+  private static Outcome insert(Call call) throws ScriptError {
+    call.list(0).insert(call.integer(1), call.value(2).copy());
+    return call.answer();
+  }
+
+  private static Outcome pop(Call call) throws ScriptError {
+    ListValue list = call.list(0);
+    if (list.length() == 0) {
+      throw call.failure("index-out-of-range", "the list is empty, must have an element");
+    }
+    Value last = list.get(list.length() - 1);
+    list.remove(list.length() - 1);
+    return call.answer(last);
+  }
+
+  private static Outcome remove(Call call) throws ScriptError {
+    call.list(0).remove(call.integer(1));
+    return call.answer();
+  }
+}

@@ -1,0 +1,76 @@
+package org.pendant.controller.builtin;
+
+import java.util.Optional;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.call.Wait;
+import org.pendant.controller.message.Popup;
+import org.pendant.controller.message.PopupBoard;
+import org.pendant.controller.value.NoneValue;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+
+/** Log lines and popups (manual 16.41, 16.63). */
+final class LogBuiltins {
+  private static final String MODULE = "internals";
+  private static final Optional<Value> DONE = Optional.of(NoneValue.NONE);
+
+  private LogBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    builtins
+        .declare("popup")
+        .manual(MODULE, "16.41")
+        .doc("Shows a message window. A blocking one pauses the program until it is answered.")
+        .needs("s", Type.ANY)
+        .takes("title", Type.STRING, Value.of("Popup"))
+        .takes("warning", Type.BOOL, Value.of(false))
+        .takes("error", Type.BOOL, Value.of(false))
+        .takes("blocking", Type.BOOL, Value.of(false))
+        .does(LogBuiltins::popup);
+    builtins
+        .declare("textmsg")
+        .manual(MODULE, "16.63")
+        .doc("Writes two values of any type to the log, as one line without a blank between.")
+        .needs("s1", Type.ANY)
+        .takes("s2", Type.ANY, Value.of(""))
+        .does(LogBuiltins::textmsg);
+  }
+
+  private static Outcome popup(Call call) throws ScriptError {
+    Popup.Severity severity = Popup.Severity.MESSAGE;
+    if (call.bool(3)) {
+      severity = Popup.Severity.ERROR;
+    } else if (call.bool(2)) {
+      severity = Popup.Severity.WARNING;
+    }
+    PopupBoard board = call.box().popups();
+    boolean blocking = call.bool(4);
+    Popup popup =
+        board.show(call.box().timeS(), call.text(1), call.value(0).text(), severity, blocking);
+    if (!blocking) {
+      return call.answer();
+    }
+    return new Answer(board, popup);
+  }
+
+  /** Waits until the popup is answered; the frame loop pauses the program as long as it is open. */
+  private record Answer(PopupBoard board, Popup popup) implements Wait {
+    @Override
+    public Optional<Value> poll(long frame) {
+      return board.isOpen(popup) ? Optional.empty() : DONE;
+    }
+
+    @Override
+    public void cancel() {
+      board.answer(popup.number());
+    }
+  }
+
+  private static Outcome textmsg(Call call) {
+    call.box().log().script(call.value(0).text() + call.value(1).text());
+    return call.answer();
+  }
+}

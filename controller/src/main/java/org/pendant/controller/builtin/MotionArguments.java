@@ -1,0 +1,116 @@
+package org.pendant.controller.builtin;
+
+import java.util.List;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.motion.MoveLimits;
+import org.pendant.controller.value.ListValue;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.models.arm.JointLimits;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
+
+/** Checks of what programs hand to the functions that move or locate the arm. */
+final class MotionArguments {
+  private static final List<String> JOINT_NAMES =
+      List.of("base", "shoulder", "elbow", "wrist 1", "wrist 2", "wrist 3");
+
+  private MotionArguments() {}
+
+  /** A number above 0. */
+  static double positive(Call call, int index) throws ScriptError {
+    double number = call.number(index);
+    if (!(number > 0) || Double.isInfinite(number)) {
+      throw call.refuse(index, "must be above 0");
+    }
+    return number;
+  }
+
+  /** A finite number of 0 or more. */
+  static double notNegative(Call call, int index) throws ScriptError {
+    double number = call.number(index);
+    if (!(number >= 0) || Double.isInfinite(number)) {
+      throw call.refuse(index, "must not be negative");
+    }
+    return number;
+  }
+
+  /** A pose of finite numbers. */
+  static Pose pose(Call call, int index) throws ScriptError {
+    Pose pose = call.pose(index);
+    for (int i = 0; i < Pose.SIZE; i++) {
+      if (!Double.isFinite(pose.get(i))) {
+        throw call.refuse(index, "must be finite");
+      }
+    }
+    return pose;
+  }
+
+  /** Six finite joint values. */
+  static Joints joints(Call call, int index) throws ScriptError {
+    Joints joints = call.joints(index);
+    if (!joints.isFinite()) {
+      throw call.refuse(index, "must be finite");
+    }
+    return joints;
+  }
+
+  /** Six joint positions, each within the range of its joint. */
+  static Joints jointsInRange(Call call, int index, String name) throws ScriptError {
+    Joints joints = joints(call, index);
+    List<JointLimits> limits = call.box().armDescription().joints();
+    for (int i = 0; i < Joints.COUNT; i++) {
+      JointLimits limit = limits.get(i);
+      if (!limit.contains(joints.get(i))) {
+        throw call.failure(
+            "joint-out-of-range",
+            name
+                + "["
+                + i
+                + "] ("
+                + JOINT_NAMES.get(i)
+                + ") is "
+                + text(joints.get(i))
+                + " rad, must be "
+                + text(limit.minRad())
+                + " to "
+                + text(limit.maxRad())
+                + " rad");
+      }
+    }
+    return joints;
+  }
+
+  private static String text(double number) {
+    return Value.of(number).text();
+  }
+
+  /** Joint positions to be near to: argument {@code index}, or the present target without one. */
+  static Joints near(Call call, int index) throws ScriptError {
+    boolean absent =
+        !call.given(index) || (call.value(index) instanceof ListValue list && list.length() == 0);
+    return absent ? call.box().motion().positionRad() : joints(call, index);
+  }
+
+  /** A TCP offset: argument {@code index}, or the active one without it. */
+  static Pose tcpOffset(Call call, int index) throws ScriptError {
+    return call.given(index) ? pose(call, index) : call.box().tool().inFlange();
+  }
+
+  /**
+   * Arguments a, v, t and r of a move, from {@code index} on. When t is given, a and v may be 0:
+   * the move then takes what acceleration it needs.
+   */
+  static MoveLimits moveLimits(Call call, int index) throws ScriptError {
+    double durationS = notNegative(call, index + 2);
+    boolean timed = durationS > 0;
+    double acceleration = timed ? notNegative(call, index) : positive(call, index);
+    double speed = timed ? notNegative(call, index + 1) : positive(call, index + 1);
+    if (notNegative(call, index + 3) > 0) {
+      call.box()
+          .log()
+          .warnOnce("moves do not blend yet: r is not used, the arm stops at each goal");
+    }
+    return new MoveLimits(acceleration, speed, durationS);
+  }
+}

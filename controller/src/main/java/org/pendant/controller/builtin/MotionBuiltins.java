@@ -1,0 +1,176 @@
+package org.pendant.controller.builtin;
+
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.motion.Motion;
+import org.pendant.controller.motion.MoveJ;
+import org.pendant.controller.motion.MoveL;
+import org.pendant.controller.motion.MoveLimits;
+import org.pendant.controller.motion.StopJ;
+import org.pendant.controller.motion.StopL;
+import org.pendant.controller.value.Kind;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.InverseKinematics;
+import org.pendant.models.kinematics.InverseResult;
+import org.pendant.models.pose.Pose;
+
+/** Moves and stops (manual 15). */
+final class MotionBuiltins {
+  private static final String MODULE = "motion";
+
+  private MotionBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    declareMoves(builtins);
+    declareStops(builtins);
+  }
+
+  private static void declareMoves(Builtins builtins) {
+    builtins
+        .declare("movej")
+        .manual(MODULE, "15.29")
+        .doc(
+            "Moves all joints in proportion to a goal and waits until they rest there. a and v"
+                + " limit the joint that turns farthest; t, if above 0, sets the duration instead.")
+        .needs("q", Type.POSE_OR_JOINTS)
+        .takes("a", Unit.RADIAN_PER_SECOND_SQUARED, 1.4)
+        .takes("v", Unit.RADIAN_PER_SECOND, 1.05)
+        .takes("t", Unit.SECOND, 0)
+        .takes("r", Unit.METRE, 0)
+        .physicalTime()
+        .does(MotionBuiltins::movej);
+    builtins
+        .declare("movel")
+        .manual(MODULE, "15.30")
+        .doc(
+            "Moves the TCP along a straight line to a goal and waits until it rests there. a and v"
+                + " limit the tool; t, if above 0, sets the duration instead.")
+        .needs("pose", Type.POSE_OR_JOINTS)
+        .takes("a", Unit.METRE_PER_SECOND_SQUARED, 1.2)
+        .takes("v", Unit.METRE_PER_SECOND, 0.25)
+        .takes("t", Unit.SECOND, 0)
+        .takes("r", Unit.METRE, 0)
+        .physicalTime()
+        .does(MotionBuiltins::movel);
+    builtins
+        .declare("set_pos")
+        .manual(MODULE, "15.46")
+        .doc("Puts the simulated arm at joint positions at once, without moving there.")
+        .needs("q", Type.JOINTS)
+        .does(MotionBuiltins::setPos);
+  }
+
+  private static void declareStops(Builtins builtins) {
+    builtins
+        .declare("stopj")
+        .manual(MODULE, "15.51")
+        .doc("Slows all joints down in proportion and waits until they rest.")
+        .needs("a", Unit.RADIAN_PER_SECOND_SQUARED)
+        .physicalTime()
+        .does(MotionBuiltins::stopj);
+    builtins
+        .declare("stopl")
+        .manual(MODULE, "15.52")
+        .doc("Slows the tool down along its present direction and waits until it rests.")
+        .needs("a", Unit.METRE_PER_SECOND_SQUARED)
+        .mayTake("aRot", Type.NUMBER, Unit.RADIAN_PER_SECOND_SQUARED, "a")
+        .physicalTime()
+        .does(MotionBuiltins::stopl);
+  }
+
+  private static Outcome movej(Call call) throws ScriptError {
+    MoveLimits limits = MotionArguments.moveLimits(call, 1);
+    ControlBox box = call.box();
+    if (call.kind(0) == Kind.POSE) {
+      Pose goal = MotionArguments.pose(call, 0);
+      Pose tcp = box.tool().inFlange();
+      return MotionWait.move(
+          call,
+          "movej",
+          (from, speed) -> moveTo(box, from, reach(box, goal, tcp, from), goal, limits));
+    }
+    Joints goal = MotionArguments.jointsInRange(call, 0, "q");
+    Pose waypoint = box.forward().tcpPose(goal, box.tool().inFlange());
+    return MotionWait.move(
+        call, "movej", (from, speed) -> moveTo(box, from, goal, waypoint, limits));
+  }
+
+  private static Motion moveTo(
+      ControlBox box, Joints from, Joints goal, Pose waypoint, MoveLimits limits) {
+    MoveJ move = new MoveJ(box.armDescription(), from, goal, waypoint, limits);
+    if (move.stretched()) {
+      box.log()
+          .warning(
+              "movej: t is "
+                  + Value.of(limits.durationS()).text()
+                  + " s, the joints need "
+                  + Value.of(move.durationS()).text()
+                  + " s; the move takes that long");
+    }
+    return move;
+  }
+
+  private static Outcome movel(Call call) throws ScriptError {
+    MoveLimits limits = MotionArguments.moveLimits(call, 1);
+    ControlBox box = call.box();
+    Pose tcp = box.tool().inFlange();
+    Pose goal =
+        call.kind(0) == Kind.POSE
+            ? MotionArguments.pose(call, 0)
+            : box.forward().tcpPose(MotionArguments.jointsInRange(call, 0, "pose"), tcp);
+    ArmDescription arm = box.armDescription();
+    return MotionWait.move(
+        call,
+        "movel",
+        (from, speed) -> {
+          reach(box, goal, tcp, from);
+          return new MoveL(arm, from, box.forward().tcpPose(from, tcp), goal, tcp, limits);
+        });
+  }
+
+  /** Joint positions near {@code from} that put the TCP at the goal. */
+  private static Joints reach(ControlBox box, Pose goal, Pose tcp, Joints from) throws ScriptError {
+    Pose flange = InverseKinematics.flangeOf(goal, tcp);
+    double error = InverseKinematics.DEFAULT_ERROR;
+    return switch (box.inverse().find(flange, from, error, error)) {
+      case InverseResult.Reached found -> found.q();
+      case InverseResult.Unreachable none ->
+          throw new ScriptError(
+              "no-solution",
+              "the goal "
+                  + KinematicsBuiltins.text(goal)
+                  + " is out of reach: "
+                  + none.cause().text());
+    };
+  }
+
+  private static Outcome setPos(Call call) throws ScriptError {
+    Joints goal = MotionArguments.jointsInRange(call, 0, "q");
+    if (call.box().motion().moving()) {
+      throw call.failure("robot-in-use", "the arm is moving, must be at rest");
+    }
+    call.box().jumpTo(goal);
+    return call.answer();
+  }
+
+  private static Outcome stopj(Call call) throws ScriptError {
+    double deceleration = MotionArguments.positive(call, 0);
+    return MotionWait.stop(call, "stopj", (from, speed) -> new StopJ(from, speed, deceleration));
+  }
+
+  private static Outcome stopl(Call call) throws ScriptError {
+    double deceleration = MotionArguments.positive(call, 0);
+    double turning = call.given(1) ? MotionArguments.positive(call, 1) : deceleration;
+    ArmDescription arm = call.box().armDescription();
+    Pose tcp = call.box().tool().inFlange();
+    return MotionWait.stop(
+        call, "stopl", (from, speed) -> new StopL(arm, from, speed, tcp, deceleration, turning));
+  }
+}

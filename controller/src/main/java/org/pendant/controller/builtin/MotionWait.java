@@ -1,0 +1,66 @@
+package org.pendant.controller.builtin;
+
+import java.util.Optional;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Wait;
+import org.pendant.controller.motion.MotionFailure;
+import org.pendant.controller.motion.MotionPlan;
+import org.pendant.controller.motion.MotionTicket;
+import org.pendant.controller.value.NoneValue;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+
+/** A script thread waits for the motion it has started. */
+final class MotionWait implements Wait {
+  private static final Optional<Value> DONE = Optional.of(NoneValue.NONE);
+
+  private final String function;
+  private final MotionTicket ticket;
+  private final boolean abortable;
+
+  private MotionWait(String function, MotionTicket ticket, boolean abortable) {
+    this.function = function;
+    this.ticket = ticket;
+    this.abortable = abortable;
+  }
+
+  /** Starts a move from rest. */
+  static MotionWait move(Call call, String function, MotionPlan plan) throws ScriptError {
+    try {
+      return new MotionWait(function, call.box().motion().start(plan), true);
+    } catch (ScriptError e) {
+      throw call.failure(e.code(), e.getMessage());
+    }
+  }
+
+  /** Starts a stop from whatever the arm does. */
+  static MotionWait stop(Call call, String function, MotionPlan plan) throws ScriptError {
+    try {
+      return new MotionWait(function, call.box().motion().takeOver(plan), false);
+    } catch (ScriptError e) {
+      throw call.failure(e.code(), e.getMessage());
+    }
+  }
+
+  @Override
+  public Optional<Value> poll(long frame) throws ScriptError {
+    if (ticket.failure().isPresent()) {
+      MotionFailure failure = ticket.failure().get();
+      throw new ScriptError(failure.code(), function + ": " + failure.message());
+    }
+    return ticket.finished() ? DONE : Optional.empty();
+  }
+
+  @Override
+  public boolean abort() {
+    if (abortable) {
+      ticket.endEarly();
+    }
+    return abortable;
+  }
+
+  @Override
+  public void cancel() {
+    ticket.cancel();
+  }
+}

@@ -1,0 +1,90 @@
+package org.pendant.controller.builtin;
+
+import java.math.BigInteger;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.controller.value.ValueText;
+
+/**
+ * The numbers that {@code to_num} reads (manual 16.64).
+ *
+ * <p>A decimal point makes a float. Without one the number is an int and must fit 32 bits, unless a
+ * negative exponent leaves a fraction: {@code 5e-4}, which the manual calls valid, is a float.
+ */
+final class NumberText {
+  /** Leading white space as C's isspace has it, a sign, then one of the four forms. */
+  private static final Pattern NUMBER =
+      Pattern.compile(
+          "[ \\t\\n\\x0B\\f\\r]*([+-]?)"
+              + "(?:0[xX](?<hex>[0-9a-fA-F]+)"
+              + "|(?<word>[a-zA-Z]+)"
+              + "|(?<decimal>(?:[0-9]+(?<point>\\.[0-9]*)?|(?<bare>\\.[0-9]+))"
+              + "(?:[eE][+-]?[0-9]+)?))");
+
+  /** Characters of the string that a message shows. */
+  private static final int LONGEST_SHOWN = 80;
+
+  private NumberText() {}
+
+  /** The number that argument 0 of {@code call} spells. */
+  static Value parse(Call call) throws ScriptError {
+    Matcher text = NUMBER.matcher(call.text(0));
+    if (!text.matches()) {
+      throw notANumber(call);
+    }
+    boolean negative = text.group(1).equals("-");
+    if (text.group("hex") != null) {
+      return hexadecimal(call, negative, text.group("hex"));
+    }
+    if (text.group("word") != null) {
+      return word(call, negative, text.group("word").toUpperCase(Locale.ROOT));
+    }
+    boolean point = text.group("point") != null || text.group("bare") != null;
+    double magnitude = Double.parseDouble(text.group("decimal"));
+    double number = negative ? -magnitude : magnitude;
+    if (point || number != Math.rint(number)) {
+      if (Double.isInfinite(number)) {
+        throw outOfRange(call, "a 64-bit float");
+      }
+      return Value.of(number);
+    }
+    return integer(call, number);
+  }
+
+  private static Value hexadecimal(Call call, boolean negative, String digits) throws ScriptError {
+    BigInteger magnitude = new BigInteger(digits, 16);
+    return integer(call, (negative ? magnitude.negate() : magnitude).doubleValue());
+  }
+
+  private static Value word(Call call, boolean negative, String word) throws ScriptError {
+    return switch (word) {
+      case "INF", "INFINITY" ->
+          Value.of(negative ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY);
+      case "NAN" -> Value.of(Double.NaN);
+      default -> throw notANumber(call);
+    };
+  }
+
+  private static Value integer(Call call, double number) throws ScriptError {
+    if (number != (int) number) {
+      throw outOfRange(call, "an int, -2147483648 to 2147483647");
+    }
+    return Value.of((int) number);
+  }
+
+  private static ScriptError notANumber(Call call) {
+    return call.failure("not-a-number", "str is \"" + shown(call) + "\", must spell a number");
+  }
+
+  private static ScriptError outOfRange(Call call, String type) {
+    return call.failure("value-out-of-range", "str is \"" + shown(call) + "\", must fit " + type);
+  }
+
+  private static String shown(Call call) {
+    return ValueText.shortened(call.value(0), LONGEST_SHOWN);
+  }
+}

@@ -1,0 +1,30 @@
+package org.pendant.controller.builtin;
+
+import org.pendant.controller.call.Builtins;
+
+/** The catalogue of every function and method that the controller knows. */
+public final class StandardBuiltins {
+  private StandardBuiltins() {}
+
+  /** A new catalogue with all topics. */
+  public static Builtins create() {
+    Builtins builtins = new Builtins();
+    MathBuiltins.declareIn(builtins);
+    VectorBuiltins.declareIn(builtins);
+    PoseBuiltins.declareIn(builtins);
+    MatrixBuiltins.declareIn(builtins);
+    ListBuiltins.declareIn(builtins);
+    ListMethods.declareIn(builtins);
+    StructMethods.declareIn(builtins);
+    StringBuiltins.declareIn(builtins);
+    AssertBuiltins.declareIn(builtins);
+    MotionBuiltins.declareIn(builtins);
+    KinematicsBuiltins.declareIn(builtins);
+    StateBuiltins.declareIn(builtins);
+    TimeBuiltins.declareIn(builtins);
+    LogBuiltins.declareIn(builtins);
+    IoBuiltins.declareIn(builtins);
+    InterpreterBuiltins.declareIn(builtins);
+    return builtins;
+  }
+}

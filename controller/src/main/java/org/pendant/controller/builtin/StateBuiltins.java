@@ -1,0 +1,143 @@
+package org.pendant.controller.builtin;
+
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+import org.pendant.models.pose.Pose;
+
+/** Where the arm is, should be and is going, and its tool (manual 16.4 to 16.9, 16.24 to 16.53). */
+final class StateBuiltins {
+  private static final String MODULE = "internals";
+
+  private StateBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    declareActual(builtins);
+    declareTargetJoints(builtins);
+    declareTargetTcp(builtins);
+    declareTool(builtins);
+  }
+
+  private static void declareActual(Builtins builtins) {
+    builtins
+        .declare("get_actual_joint_positions")
+        .manual(MODULE, "16.4")
+        .doc("Where the joints are, in rad.")
+        .returns(Type.JOINTS)
+        .does(call -> call.answer(call.box().arm().positionRad()));
+    builtins
+        .declare("get_actual_joint_speeds")
+        .manual(MODULE, "16.6")
+        .doc("How fast the joints turn, in rad/s.")
+        .returns(Type.JOINTS)
+        .does(call -> call.answer(call.box().arm().speedRadPerS()));
+    builtins
+        .declare("get_actual_tcp_pose")
+        .manual(MODULE, "16.7")
+        .doc("Where the TCP is, in the base frame.")
+        .returns(Type.POSE)
+        .does(call -> call.answer(call.box().actualTcpInBase()));
+    builtins
+        .declare("get_actual_tcp_speed")
+        .manual(MODULE, "16.8")
+        .doc("How fast the TCP moves, in m/s and rad/s along the axes of the base frame.")
+        .returns(Type.POSE)
+        .does(StateBuiltins::actualTcpSpeed);
+    builtins
+        .declare("get_actual_tool_flange_pose")
+        .manual(MODULE, "16.9")
+        .doc("Where the flange is, in the base frame, whatever the TCP.")
+        .returns(Type.POSE)
+        .does(call -> call.answer(call.box().forward().flangePose(call.box().arm().positionRad())));
+  }
+
+  private static void declareTargetJoints(Builtins builtins) {
+    builtins
+        .declare("get_target_joint_accelerations")
+        .manual(MODULE, "16.23")
+        .doc("How fast the speeds of the joints should change, in rad/s\u00b2.")
+        .returns(Type.JOINTS)
+        .does(call -> call.answer(call.box().motion().accelerationRadPerS2()));
+    builtins
+        .declare("get_target_joint_positions")
+        .manual(MODULE, "16.24")
+        .doc("Where the joints should be, in rad.")
+        .returns(Type.JOINTS)
+        .does(call -> call.answer(call.box().motion().positionRad()));
+    builtins
+        .declare("get_target_joint_speeds")
+        .manual(MODULE, "16.25")
+        .doc("How fast the joints should turn, in rad/s.")
+        .returns(Type.JOINTS)
+        .does(call -> call.answer(call.box().motion().speedRadPerS()));
+  }
+
+  private static void declareTargetTcp(Builtins builtins) {
+    builtins
+        .declare("get_target_tcp_pose")
+        .manual(MODULE, "16.29")
+        .doc("Where the TCP should be, in the base frame.")
+        .returns(Type.POSE)
+        .does(call -> call.answer(call.box().targetTcpInBase()));
+    builtins
+        .declare("get_target_tcp_speed")
+        .manual(MODULE, "16.30")
+        .doc("How fast the TCP should move, in m/s and rad/s along the axes of the base frame.")
+        .returns(Type.POSE)
+        .does(StateBuiltins::targetTcpSpeed);
+    builtins
+        .declare("get_target_waypoint")
+        .manual(MODULE, "16.31")
+        .doc("Where the active move takes the TCP; at rest where the TCP should be.")
+        .returns(Type.POSE)
+        .does(StateBuiltins::waypoint);
+    builtins
+        .declare("is_steady")
+        .manual(MODULE, "16.39")
+        .doc("Whether the arm has been told to rest for the last 500 ms.")
+        .returns(Type.BOOL)
+        .does(call -> call.answer(call.box().motion().steady()));
+  }
+
+  private static void declareTool(Builtins builtins) {
+    builtins
+        .declare("get_tcp_offset")
+        .manual(MODULE, "16.33")
+        .doc("The pose of the active TCP in the flange frame.")
+        .returns(Type.POSE)
+        .does(call -> call.answer(call.box().tool().inFlange()));
+    builtins
+        .declare("set_tcp")
+        .manual(MODULE, "16.53")
+        .doc("Makes a pose in the flange frame the active TCP, under a name.")
+        .needs("pose", Type.POSE)
+        .takes("tcp_name", Type.STRING, Value.of(""))
+        .does(StateBuiltins::setTcp);
+  }
+
+  private static Outcome actualTcpSpeed(Call call) {
+    ControlBox box = call.box();
+    return call.answer(box.tcpTwistInBase(box.arm().positionRad(), box.arm().speedRadPerS()));
+  }
+
+  private static Outcome targetTcpSpeed(Call call) {
+    ControlBox box = call.box();
+    return call.answer(box.tcpTwistInBase(box.motion().positionRad(), box.motion().speedRadPerS()));
+  }
+
+  private static Outcome waypoint(Call call) {
+    ControlBox box = call.box();
+    Pose waypoint = box.motion().waypoint().orElseGet(box::targetTcpInBase);
+    return call.answer(waypoint);
+  }
+
+  private static Outcome setTcp(Call call) throws ScriptError {
+    call.box().setTool(new ToolCentre(MotionArguments.pose(call, 0), call.text(1)));
+    return call.answer();
+  }
+}

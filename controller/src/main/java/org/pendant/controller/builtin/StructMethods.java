@@ -1,0 +1,24 @@
+package org.pendant.controller.builtin;
+
+import org.pendant.controller.call.Builtins;
+import org.pendant.language.signature.Type;
+
+/** The methods of structs (manual 4.3.2). */
+final class StructMethods {
+  private StructMethods() {}
+
+  static void declareIn(Builtins builtins) {
+    builtins
+        .declareMethod(Type.STRUCT, "length")
+        .manual("core", "4.3.2")
+        .doc("The number of members.")
+        .returns(Type.INT)
+        .does(call -> call.answerInt(call.struct(0).length()));
+    builtins
+        .declareMethod(Type.STRUCT, "to_string")
+        .manual("core", "4.3.2")
+        .doc("The struct as text, shortened with ...} beyond 1023 characters.")
+        .returns(Type.STRING)
+        .does(StringBuiltins::toStringMethod);
+  }
+}

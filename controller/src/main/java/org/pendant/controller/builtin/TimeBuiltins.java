@@ -1,0 +1,85 @@
+package org.pendant.controller.builtin;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.call.Wait;
+import org.pendant.controller.motion.FrameTime;
+import org.pendant.controller.value.NoneValue;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.StructValue;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+
+/** Waiting and clocks (manual 16.22, 16.54, 16.55, 16.62). */
+final class TimeBuiltins {
+  private static final String MODULE = "internals";
+  private static final Optional<Value> DONE = Optional.of(NoneValue.NONE);
+  private static final List<String> TIME_MEMBERS = List.of("sec", "nanosec");
+  private static final long NS_PER_S = 1_000_000_000L;
+
+  private TimeBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    builtins
+        .declare("get_steptime")
+        .manual(MODULE, "16.22")
+        .doc("The length of a frame, in s.")
+        .returns(Unit.SECOND)
+        .does(call -> call.answer(ControlBox.FRAME_S));
+    builtins
+        .declare("sleep")
+        .manual(MODULE, "16.54")
+        .doc("Pauses this script thread; other threads and motions go on. Takes a frame at least.")
+        .needs("t", Unit.SECOND)
+        .physicalTime()
+        .does(TimeBuiltins::sleep);
+    builtins
+        .declare("sync")
+        .manual(MODULE, "16.62")
+        .doc("Waits for the next frame.")
+        .physicalTime()
+        .does(call -> until(call.frame() + 1));
+    builtins
+        .declare("time")
+        .manual(MODULE, "16.55")
+        .doc(
+            "A time as struct(sec, nanosec): with mode 0 since the controller started, with mode 2"
+                + " the date and time in UTC, since 1970.")
+        .takes("mode", Type.INT, Value.of(0))
+        .returns(Type.STRUCT)
+        .does(TimeBuiltins::time);
+  }
+
+  private static Outcome sleep(Call call) throws ScriptError {
+    double durationS = MotionArguments.notNegative(call, 0);
+    return until(call.frame() + FrameTime.framesFor(durationS));
+  }
+
+  private static Wait until(long wakeFrame) {
+    return frame -> frame >= wakeFrame ? DONE : Optional.empty();
+  }
+
+  private static Outcome time(Call call) throws ScriptError {
+    return switch (call.integer(0)) {
+      case 0 -> {
+        long ns = call.box().timeNs();
+        yield call.answer(struct(ns / NS_PER_S, (int) (ns % NS_PER_S)));
+      }
+      case 2 -> {
+        Instant now = call.box().systemTime();
+        yield call.answer(struct(now.getEpochSecond(), now.getNano()));
+      }
+      default -> throw call.refuse(0, "must be 0 or 2");
+    };
+  }
+
+  private static StructValue struct(long seconds, int nanoseconds) {
+    return StructValue.owning(TIME_MEMBERS, Value.of((int) seconds), Value.of(nanoseconds));
+  }
+}

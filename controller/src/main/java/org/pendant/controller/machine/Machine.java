@@ -1,0 +1,225 @@
+package org.pendant.controller.machine;
+
+import java.util.Collections;
+import java.util.Optional;
+import java.util.SortedMap;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.call.ProgramControl;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+
+/**
+ * Runs one primary program at a time, and secondary programs beside it. Not thread-safe: the frame
+ * loop owns it.
+ */
+public final class Machine {
+  private final Builtins builtins;
+  private final ControlBox box;
+  private final Translation translation;
+  private final Interpreter interpreter;
+  private Optional<ProgramRun> run = Optional.empty();
+  private ProgramState state = ProgramState.STOPPED;
+  private Optional<Ending> ending = Optional.empty();
+  private String programName = "";
+
+  public Machine(Builtins builtins, ControlBox box) {
+    this(builtins, box, Translation.WHEN_HOT);
+  }
+
+  /** A machine with another way to choose what is translated, for tests. */
+  Machine(Builtins builtins, ControlBox box, Translation translation) {
+    this.builtins = builtins;
+    this.box = box;
+    this.translation = translation;
+    this.interpreter = new Interpreter(builtins);
+  }
+
+  /**
+   * Starts a primary program; it runs from the next {@link #advance} on.
+   *
+   * @throws IllegalStateException while another one runs or is paused
+   */
+  public void start(Program program) {
+    if (state != ProgramState.STOPPED) {
+      throw new IllegalStateException("program " + programName + " is " + state);
+    }
+    ProgramRun started = new ProgramRun(program, builtins, box, new Control(), interpreter::next, translation);
+    run = Optional.of(started);
+    interpreter.programStarted(started);
+    programName = program.name();
+    ending = Optional.empty();
+    state = ProgramState.RUNNING;
+  }
+
+  /**
+   * Runs a secondary program to its end, within the frame (manual 12).
+   *
+   * @return why it failed, empty when it did not; the primary program goes on in any case
+   */
+  public Optional<ScriptFailure> runSecondary(Program program) {
+    ProgramRun secondary =
+        new ProgramRun(program, builtins, box, new SecondaryControl(), thread -> false, translation);
+    try {
+      ProgramRun.FrameResult result = secondary.advance();
+      if (result == ProgramRun.FrameResult.RUNNING) {
+        ScriptThread main = secondary.main();
+        return Optional.of(
+            ProgramFailure.of(
+                main,
+                new ScriptError(
+                    "runtime-too-much-behind",
+                    "Runtime is too much behind: a secondary program must end within one frame")));
+      }
+      return Optional.empty();
+    } catch (ProgramRun.ThreadFailure failure) {
+      return Optional.of(ProgramFailure.of(failure.thread(), failure.error()));
+    } finally {
+      secondary.endAll();
+    }
+  }
+
+  /** Runs all script threads for one frame; nothing while stopped or paused. */
+  public void advance() {
+    if (state != ProgramState.RUNNING) {
+      return;
+    }
+    ProgramRun running = run.orElseThrow();
+    try {
+      interpreter.feed(running.main());
+      switch (running.advance()) {
+        case RUNNING -> {}
+        case PAUSED -> state = ProgramState.PAUSED;
+        case HALTED -> end(new Ending.Halted());
+        case FINISHED -> end(new Ending.Finished());
+      }
+    } catch (ProgramRun.ThreadFailure failure) {
+      end(new Ending.Failed(ProgramFailure.of(failure.thread(), failure.error())));
+    }
+  }
+
+  private void end(Ending how) {
+    run.orElseThrow().endAll();
+    interpreter.programEnded();
+    state = ProgramState.STOPPED;
+    ending = Optional.of(how);
+  }
+
+  /** Stops script time where it stands. */
+  public void pause() {
+    if (state == ProgramState.RUNNING) {
+      state = ProgramState.PAUSED;
+    }
+  }
+
+  public void resume() {
+    if (state == ProgramState.PAUSED) {
+      state = ProgramState.RUNNING;
+    }
+  }
+
+  /** Ends the program from outside; no effect when none runs. */
+  public void stop() {
+    if (state != ProgramState.STOPPED) {
+      end(new Ending.Stopped());
+    }
+  }
+
+  public ProgramState state() {
+    return state;
+  }
+
+  /** The 1-based line that the main thread has reached, 0 when no program runs. */
+  public int line() {
+    return state == ProgramState.STOPPED ? 0 : run.map(r -> r.main().line()).orElse(0);
+  }
+
+  /** How the last primary program ended; empty while one runs and before the first. */
+  public Optional<Ending> ending() {
+    return ending;
+  }
+
+  /** The name of the running or last program, empty before the first. */
+  public String programName() {
+    return programName;
+  }
+
+  /** Copies of the global variables of the running or last program, by name. */
+  public SortedMap<String, Value> globals() {
+    return run.map(ProgramRun::globals).orElse(Collections.emptySortedMap());
+  }
+
+  /** Ends the running movej or movel of the main thread early (manual 13.5); false if none. */
+  public boolean abortMove() {
+    return state == ProgramState.RUNNING && run.orElseThrow().main().abortWait();
+  }
+
+  /** Interpreter mode (manual 13). */
+  public Interpreter interpreter() {
+    return interpreter;
+  }
+
+  /** What built-ins may do to the primary program. */
+  private final class Control implements ProgramControl {
+    @Override
+    public long frame() {
+      return run.orElseThrow().frame();
+    }
+
+    @Override
+    public void pause() {
+      run.orElseThrow().requestPause();
+    }
+
+    @Override
+    public void halt() {
+      run.orElseThrow().requestHalt();
+    }
+
+    @Override
+    public Outcome enterInterpreter(boolean clearQueueOnEnter, boolean clearOnEnd)
+        throws ScriptError {
+      return interpreter.enter(clearQueueOnEnter, clearOnEnd);
+    }
+
+    @Override
+    public void endInterpreter() {
+      interpreter.requestEnd();
+    }
+
+    @Override
+    public void clearInterpreter() throws ScriptError {
+      interpreter.requestClear();
+    }
+  }
+
+  /** A secondary program has no interpreter mode and nothing to pause. */
+  private static final class SecondaryControl implements ProgramControl {
+    @Override
+    public long frame() {
+      return 0;
+    }
+
+    @Override
+    public void pause() {}
+
+    @Override
+    public void halt() {}
+
+    @Override
+    public Outcome enterInterpreter(boolean clearQueueOnEnter, boolean clearOnEnd)
+        throws ScriptError {
+      throw new ScriptError(
+          "not-in-secondary", "interpreter_mode: a secondary program cannot wait");
+    }
+
+    @Override
+    public void endInterpreter() {}
+
+    @Override
+    public void clearInterpreter() throws ScriptError {
+      throw new ScriptError("no-interpreter", "clear_interpreter: interpreter mode is not active");
+    }
+  }
+}

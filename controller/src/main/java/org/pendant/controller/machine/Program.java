@@ -1,0 +1,99 @@
+package org.pendant.controller.machine;
+
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.call.Builtin;
+import org.pendant.controller.value.Value;
+import org.pendant.language.check.Scopes;
+import org.pendant.language.source.Source;
+import org.pendant.language.syntax.Statement.Definition;
+
+/**
+ * A compiled program, ready to start any number of times. Immutable.
+ *
+ * <p>Its static slots hold constants and global variables, mixed in the order of their first use.
+ */
+public final class Program {
+  private final String name;
+  private final Source source;
+  private final boolean secondary;
+  private final Scopes scopes;
+  private final IdentityHashMap<Definition, Integer> functionNumbers;
+  private final Tables tables;
+
+  /**
+   * What instructions refer to by number.
+   *
+   * @param functions the main level first
+   * @param staticNames the global variable in each static slot; empty text for a constant
+   * @param staticValues the constant in each static slot; NONE for a variable
+   * @param names methods and members
+   * @param nameLists the member names of each struct literal
+   */
+  record Tables(
+      List<ScriptFunction> functions,
+      List<String> staticNames,
+      List<Value> staticValues,
+      List<Builtin> builtins,
+      List<String> names,
+      List<List<String>> nameLists) {
+    Tables {
+      functions = List.copyOf(functions);
+      staticNames = List.copyOf(staticNames);
+      staticValues = List.copyOf(staticValues);
+      builtins = List.copyOf(builtins);
+      names = List.copyOf(names);
+      nameLists = List.copyOf(nameLists);
+    }
+
+    /** The constant in static slot {@code slot}; empty for a variable and for unknown slots. */
+    Optional<Value> constant(int slot) {
+      return slot < staticNames.size() && staticNames.get(slot).isEmpty()
+          ? Optional.of(staticValues.get(slot))
+          : Optional.empty();
+    }
+  }
+
+  Program(
+      String name,
+      Source source,
+      boolean secondary,
+      Scopes scopes,
+      IdentityHashMap<Definition, Integer> functionNumbers,
+      Tables tables) {
+    this.name = name;
+    this.source = source;
+    this.secondary = secondary;
+    this.scopes = scopes;
+    this.functionNumbers = functionNumbers;
+    this.tables = tables;
+  }
+
+  /** The name on its {@code def} or {@code sec} line, or the file's for a fragment. */
+  public String name() {
+    return name;
+  }
+
+  public Source source() {
+    return source;
+  }
+
+  /** Whether it is a secondary program (manual 12). */
+  public boolean secondary() {
+    return secondary;
+  }
+
+  Scopes scopes() {
+    return scopes;
+  }
+
+  /** The number of each function and thread, by identity. */
+  IdentityHashMap<Definition, Integer> functionNumbers() {
+    return functionNumbers;
+  }
+
+  Tables tables() {
+    return tables;
+  }
+}

@@ -1,0 +1,106 @@
+package org.pendant.controller.machine;
+
+import java.util.List;
+import org.pendant.language.check.FunctionScope;
+import org.pendant.language.source.Source;
+import org.pendant.language.source.SourceRange;
+
+/**
+ * One compiled function, thread or main level.
+ *
+ * <p>Its slots stand in this order: parameters, other local variables, temporaries.
+ */
+final class ScriptFunction {
+  private final String name;
+  private final Source source;
+  private final long[] code;
+  private final int[] rangeStarts;
+  private final int[] rangeEnds;
+  private final int parameterCount;
+  private final List<String> variables;
+  private final int slotCount;
+  private final FunctionScope scope;
+
+  /** Calls and turns so far, while interpreted; only roughly where several machines count. */
+  int heat;
+
+  /** No translation will be found for this. */
+  volatile boolean untranslatable;
+
+  private volatile TranslatedCode translated;
+
+  ScriptFunction(
+      String name,
+      Source source,
+      long[] code,
+      int[] rangeStarts,
+      int[] rangeEnds,
+      int parameterCount,
+      List<String> variables,
+      int slotCount,
+      FunctionScope scope) {
+    this.name = name;
+    this.source = source;
+    this.code = code;
+    this.rangeStarts = rangeStarts;
+    this.rangeEnds = rangeEnds;
+    this.parameterCount = parameterCount;
+    this.variables = List.copyOf(variables);
+    this.slotCount = slotCount;
+    this.scope = scope;
+  }
+
+  String name() {
+    return name;
+  }
+
+  Source source() {
+    return source;
+  }
+
+  /** The translation that was installed; null when there is none. */
+  TranslatedCode translated() {
+    return translated;
+  }
+
+  void install(TranslatedCode translation) {
+    translated = translation;
+  }
+
+  long[] code() {
+    return code;
+  }
+
+  int parameterCount() {
+    return parameterCount;
+  }
+
+  /** Parameters and local variables, in the order of their slots. */
+  List<String> variables() {
+    return variables;
+  }
+
+  int variableCount() {
+    return variables.size();
+  }
+
+  int slotCount() {
+    return slotCount;
+  }
+
+  /** What its names mean, for statements that are linked into it later. */
+  FunctionScope scope() {
+    return scope;
+  }
+
+  /** What instruction {@code pc} was compiled from. */
+  SourceRange range(int pc) {
+    int at = Math.clamp(pc, 0, rangeStarts.length - 1);
+    return new SourceRange(rangeStarts[at], rangeEnds[at]);
+  }
+
+  /** The 1-based line of instruction {@code pc}. */
+  int line(int pc) {
+    return source.line(rangeStarts[Math.clamp(pc, 0, rangeStarts.length - 1)]);
+  }
+}

@@ -1,0 +1,108 @@
+package org.pendant.controller.machine;
+
+import java.util.Arrays;
+import org.pendant.controller.call.Wait;
+
+/**
+ * One script thread: call frames over a segment of the program's registers, and what it waits for.
+ * It is plain data that the {@link Processor} works on.
+ */
+final class ScriptThread {
+  /** Deepest nesting of calls; one more is a runtime error. */
+  static final int MAX_DEPTH = 1000;
+
+  /** What a thread can do in this frame. */
+  enum State {
+    RUNNABLE,
+    /** Waits for something outside the script. */
+    WAITING,
+    /** Waits for another thread. */
+    JOINING,
+    ENDED
+  }
+
+  private final int id;
+  private final int parentId;
+
+  State state = State.RUNNABLE;
+  Wait wait;
+
+  /** Local index of the slot for the result of the wait. */
+  int waitResult;
+
+  /** The frame in which the wait was last looked at. */
+  long polledFrame;
+
+  int joinedThread;
+  boolean critical;
+
+  /** Instruction budget left in this frame. */
+  int budget;
+
+  // Call frames: function, instruction pointer, first slot, and where the caller wants the result.
+  ScriptFunction[] functions = new ScriptFunction[8];
+  int[] pcs = new int[8];
+  int[] bases = new int[8];
+  int[] results = new int[8];
+  int depth;
+
+  int segmentStart;
+  int segmentEnd;
+
+  ScriptThread(int id, int parentId) {
+    this.id = id;
+    this.parentId = parentId;
+  }
+
+  int id() {
+    return id;
+  }
+
+  int parentId() {
+    return parentId;
+  }
+
+  boolean ended() {
+    return state == State.ENDED;
+  }
+
+  /** The first slot of the innermost frame. */
+  int base() {
+    return bases[depth - 1];
+  }
+
+  /** Enters {@code function} with its slots from {@code base}. */
+  void push(ScriptFunction function, int base, int result) {
+    if (depth == functions.length) {
+      int larger = depth * 2;
+      functions = Arrays.copyOf(functions, larger);
+      pcs = Arrays.copyOf(pcs, larger);
+      bases = Arrays.copyOf(bases, larger);
+      results = Arrays.copyOf(results, larger);
+    }
+    functions[depth] = function;
+    pcs[depth] = 0;
+    bases[depth] = base;
+    results[depth] = result;
+    depth++;
+  }
+
+  /** Moves every frame after the segment was moved by {@code distance}. */
+  void shift(int distance) {
+    for (int i = 0; i < depth; i++) {
+      bases[i] += distance;
+    }
+    segmentStart += distance;
+  }
+
+  /** Ends what this thread waits for early, where that is possible. */
+  boolean abortWait() {
+    return state == State.WAITING && wait.abort();
+  }
+
+  /** The line the innermost function has reached. */
+  int line() {
+    // the pointer stands behind the instruction that the thread stopped at
+    return depth == 0 ? 0 : functions[depth - 1].line(Math.max(0, pcs[depth - 1] - 1));
+  }
+}

@@ -1,0 +1,101 @@
+package org.pendant.controller.machine;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import org.pendant.language.syntax.Expression;
+import org.pendant.language.syntax.Statement;
+
+/** Compiles the statements of one function. */
+final class StatementCompiler {
+  /** Where leaving and repeating the innermost loops lead. */
+  private record Loop(List<Integer> breaks, List<Integer> continues) {}
+
+  private final ExpressionCompiler expressions;
+  private final CodeBuilder code;
+  private final Deque<Loop> loops = new ArrayDeque<>();
+
+  StatementCompiler(ExpressionCompiler expressions) {
+    this.expressions = expressions;
+    this.code = expressions.code();
+  }
+
+  ScriptFunction finish(String name, int parameterCount) {
+    code.emit(Op.RETURN_NONE, 0, 0, 0);
+    return expressions.function(name, parameterCount);
+  }
+
+  /** Ends an interpreted line, whose variables all stay as they are when it is entered. */
+  ScriptFunction finishLine() {
+    code.emit(Op.INTERPRETED, 0, 0, 0);
+    return expressions.function("interpreter", 0);
+  }
+
+  /** Gives the global variable {@code name} its first value. */
+  void initialise(String name, Expression value) {
+    expressions.assignGlobal(name, value);
+  }
+
+  void statements(List<Statement> statements) {
+    for (Statement statement : statements) {
+      statement(statement);
+    }
+  }
+
+  private void statement(Statement statement) {
+    code.at(statement.range());
+    switch (statement) {
+      case Statement.Assign assign -> expressions.assign(assign);
+      case Statement.Evaluate evaluate -> expressions.effect(evaluate.expression());
+      case Statement.If choice -> choice(choice);
+      case Statement.While loop -> loop(loop);
+      case Statement.Break leave -> loops.peek().breaks().add(code.emitJump(Op.JUMP, 0));
+      case Statement.Continue next -> loops.peek().continues().add(code.emitJump(Op.JUMP, 0));
+      case Statement.Halt halt -> code.emit(Op.HALT, 0, 0, 0);
+      case Statement.Pause pause -> code.emit(Op.PAUSE, 0, 0, 0);
+      case Statement.Return leave -> giveBack(leave);
+      case Statement.Join join -> expressions.handle(Op.JOIN, join.handle());
+      case Statement.Kill kill -> expressions.handle(Op.KILL, kill.handle());
+      case Statement.EnterCritical enter -> code.emit(Op.ENTER_CRITICAL, 0, 0, 0);
+      case Statement.ExitCritical exit -> code.emit(Op.EXIT_CRITICAL, 0, 0, 0);
+      case Statement.Label label -> {}
+      case Statement.Definition definition -> {}
+    }
+  }
+
+  private void giveBack(Statement.Return leave) {
+    if (leave.value().isPresent()) {
+      expressions.giveBack(leave.value().get());
+    } else {
+      code.emit(Op.RETURN_NONE, 0, 0, 0);
+    }
+  }
+
+  private void choice(Statement.If choice) {
+    List<Integer> ends = new ArrayList<>();
+    for (Statement.Branch branch : choice.branches()) {
+      List<Integer> otherwise = new ArrayList<>();
+      expressions.condition(branch.condition(), false, otherwise);
+      statements(branch.body());
+      ends.add(code.emitJump(Op.JUMP, 0));
+      otherwise.forEach(jump -> code.land(jump, code.size()));
+    }
+    choice.otherwise().ifPresent(this::statements);
+    ends.forEach(jump -> code.land(jump, code.size()));
+  }
+
+  private void loop(Statement.While loop) {
+    int top = code.size();
+    Loop ways = new Loop(new ArrayList<>(), new ArrayList<>());
+    expressions.condition(loop.condition(), false, ways.breaks());
+    int body = code.size();
+    loops.push(ways);
+    statements(loop.body());
+    loops.pop();
+    ways.continues().forEach(jump -> code.land(jump, code.size()));
+    code.at(loop.condition().range());
+    expressions.repeat(loop.condition(), top, body);
+    ways.breaks().forEach(jump -> code.land(jump, code.size()));
+  }
+}

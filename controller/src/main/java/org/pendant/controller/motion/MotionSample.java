@@ -1,0 +1,34 @@
+package org.pendant.controller.motion;
+
+import java.util.Arrays;
+import org.pendant.models.arm.Joints;
+
+/**
+ * One point of a motion, per joint: position in rad, and its first and second derivative by the
+ * motion's own time in rad/s and rad/s². Motions write into it.
+ */
+public final class MotionSample {
+  final double[] position = new double[Joints.COUNT];
+  final double[] speed = new double[Joints.COUNT];
+  final double[] acceleration = new double[Joints.COUNT];
+
+  /** Joint positions, rad. */
+  public Joints positionRad() {
+    return Joints.of(position);
+  }
+
+  /** Joint speeds, rad/s. */
+  public Joints speedRadPerS() {
+    return Joints.of(speed);
+  }
+
+  /** Joint accelerations, rad/s². */
+  public Joints accelerationRadPerS2() {
+    return Joints.of(acceleration);
+  }
+
+  void rest() {
+    Arrays.fill(speed, 0);
+    Arrays.fill(acceleration, 0);
+  }
+}

@@ -1,0 +1,42 @@
+package org.pendant.controller.motion;
+
+import java.util.Optional;
+
+/** What whoever asked for a motion holds: whether it has ended, and how. */
+public final class MotionTicket {
+  private final MotionControl control;
+  private boolean finished;
+  private Optional<MotionFailure> failure = Optional.empty();
+
+  MotionTicket(MotionControl control) {
+    this.control = control;
+  }
+
+  /** Whether the motion is over, at its goal or by {@link #endEarly}; the target rests. */
+  public boolean finished() {
+    return finished;
+  }
+
+  /** Why the motion ended early. */
+  public Optional<MotionFailure> failure() {
+    return failure;
+  }
+
+  /** Lets the arm come to rest on its path; the motion counts as finished then. */
+  public void endEarly() {
+    control.endEarly(this);
+  }
+
+  /** Nobody waits any more: the arm comes to rest on its path. */
+  public void cancel() {
+    control.release(this);
+  }
+
+  void finish() {
+    finished = true;
+  }
+
+  void fail(MotionFailure reason) {
+    failure = Optional.of(reason);
+  }
+}

@@ -1,0 +1,148 @@
+package org.pendant.controller.motion;
+
+import java.util.Optional;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.InverseKinematics;
+import org.pendant.models.kinematics.Jacobian;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.StraightLine;
+import org.pendant.models.pose.Transforms;
+
+/**
+ * Turns points on a straight way of the TCP into joint positions, speeds and accelerations.
+ *
+ * <p>Positions come from the closed inverse, continued from the last point. Speeds solve {@code J
+ * qd = twist}; accelerations solve {@code J qdd = twist' - J' qd}, where the last term follows from
+ * the columns (l, z) of J alone: each joint m adds {@code (2 w + z qd) x l qd} to its upper half
+ * and {@code w x z qd} to its lower, {@code w} being the turning of the joints before it. (J.
+ * Haviland and P. Corke, "Manipulator differential kinematics, part 2", IEEE Robotics and
+ * Automation Magazine 2023, equations 8 to 12.)
+ */
+final class ToolPathFollower {
+  /** Damping of the solution that is tried in a singularity; see {@link #solve}. */
+  private static final double DAMPING = 1e-4;
+
+  /** Part of the twist that may be missed then: the path does not need the lost direction. */
+  private static final double MISSED = 1e-5;
+
+  private static final int N = Joints.COUNT;
+
+  private final StraightLine line;
+  private final Pose rate;
+  private final Pose tcpInFlange;
+  private final InverseKinematics inverse;
+  private final Jacobian solver;
+  private final double[] flangeInTcp = new double[Transforms.SIZE];
+  private final double[] tcp = new double[Transforms.SIZE];
+  private final double[] flange = new double[Transforms.SIZE];
+  private final double[] jacobian = new double[Jacobian.SIZE];
+  private final double[] q = new double[N];
+  private final double[] twist = new double[N];
+  private final double[] given = new double[N];
+
+  /**
+   * Follows a line.
+   *
+   * @param line of the TCP in the base frame
+   * @param from joint positions at its begin, rad
+   */
+  ToolPathFollower(ArmDescription arm, StraightLine line, Pose tcpInFlange, Joints from) {
+    this.line = line;
+    this.rate = line.rate();
+    this.tcpInFlange = tcpInFlange;
+    inverse = new InverseKinematics(arm);
+    solver = new Jacobian(arm.dh());
+    double[] offset = new double[Transforms.SIZE];
+    Transforms.of(tcpInFlange, offset);
+    Transforms.invert(offset, flangeInTcp);
+    from.copyTo(q);
+  }
+
+  /**
+   * The point at a fraction of the line.
+   *
+   * @param fraction 0 at its begin, 1 at its end
+   * @param fractionPerS first derivative of the fraction, 1/s
+   * @param fractionPerS2 second derivative, 1/s²
+   * @param sample overwritten
+   */
+  Optional<MotionFailure> sample(
+      double fraction, double fractionPerS, double fractionPerS2, MotionSample sample) {
+    line.at(fraction, tcp);
+    Transforms.multiply(tcp, flangeInTcp, flange);
+    if (!inverse.track(flange, q)) {
+      return Optional.of(
+          new MotionFailure("no-solution", "no joint positions reach a point on the path"));
+    }
+    System.arraycopy(q, 0, sample.position, 0, N);
+    if (fractionPerS == 0 && fractionPerS2 == 0) {
+      sample.rest();
+      return Optional.empty();
+    }
+    solver.at(q, tcpInFlange, jacobian);
+    for (int i = 0; i < N; i++) {
+      twist[i] = rate.get(i) * fractionPerS;
+    }
+    if (!solve(twist, sample.speed)) {
+      return singular();
+    }
+    for (int i = 0; i < N; i++) {
+      twist[i] = rate.get(i) * fractionPerS2;
+    }
+    subtractTurning(sample.speed);
+    return solve(twist, sample.acceleration) ? Optional.empty() : singular();
+  }
+
+  /** Subtracts J' qd from the twist. */
+  private void subtractTurning(double[] qd) {
+    double wx = 0;
+    double wy = 0;
+    double wz = 0;
+    for (int m = 0; m < N; m++) {
+      double turnX = jacobian[3 * N + m] * qd[m];
+      double turnY = jacobian[4 * N + m] * qd[m];
+      double turnZ = jacobian[5 * N + m] * qd[m];
+      double lx = jacobian[m] * qd[m];
+      double ly = jacobian[N + m] * qd[m];
+      double lz = jacobian[2 * N + m] * qd[m];
+      double ax = 2 * wx + turnX;
+      double ay = 2 * wy + turnY;
+      double az = 2 * wz + turnZ;
+      twist[0] -= ay * lz - az * ly;
+      twist[1] -= az * lx - ax * lz;
+      twist[2] -= ax * ly - ay * lx;
+      twist[3] -= wy * turnZ - wz * turnY;
+      twist[4] -= wz * turnX - wx * turnZ;
+      twist[5] -= wx * turnY - wy * turnX;
+      wx += turnX;
+      wy += turnY;
+      wz += turnZ;
+    }
+  }
+
+  /**
+   * Joint rates for a twist. In a singularity there are some as long as the twist does not need the
+   * direction that is lost, for instance when joint 5 stays at 0 all the way.
+   */
+  private boolean solve(double[] wanted, double[] rates) {
+    if (solver.solve(jacobian, wanted, rates)) {
+      return true;
+    }
+    solver.solveDamped(jacobian, wanted, DAMPING, rates);
+    Jacobian.twist(jacobian, rates, given);
+    double size = 0;
+    double missed = 0;
+    for (int i = 0; i < N; i++) {
+      size = Math.max(size, Math.abs(wanted[i]));
+      missed = Math.max(missed, Math.abs(wanted[i] - given[i]));
+    }
+    return missed <= MISSED * size;
+  }
+
+  private static Optional<MotionFailure> singular() {
+    return Optional.of(
+        new MotionFailure(
+            "singularity", "the path leads through a singularity; a joint move can pass it"));
+  }
+}

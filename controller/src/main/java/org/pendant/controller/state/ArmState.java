@@ -1,0 +1,49 @@
+package org.pendant.controller.state;
+
+import java.util.Optional;
+import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.motion.MotionFailure;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Where the arm should be and is. Poses are computed when they are asked for.
+ *
+ * @param targetPositionRad joint positions it is told
+ * @param targetSpeedRadPerS joint speeds it is told
+ * @param targetAccelerationRadPerS2 joint accelerations it is told
+ * @param actualPositionRad joint positions
+ * @param actualSpeedRadPerS joint speeds
+ * @param tool the active tool centre point
+ * @param kinematics of the arm
+ * @param moving whether a motion is under way, a paused one included
+ * @param steady whether the target has rested for 500 ms
+ * @param speedFraction the speed slider, 0 to 1
+ * @param speedScaling how fast motion time runs against the clock, 0 to 1
+ * @param fault why the arm left its path and stopped since the last program start
+ */
+public record ArmState(
+    Joints targetPositionRad,
+    Joints targetSpeedRadPerS,
+    Joints targetAccelerationRadPerS2,
+    Joints actualPositionRad,
+    Joints actualSpeedRadPerS,
+    ToolCentre tool,
+    ForwardKinematics kinematics,
+    boolean moving,
+    boolean steady,
+    double speedFraction,
+    double speedScaling,
+    Optional<MotionFailure> fault) {
+
+  /** Target pose of the TCP in the base frame. */
+  public Pose targetTcpInBase() {
+    return kinematics.tcpPose(targetPositionRad, tool.inFlange());
+  }
+
+  /** Actual pose of the TCP in the base frame. */
+  public Pose actualTcpInBase() {
+    return kinematics.tcpPose(actualPositionRad, tool.inFlange());
+  }
+}

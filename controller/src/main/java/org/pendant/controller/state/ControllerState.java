@@ -1,0 +1,38 @@
+package org.pendant.controller.state;
+
+import java.util.List;
+import org.pendant.controller.io.DigitalLevels;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.Popup;
+
+/**
+ * Everything about a controller at the end of one frame. Immutable: take the reference and keep it.
+ *
+ * <p>The lists of new messages hold those of this frame only; who looks less often than once a
+ * frame sees gaps in their numbers and asks the log.
+ *
+ * @param frame number of the frame, 0 before the first
+ * @param timeS controller time at its end, s
+ * @param io levels of the digital signals
+ * @param openPopups on the screen, oldest first
+ * @param newEntries log lines of this frame
+ * @param newPopups popups shown in this frame, those already answered included
+ * @param newestEntry number of the newest log line, 0 for none
+ */
+public record ControllerState(
+    long frame,
+    double timeS,
+    ArmState arm,
+    ProgramStatus program,
+    DigitalLevels io,
+    List<Popup> openPopups,
+    List<LogEntry> newEntries,
+    List<Popup> newPopups,
+    long newestEntry) {
+  /** Copies the lists. */
+  public ControllerState {
+    openPopups = List.copyOf(openPopups);
+    newEntries = List.copyOf(newEntries);
+    newPopups = List.copyOf(newPopups);
+  }
+}

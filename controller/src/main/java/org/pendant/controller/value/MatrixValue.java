@@ -1,0 +1,126 @@
+package org.pendant.controller.value;
+
+import java.util.Arrays;
+
+/** A matrix of numbers, row after row (manual 5). Like a list it is all int or all float. */
+public final class MatrixValue implements Value {
+  private final int rows;
+  private final int columns;
+  private final double[] elements;
+  private boolean integers;
+
+  private MatrixValue(int rows, int columns, double[] elements, boolean integers) {
+    this.rows = rows;
+    this.columns = columns;
+    this.elements = elements;
+    this.integers = integers;
+  }
+
+  /** A matrix that owns {@code elements}, {@code rows} times {@code columns} of them by rows. */
+  public static MatrixValue owning(int rows, int columns, double[] elements, boolean integers) {
+    if (rows < 1 || columns < 1 || elements.length != rows * columns) {
+      throw new IllegalArgumentException(
+          elements.length + " elements for " + rows + " x " + columns);
+    }
+    return new MatrixValue(rows, columns, elements, integers);
+  }
+
+  public int rows() {
+    return rows;
+  }
+
+  public int columns() {
+    return columns;
+  }
+
+  /** Whether all elements are ints. */
+  public boolean integers() {
+    return integers;
+  }
+
+  /** Element {@code i} counted row by row, unchecked. */
+  public double numberAt(int i) {
+    return elements[i];
+  }
+
+  /** The elements row by row, for this package's loops: not a copy. */
+  double[] elements() {
+    return elements;
+  }
+
+  public double get(int row, int column) throws ScriptError {
+    return elements[place(row, column)];
+  }
+
+  /** Replaces one element; {@code integer} says whether the number is an int. */
+  public void set(int row, int column, double number, boolean integer) throws ScriptError {
+    elements[place(row, column)] = number;
+    integers &= integer;
+  }
+
+  /** Row {@code row} as a list. */
+  public NumberList row(int row) throws ScriptError {
+    int start = place(row, 0);
+    return NumberList.owning(
+        Arrays.copyOfRange(elements, start, start + columns), columns, elementKind());
+  }
+
+  /** Column {@code column} as a list. */
+  public NumberList column(int column) throws ScriptError {
+    double[] picked = new double[rows];
+    for (int row = 0; row < rows; row++) {
+      picked[row] = elements[place(row, column)];
+    }
+    return NumberList.owning(picked, rows, elementKind());
+  }
+
+  public Kind elementKind() {
+    return integers ? Kind.INT : Kind.FLOAT;
+  }
+
+  private int place(int row, int column) throws ScriptError {
+    if (row < 0 || row >= rows || column < 0 || column >= columns) {
+      throw new ScriptError(
+          "index-out-of-range",
+          "index is ["
+              + row
+              + ", "
+              + column
+              + "], the matrix has "
+              + rows
+              + " rows and "
+              + columns
+              + " columns");
+    }
+    return row * columns + column;
+  }
+
+  @Override
+  public Kind kind() {
+    return Kind.MATRIX;
+  }
+
+  @Override
+  public MatrixValue copy() {
+    return new MatrixValue(rows, columns, elements.clone(), integers);
+  }
+
+  /** The text, for people who read tests and debuggers. */
+  @Override
+  public String toString() {
+    return text();
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof MatrixValue matrix
+        && rows == matrix.rows
+        && columns == matrix.columns
+        && Arrays.equals(elements, matrix.elements);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * (31 * rows + columns) + Arrays.hashCode(elements);
+  }
+}

@@ -1,0 +1,48 @@
+package org.pendant.controller;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import org.junit.jupiter.api.Test;
+
+final class WallClockTest {
+  private long nowNs = 1_000;
+
+  @Test
+  void lateFramesAreCountedAndCaughtUp() throws InterruptedException {
+    WallClock clock = new WallClock(1, () -> nowNs);
+    clock.awaitFrame();
+    nowNs += 7_000_000;
+    clock.awaitFrame(); // was due at 2 ms
+    clock.awaitFrame(); // was due at 4 ms
+    clock.awaitFrame(); // was due at 6 ms
+    assertEquals(new WallClock.Lateness(4, 2, 5_000_000), clock.lateness());
+  }
+
+  @Test
+  void aLongDelayIsDropped() throws InterruptedException {
+    WallClock clock = new WallClock(1, () -> nowNs);
+    clock.awaitFrame();
+    nowNs += 5_000_000_000L;
+    clock.awaitFrame();
+    nowNs += 2_000_000;
+    clock.awaitFrame(); // on time again
+    assertEquals(new WallClock.Lateness(3, 1, 4_998_000_000L), clock.lateness());
+  }
+
+  @Test
+  void aFactorShortensTheFrames() throws InterruptedException {
+    WallClock clock = new WallClock(4, () -> nowNs);
+    clock.awaitFrame();
+    nowNs += 3_500_000;
+    clock.awaitFrame(); // was due at 0.5 ms
+    assertEquals(3_000_000, clock.lateness().worstNs());
+  }
+
+  @Test
+  void refusesFactorsThatAreNoPace() {
+    for (double factor : new double[] {0, -1, Double.NaN, 1e9}) {
+      assertThrows(IllegalArgumentException.class, () -> new WallClock(factor));
+    }
+  }
+}

@@ -1,0 +1,60 @@
+package org.pendant.controller.builtin;
+
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.box.BoxSetup;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Builtin;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.value.Make;
+import org.pendant.controller.value.NoneValue;
+import org.pendant.controller.value.Registers;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+
+/** Calls single functions and methods without a program around them. */
+final class CallFixture {
+  static final Builtins BUILTINS = StandardBuiltins.create();
+
+  private final ControlBox box;
+
+  CallFixture() {
+    box = new ControlBox(BoxSetup.headless("ur5e"));
+  }
+
+  /** The result of function {@code name}; arguments may be plain Java values. */
+  Value call(String name, Object... arguments) throws ScriptError {
+    return run(BUILTINS.find(name).orElseThrow(), 0, arguments);
+  }
+
+  /** The result of method {@code name} of the kind of values that {@code receiver} names. */
+  Value method(Type receiver, String name, Object... selfAndArguments) throws ScriptError {
+    return run(BUILTINS.findMethod(receiver, name).orElseThrow(), 1, selfAndArguments);
+  }
+
+  private Value run(Builtin builtin, int receivers, Object... arguments) throws ScriptError {
+    List<Optional<Value>> defaults = builtin.defaults();
+    int result = receivers + defaults.size();
+    Registers registers = new Registers(result + 1);
+    for (int i = 0; i < result; i++) {
+      if (i < arguments.length) {
+        registers.set(i, Make.value(arguments[i]));
+      } else if (defaults.get(i - receivers).isPresent()) {
+        registers.set(i, defaults.get(i - receivers).get());
+      }
+    }
+    // no program: functions that control one are tested with the machine
+    Outcome outcome = new Call(box, null, registers).run(builtin, 0, result);
+    if (outcome != Outcome.Answered.ANSWERED) {
+      throw new IllegalStateException(builtin.name() + " waits");
+    }
+    return registers.value(result);
+  }
+
+  static boolean nothing(Value value) {
+    return value == NoneValue.NONE;
+  }
+}
