@@ -1,0 +1,50 @@
+package org.pendant.gui.command;
+
+import java.util.List;
+import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.machine.Loaded;
+import org.pendant.controller.machine.ProgramLoader;
+import org.pendant.language.source.Source;
+
+/** {@code pendant check FILE...}: finds mistakes without running anything. */
+final class CheckCommand implements Subcommand {
+
+  @Override
+  public String name() {
+    return "check";
+  }
+
+  @Override
+  public String operands() {
+    return "FILE...";
+  }
+
+  @Override
+  public String summary() {
+    return "look for mistakes in programs without running them";
+  }
+
+  @Override
+  public List<Option> options() {
+    return List.of();
+  }
+
+  @Override
+  public ExitCode run(Arguments arguments, Console console) throws UsageException {
+    if (arguments.operands().isEmpty()) {
+      throw new UsageException("no file given");
+    }
+    List<Source> sources = SourceFiles.read(arguments.operands());
+    Builtins builtins = StandardBuiltins.create();
+    ExitCode code = ExitCode.DONE;
+    for (Source source : sources) {
+      Loaded loaded = ProgramLoader.load(source, builtins);
+      Report.diagnostics(source, loaded.diagnostics()).forEach(console::complain);
+      if (loaded.program().isEmpty()) {
+        code = code.or(ExitCode.DOES_NOT_COMPILE);
+      }
+    }
+    return code;
+  }
+}

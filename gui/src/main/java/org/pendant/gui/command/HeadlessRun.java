@@ -1,0 +1,196 @@
+package org.pendant.gui.command;
+
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.pendant.controller.Clock;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.Reply;
+import org.pendant.controller.machine.Ending;
+import org.pendant.controller.machine.Program;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.Popup;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.language.source.Source;
+
+/** One program on one controller, from its start until the arm is at rest after its end. */
+final class HeadlessRun {
+  /** How often a run at full speed hands over what it has printed, ns. */
+  private static final long FLUSH_NS = TimeUnit.MILLISECONDS.toNanos(100);
+
+  /** Frames between two looks at the time; a look costs a few per cent of an idle frame. */
+  private static final int FRAMES_PER_LOOK = 16;
+
+  /** An arm that is not at rest by then never will be. */
+  private static final int MOST_FRAMES_TO_REST = 5_000;
+
+  private final Source source;
+  private final Controller controller;
+  private final RunOptions options;
+  private final Interruption interruption;
+  private final Console console;
+  private final RunRecord record;
+  private final Clock clock;
+  private long flushedNs = System.nanoTime();
+  private boolean pendingOutput;
+
+  HeadlessRun(
+      Source source,
+      Controller controller,
+      RunOptions options,
+      Interruption interruption,
+      Console console,
+      RunRecord record) {
+    this.source = source;
+    this.controller = controller;
+    this.options = options;
+    this.interruption = interruption;
+    this.console = console;
+    this.record = record;
+    clock = options.clock();
+  }
+
+  ExitCode run(Program program) {
+    if (program.secondary()) {
+      return runSecondary(program);
+    }
+    double endS = options.timeoutS().orElse(Double.POSITIVE_INFINITY);
+    if (ask(new Command.StartProgram(program)) instanceof Reply.Refused refused) {
+      console.complain(Report.error(source, refused.reason()));
+      return ExitCode.PROGRAM_FAILED;
+    }
+    boolean timedOut = false;
+    while (controller.state().program().state() != ProgramState.STOPPED) {
+      timedOut = controller.state().timeS() >= endS;
+      if (timedOut || interruption.requested() || console.outputClosed() || record.failed()) {
+        stop();
+      } else if (controller.state().program().state() == ProgramState.PAUSED) {
+        resume();
+      } else {
+        advance();
+      }
+    }
+    comeToRest();
+    return timedOut ? timedOut() : ended();
+  }
+
+  private ExitCode runSecondary(Program program) {
+    // When it is refused, the controller logs why; that is printed with everything else it logs.
+    return ask(new Command.RunSecondary(program)) instanceof Reply.Refused
+        ? ExitCode.PROGRAM_FAILED
+        : ExitCode.DONE;
+  }
+
+  private void stop() {
+    if (ask(new Command.StopProgram()) instanceof Reply.Refused refused) {
+      throw new IllegalStateException("a running program cannot be stopped: " + refused.reason());
+    }
+  }
+
+  private void resume() {
+    console.complain(
+        Report.note(
+            source,
+            "paused in line "
+                + controller.state().program().line()
+                + "; goes on at once, as nobody is here to resume it"));
+    if (ask(new Command.ResumeProgram()) instanceof Reply.Refused refused) {
+      throw new IllegalStateException("a paused program cannot be resumed: " + refused.reason());
+    }
+  }
+
+  /** Has the controller carry out a command in the next frame. */
+  private Reply ask(Command command) {
+    CompletableFuture<Reply> reply = controller.submit(command);
+    advance();
+    return reply.join();
+  }
+
+  private void comeToRest() {
+    for (int i = 0; i < MOST_FRAMES_TO_REST && controller.state().arm().moving(); i++) {
+      advance();
+    }
+  }
+
+  private ExitCode timedOut() {
+    console.complain(
+        Report.error(
+            source, "stopped after " + options.timeoutS().orElseThrow() + " s, its time limit"));
+    return ExitCode.TIMED_OUT;
+  }
+
+  private ExitCode ended() {
+    Ending ending = controller.state().program().ending().orElseThrow();
+    return switch (ending) {
+      case Ending.Finished finished -> ExitCode.DONE;
+      case Ending.Halted halted -> ExitCode.DONE;
+      case Ending.Failed failed -> {
+        Report.failure(source, failed.failure()).forEach(console::complain);
+        yield failed.failure().code().equals("internal-error")
+            ? ExitCode.INTERNAL_ERROR
+            : ExitCode.PROGRAM_FAILED;
+      }
+      case Ending.Stopped stopped -> {
+        controller
+            .state()
+            .arm()
+            .fault()
+            .ifPresent(
+                fault ->
+                    console.complain(Report.error(source, "protective stop: " + fault.message())));
+        yield controller.state().arm().fault().isPresent()
+            ? ExitCode.PROGRAM_FAILED
+            : ExitCode.DONE;
+      }
+    };
+  }
+
+  /** One frame, and what it brought to print and record. */
+  private void advance() {
+    try {
+      clock.awaitFrame();
+    } catch (InterruptedException e) {
+      throw new IllegalStateException("nobody interrupts the thread that runs the frames", e);
+    }
+    controller.advance();
+    ControllerState state = controller.state();
+    for (LogEntry entry : state.newEntries()) {
+      print(entry);
+    }
+    for (Popup popup : state.newPopups()) {
+      console.complain(Report.popup(popup));
+    }
+    record.write(state);
+    flush(state.frame());
+  }
+
+  private void print(LogEntry entry) {
+    switch (entry.origin()) {
+      case SCRIPT -> {
+        console.printBytes(entry.text());
+        pendingOutput = true;
+      }
+      case CONTROLLER -> console.complain(Report.logEntry(source, entry));
+      case ENDING -> {
+        // Said with its place and call stack when the program has ended.
+      }
+    }
+  }
+
+  /** On the wall clock each line goes out at once; at full speed now and then. */
+  private void flush(long frame) {
+    if (!pendingOutput) {
+      return;
+    }
+    boolean due = options.speedFactor().isPresent();
+    if (!due && frame % FRAMES_PER_LOOK == 0) {
+      due = System.nanoTime() - flushedNs > FLUSH_NS;
+    }
+    if (due) {
+      console.flush();
+      flushedNs = System.nanoTime();
+      pendingOutput = false;
+    }
+  }
+}

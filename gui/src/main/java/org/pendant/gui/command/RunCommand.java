@@ -1,0 +1,80 @@
+package org.pendant.gui.command;
+
+import java.util.List;
+import org.pendant.controller.Controller;
+import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.machine.Loaded;
+import org.pendant.language.source.Source;
+
+/** {@code pendant run FILE...}: runs programs, each in a controller of its own. */
+final class RunCommand implements Subcommand {
+
+  @Override
+  public String name() {
+    return "run";
+  }
+
+  @Override
+  public String operands() {
+    return "FILE...";
+  }
+
+  @Override
+  public String summary() {
+    return "run programs headless, in virtual time";
+  }
+
+  @Override
+  public List<Option> options() {
+    return RunOptions.ALL;
+  }
+
+  @Override
+  public ExitCode run(Arguments arguments, Console console) throws UsageException {
+    RunOptions options = RunOptions.of(arguments);
+    if (arguments.operands().isEmpty()) {
+      throw new UsageException("no file given");
+    }
+    if (options.record().isPresent() && arguments.operands().size() > 1) {
+      throw new UsageException("--record goes with one program, there are several");
+    }
+    List<Source> sources = SourceFiles.read(arguments.operands());
+    Builtins builtins = StandardBuiltins.create();
+    ExitCode code = ExitCode.DONE;
+    try (Interruption interruption = Interruption.listen()) {
+      for (Source source : sources) {
+        code = code.or(run(source, options, builtins, interruption, console));
+        if (interruption.requested() || console.outputClosed()) {
+          break;
+        }
+      }
+      // Before the interruption is closed: after that the process may be gone at any moment.
+      console.flush();
+    }
+    return code;
+  }
+
+  private static ExitCode run(
+      Source source,
+      RunOptions options,
+      Builtins builtins,
+      Interruption interruption,
+      Console console)
+      throws UsageException {
+    Controller controller = new Controller(options.controller(), builtins);
+    Loaded loaded = controller.load(source);
+    Report.diagnostics(source, loaded.diagnostics()).forEach(console::complain);
+    if (loaded.program().isEmpty()) {
+      return ExitCode.DOES_NOT_COMPILE;
+    }
+    ExitCode code;
+    RunRecord record = RunRecord.open(options.record(), console);
+    try (record) {
+      code =
+          new HeadlessRun(source, controller, options, interruption, console, record)
+              .run(loaded.program().get());
+    }
+    return record.failed() ? code.or(ExitCode.WRONG_USAGE) : code;
+  }
+}

@@ -1,0 +1,158 @@
+package org.pendant.gui.command;
+
+import java.time.InstantSource;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.pendant.controller.Clock;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.VirtualClock;
+import org.pendant.controller.WallClock;
+import org.pendant.controller.io.Signal;
+import org.pendant.controller.message.Operator;
+import org.pendant.language.source.ByteText;
+import org.pendant.models.arm.ArmLibrary;
+
+/**
+ * What {@code pendant run} was asked for.
+ *
+ * @param controller how each controller is switched on
+ * @param speedFactor how fast time goes against the wall clock; empty for as fast as possible
+ * @param record the file to record to, by name
+ * @param timeoutS robot time after which a program is stopped, s
+ */
+record RunOptions(
+    ControllerOptions controller,
+    Optional<Double> speedFactor,
+    Optional<String> record,
+    Optional<Double> timeoutS) {
+
+  private static final Option ROBOT =
+      new Option("--robot", "NAME", "the arm: " + String.join(", ", ArmLibrary.ids()));
+  private static final Option SPEED =
+      new Option("--speed", "max|1|N", "as fast as possible, real time, or N times that");
+  private static final Option INPUT =
+      new Option("--input", "NAME=LEVEL", "level of an input, e.g. digital_in[0]=true; repeatable");
+  private static final Option ANSWER =
+      new Option("--answer", "TEXT=VALUE", "answer to a question of the program; repeatable");
+  private static final Option RECORD =
+      new Option("--record", "FILE.csv", "write what the arm does, a row each frame");
+  private static final Option TIMEOUT =
+      new Option("--timeout", "S", "stop after S seconds of robot time");
+  private static final Option SEED = new Option("--seed", "N", "start of random(), default 0");
+
+  /** For the usage text. */
+  static final List<Option> ALL = List.of(ROBOT, SPEED, INPUT, ANSWER, RECORD, TIMEOUT, SEED);
+
+  static RunOptions of(Arguments arguments) throws UsageException {
+    ControllerOptions controller =
+        ControllerOptions.headless()
+            .withRobot(robot(arguments))
+            .withSeed(seed(arguments))
+            .withInputs(inputs(arguments))
+            .withOperator(Operator.headless(answers(arguments)));
+    Optional<Double> speedFactor = speedFactor(arguments);
+    if (speedFactor.isPresent()) {
+      // Nobody expects the same result twice from a run on the wall clock, but the right date.
+      controller = controller.withSystemTime(InstantSource.system());
+    }
+    return new RunOptions(controller, speedFactor, arguments.value(RECORD), timeoutS(arguments));
+  }
+
+  /** A clock for one run. */
+  Clock clock() {
+    return speedFactor.isPresent() ? new WallClock(speedFactor.get()) : new VirtualClock();
+  }
+
+  private static String robot(Arguments arguments) throws UsageException {
+    String robot = arguments.value(ROBOT).orElse(ControllerOptions.DEFAULT_ROBOT);
+    if (!ArmLibrary.ids().contains(robot)) {
+      throw new UsageException(
+          "--robot is " + robot + ", must be one of " + String.join(", ", ArmLibrary.ids()));
+    }
+    return robot;
+  }
+
+  private static long seed(Arguments arguments) throws UsageException {
+    String text = arguments.value(SEED).orElse("0");
+    try {
+      return Long.parseLong(text);
+    } catch (NumberFormatException e) {
+      throw new UsageException("--seed is " + text + ", must be a whole number");
+    }
+  }
+
+  private static Optional<Double> speedFactor(Arguments arguments) throws UsageException {
+    String text = arguments.value(SPEED).orElse("max");
+    if (text.equals("max")) {
+      return Optional.empty();
+    }
+    double factor = number(text, "--speed", "max or a number above 0, at most 1000");
+    if (!(factor > 0 && factor <= 1000)) {
+      throw new UsageException("--speed is " + text + ", must be above 0 and at most 1000");
+    }
+    return Optional.of(factor);
+  }
+
+  private static Optional<Double> timeoutS(Arguments arguments) throws UsageException {
+    Optional<String> text = arguments.value(TIMEOUT);
+    if (text.isEmpty()) {
+      return Optional.empty();
+    }
+    double seconds = number(text.get(), "--timeout", "a number of seconds above 0");
+    if (!(seconds > 0)) {
+      throw new UsageException("--timeout is " + text.get() + ", must be above 0 seconds");
+    }
+    return Optional.of(seconds);
+  }
+
+  private static double number(String text, String option, String expected) throws UsageException {
+    try {
+      return Double.parseDouble(text);
+    } catch (NumberFormatException e) {
+      throw new UsageException(option + " is " + text + ", must be " + expected);
+    }
+  }
+
+  private static Map<String, Boolean> inputs(Arguments arguments) throws UsageException {
+    Map<String, Boolean> inputs = new HashMap<>();
+    for (String text : arguments.values(INPUT)) {
+      int equals = separator(INPUT, text);
+      String level = text.substring(equals + 1);
+      try {
+        inputs.put(Signal.input(text.substring(0, equals)).toString(), level(level));
+      } catch (IllegalArgumentException e) {
+        throw new UsageException("--input " + text + ": " + e.getMessage());
+      }
+    }
+    return inputs;
+  }
+
+  private static boolean level(String text) {
+    return switch (text) {
+      case "true", "True", "1" -> true;
+      case "false", "False", "0" -> false;
+      default -> throw new IllegalArgumentException("level is " + text + ", must be true or false");
+    };
+  }
+
+  private static Map<String, String> answers(Arguments arguments) throws UsageException {
+    Map<String, String> answers = new HashMap<>();
+    for (String text : arguments.values(ANSWER)) {
+      int equals = separator(ANSWER, text);
+      answers.put(
+          ByteText.asBytes(text.substring(0, equals)),
+          ByteText.asBytes(text.substring(equals + 1)));
+    }
+    return answers;
+  }
+
+  private static int separator(Option option, String text) throws UsageException {
+    int equals = text.indexOf('=');
+    if (equals < 0) {
+      throw new UsageException(option.name() + " is " + text + ", must be " + option.value());
+    }
+    return equals;
+  }
+}

@@ -1,0 +1,58 @@
+package org.pendant.gui.command;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.pendant.language.source.Source;
+
+/** Reads the files that a command line names. */
+final class SourceFiles {
+  /**
+   * Far above any real program; a larger file is a mistake, and reading it would only hide that.
+   */
+  private static final long LARGEST_BYTES = 64L << 20;
+
+  private SourceFiles() {}
+
+  /**
+   * Reads all of {@code names}, before anything is done with the first: a slip in the last name
+   * shows at once.
+   *
+   * @throws UsageException when a file cannot be read
+   */
+  static List<Source> read(List<String> names) throws UsageException {
+    List<Source> sources = new ArrayList<>();
+    for (String name : names) {
+      sources.add(read(name));
+    }
+    return sources;
+  }
+
+  private static Source read(String name) throws UsageException {
+    try {
+      Path path = Path.of(name);
+      if (Files.isDirectory(path)) {
+        throw new UsageException(name + " is a directory, expected a script file");
+      }
+      long size = Files.size(path);
+      if (size > LARGEST_BYTES) {
+        throw new UsageException(
+            name + " has " + size + " bytes, a script may have at most " + LARGEST_BYTES);
+      }
+      return Source.of(name, Files.readAllBytes(path));
+    } catch (NoSuchFileException e) {
+      throw new UsageException(name + ": no such file");
+    } catch (AccessDeniedException e) {
+      throw new UsageException(name + ": no permission to read it");
+    } catch (InvalidPathException e) {
+      throw new UsageException(name + ": not a file name, " + e.getReason());
+    } catch (IOException e) {
+      throw new UsageException(name + ": cannot be read, " + e.getMessage());
+    }
+  }
+}
