@@ -1,0 +1,147 @@
+package org.pendant;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noMethods;
+import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.library.dependencies.SliceAssignment;
+import com.tngtech.archunit.library.dependencies.SliceIdentifier;
+
+/** The shape that docs/architecture.md describes, held by the build. */
+@AnalyzeClasses(packages = "org.pendant", importOptions = ImportOption.DoNotIncludeTests.class)
+final class ArchitectureTest {
+
+  /** ANTLR's lexers have two static name tables that are not final. */
+  private static final String GENERATED = "org\\.pendant\\.language\\.parse\\.\\w+Lexer";
+
+  @ArchTest
+  static final ArchRule modulesKnowOnlyTheModulesBelowThem =
+      layeredArchitecture()
+          .consideringOnlyDependenciesInAnyPackage("org.pendant..")
+          .withOptionalLayers(true)
+          .layer("language")
+          .definedBy("org.pendant.language..")
+          .layer("models")
+          .definedBy("org.pendant.models..")
+          .layer("controller")
+          .definedBy("org.pendant.controller..")
+          .layer("protocols")
+          .definedBy("org.pendant.protocols..")
+          .layer("gui")
+          .definedBy("org.pendant.gui..")
+          .whereLayer("gui")
+          .mayNotBeAccessedByAnyLayer()
+          .whereLayer("protocols")
+          .mayOnlyBeAccessedByLayers("gui")
+          .whereLayer("controller")
+          .mayOnlyBeAccessedByLayers("protocols", "gui")
+          .whereLayer("language")
+          .mayOnlyBeAccessedByLayers("controller", "protocols", "gui")
+          .whereLayer("models")
+          .mayOnlyBeAccessedByLayers("controller", "protocols", "gui")
+          .ensureAllClassesAreContainedInArchitecture();
+
+  @ArchTest
+  static final ArchRule packagesFormNoCycle =
+      slices().assignedFrom(new OneSlicePerPackage()).should().beFreeOfCycles();
+
+  @ArchTest
+  static final ArchRule onlyTheCommandLineEndsTheProcess =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage("org.pendant.gui.command..")
+          .should()
+          .callMethod(System.class, "exit", int.class)
+          .orShould()
+          .callMethod(Runtime.class, "exit", int.class)
+          .orShould()
+          .callMethod(Runtime.class, "halt", int.class);
+
+  @ArchTest
+  static final ArchRule onlyTheCommandLineUsesTheProcessStreams =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage("org.pendant.gui.command..")
+          .should()
+          .accessField(System.class, "out")
+          .orShould()
+          .accessField(System.class, "err")
+          .orShould()
+          .accessField(System.class, "in")
+          .orShould()
+          .callMethod(Throwable.class, "printStackTrace");
+
+  @ArchTest
+  static final ArchRule onlyTheGuiHasAMain =
+      noMethods()
+          .that()
+          .areDeclaredInClassesThat()
+          .resideOutsideOfPackage("org.pendant.gui..")
+          .should()
+          .haveName("main")
+          .andShould()
+          .haveRawParameterTypes(String[].class);
+
+  @ArchTest
+  static final ArchRule onlyTheGuiKnowsAScreen =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage("org.pendant.gui..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("java.awt..", "javax.swing..");
+
+  @ArchTest
+  static final ArchRule onlyProtocolsAndGuiKnowSockets =
+      noClasses()
+          .that()
+          .resideInAnyPackage(
+              "org.pendant.language..", "org.pendant.models..", "org.pendant.controller..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("java.net..", "java.nio.channels..");
+
+  @ArchTest
+  static final ArchRule nothingUsesJavaUtilLogging =
+      noClasses().should().dependOnClassesThat().resideInAPackage("java.util.logging..");
+
+  @ArchTest
+  static final ArchRule staticFieldsNeverChange =
+      fields()
+          .that()
+          .areStatic()
+          .and()
+          .areDeclaredInClassesThat()
+          .haveNameNotMatching(GENERATED)
+          .should()
+          .beFinal()
+          .because("several controllers run in one process");
+
+  @ArchTest
+  static final ArchRule namesSayWhatAClassIs =
+      noClasses().should().haveNameMatching(".*(Utils?|Helper|Manager|Impl|Singleton)");
+
+  @ArchTest
+  static final ArchRule everyClassHasAPackageOfOneModule =
+      classes().should().resideInAPackage("org.pendant.*..");
+
+  private static final class OneSlicePerPackage implements SliceAssignment {
+    @Override
+    public SliceIdentifier getIdentifierOf(JavaClass javaClass) {
+      return SliceIdentifier.of(javaClass.getPackageName());
+    }
+
+    @Override
+    public String getDescription() {
+      return "packages";
+    }
+  }
+}

@@ -1,0 +1,104 @@
+package org.pendant.command;
+
+import static org.junit.jupiter.api.Assertions.assertAll;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.pendant.command.Launcher.Result;
+
+/** {@code pendant run --record}. */
+final class RecordTest {
+  private static final int RUNS = 10;
+
+  @TempDir Path folder;
+
+  /** Moves, threads, random numbers and outputs: whatever could differ from run to run. */
+  @BeforeEach
+  void writeProgram() {
+    Launcher.script(
+        folder,
+        "busy.script",
+        """
+        def busy():
+          thread blink():
+            while True:
+              set_standard_digital_out(0, not get_standard_digital_out(0))
+              sleep(0.01)
+            end
+          end
+          run blink()
+          home = [0, -1.5708, -1.5708, -1.5708, 1.5708, 0]
+          movej(home)
+          there = home + [random(), 0, 0, 0, 0, random()]
+          movej(there, a=3, v=2)
+          movel(pose_add(get_actual_tcp_pose(), p[0, 0, -0.1, 0, 0, 0]), v=0.5)
+          textmsg(get_actual_tcp_pose())
+        end
+        """);
+  }
+
+  private static List<String> header() {
+    List<String> columns = new ArrayList<>(List.of("time_s"));
+    for (String group :
+        List.of("target_q", "target_qd", "actual_q", "actual_qd", "target_tcp", "actual_tcp")) {
+      for (int i = 0; i < 6; i++) {
+        columns.add(group + "_" + i);
+      }
+    }
+    columns.add("line");
+    return columns;
+  }
+
+  @Test
+  void recordHasARowEachFrameUnderTheAgreedHeader() throws IOException {
+    Result result = Launcher.pendant(folder, "run", "--record", "out.csv", "busy.script");
+
+    assertEquals(0, result.exitCode(), result.errors());
+    List<String> lines = Files.readAllLines(folder.resolve("out.csv"));
+    assertEquals(header(), List.of(lines.getFirst().split(",", -1)));
+    List<double[]> rows = new ArrayList<>();
+    for (String line : lines.subList(1, lines.size())) {
+      String[] fields = line.split(",", -1);
+      double[] row = new double[fields.length];
+      for (int i = 0; i < row.length; i++) {
+        row[i] = Double.parseDouble(fields[i]);
+      }
+      rows.add(row);
+    }
+    assertTrue(rows.size() > 500, rows.size() + " rows");
+    for (int i = 0; i < rows.size(); i++) {
+      assertEquals(header().size(), rows.get(i).length);
+      if (i > 0) {
+        assertEquals(0.002, rows.get(i)[0] - rows.get(i - 1)[0], 1e-9, "row " + i);
+      }
+    }
+    double[] last = rows.getLast();
+    for (int joint = 0; joint < 6; joint++) {
+      assertEquals(0, last[7 + joint], 1e-9, "the arm is at rest in the end");
+    }
+    assertTrue(rows.stream().anyMatch(row -> row[37] == 12), "the line of the second movej");
+  }
+
+  @Test
+  void tenRunsGiveTheSameRecordByteForByte() throws IOException {
+    Result first = Launcher.pendant(folder, "run", "--record", "0.csv", "busy.script");
+    byte[] expected = Files.readAllBytes(folder.resolve("0.csv"));
+    for (int i = 1; i < RUNS; i++) {
+      String name = i + ".csv";
+      Result again = Launcher.pendant(folder, "run", "--record", name, "busy.script");
+      byte[] record = Files.readAllBytes(folder.resolve(name));
+      assertAll(
+          () -> assertEquals(first.output(), again.output()),
+          () -> assertArrayEquals(expected, record));
+    }
+  }
+}

@@ -1,0 +1,209 @@
+package org.pendant.command;
+
+import static org.junit.jupiter.api.Assertions.assertAll;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.pendant.command.Launcher.Result;
+
+/** {@code pendant run}: streams, options and exit codes. */
+final class RunTest {
+  @TempDir Path folder;
+
+  private String script(String name, String... lines) {
+    return Launcher.script(folder, name, String.join("\n", lines) + "\n");
+  }
+
+  @Test
+  void messagesGoToStandardOutputByteForByteAndAllElseToStandardError() {
+    script(
+        "talk.script",
+        "def talk():",
+        "  textmsg(\"plain\")",
+        "  popup(\"look here\", title=\"Notice\", blocking=True)",
+        "  textmsg(\"bytes \u00ff\u0000\u00c3\u00bc\")",
+        "  textmsg(\"value=\", 3)",
+        "  textmsg(\"\")",
+        "end");
+
+    Result result = Launcher.pendant(folder, "run", "talk.script");
+
+    assertAll(
+        () -> assertEquals(0, result.exitCode()),
+        () -> assertEquals("plain\nbytes \u00ff\u0000\u00c3\u00bc\nvalue=3\n\n", result.output()),
+        () -> assertTrue(result.errors().contains("look here"), result.errors()));
+  }
+
+  @Test
+  void runtimeErrorShowsPlaceSourceAndCallStackAndExitsWithOne() {
+    script(
+        "fails.script",
+        "def fails():",
+        "  def pick(values, index):",
+        "    return values[index]",
+        "  end",
+        "  textmsg(\"before\")",
+        "  pick([1, 2, 3], 7)",
+        "  textmsg(\"after\")",
+        "end");
+
+    Result result = Launcher.pendant(folder, "run", "fails.script");
+
+    List<String> errors = result.errors().lines().toList();
+    assertAll(
+        () -> assertEquals(1, result.exitCode()),
+        () -> assertEquals("before\n", result.output()),
+        () -> assertTrue(errors.getFirst().startsWith("fails.script:3:"), result.errors()),
+        () -> assertTrue(errors.getFirst().contains(": error: "), result.errors()),
+        () -> assertTrue(errors.getFirst().contains("7"), result.errors()),
+        () -> assertTrue(errors.get(1).contains("return values[index]"), result.errors()),
+        () -> assertEquals("^", errors.get(2).strip().substring(0, 1), result.errors()),
+        () -> assertTrue(result.errors().contains("in pick, line 3"), result.errors()),
+        () -> assertTrue(result.errors().contains("in fails, line 6"), result.errors()));
+  }
+
+  @Test
+  void everyFileRunsAndTheFirstCodeThatIsNotZeroCounts() {
+    script("fine.script", "def fine():", "  textmsg(\"fine\")", "end");
+    script("typo.script", "def typo():", "  textmgs(\"x\")", "  other_typo()", "end");
+    script("zero.script", "def zero():", "  n = 0", "  textmsg(1 / n)", "end");
+    script("last.script", "def last():", "  textmsg(\"last\")", "end");
+
+    Result result =
+        Launcher.pendant(folder, "run", "fine.script", "typo.script", "zero.script", "last.script");
+
+    assertAll(
+        () -> assertEquals(3, result.exitCode()),
+        () -> assertEquals("fine\nlast\n", result.output()),
+        () -> assertTrue(result.errors().contains("typo.script:2:3: error: "), result.errors()),
+        () -> assertTrue(result.errors().contains("textmsg"), result.errors()),
+        () -> assertTrue(result.errors().contains("typo.script:3:3: error: "), result.errors()),
+        () -> assertTrue(result.errors().contains("zero.script:3:"), result.errors()));
+  }
+
+  @Test
+  void eachFileHasAControllerOfItsOwn() {
+    script("one.script", "set_standard_digital_out(0, True)", "global left_over = 1");
+    script("two.script", "textmsg(get_standard_digital_out(0))", "textmsg(random())");
+
+    Result result = Launcher.pendant(folder, "run", "one.script", "two.script", "two.script");
+
+    List<String> lines = result.outputLines();
+    assertAll(
+        () -> assertEquals(0, result.exitCode(), result.errors()),
+        () -> assertEquals(4, lines.size(), result.output()),
+        () -> assertEquals("False", lines.getFirst()),
+        () -> assertEquals(lines.subList(0, 2), lines.subList(2, 4)));
+  }
+
+  @Test
+  void timeLimitCountsRobotTimeAndExitsWithFour() {
+    script(
+        "long.script",
+        "def long():",
+        "  textmsg(\"begin\")",
+        "  sleep(9.9)",
+        "  textmsg(\"almost\")",
+        "  while True:",
+        "    sync()",
+        "  end",
+        "end");
+
+    Result result = Launcher.pendant(folder, "run", "--timeout", "10", "long.script");
+
+    assertAll(
+        () -> assertEquals(4, result.exitCode()),
+        () -> assertEquals("begin\nalmost\n", result.output()),
+        () -> assertTrue(result.errors().contains("10"), result.errors()));
+  }
+
+  @Test
+  void optionsReachTheController() {
+    script(
+        "options.script",
+        "def options():",
+        "  textmsg(get_standard_digital_in(2))",
+        "  textmsg(get_standard_digital_in(3))",
+        "  sleep(0.1)",
+        "end");
+
+    Result result =
+        Launcher.pendant(
+            folder,
+            "run",
+            "--robot=ur5e",
+            "--speed",
+            "20",
+            "--seed",
+            "5",
+            "--input",
+            "digital_in[2]=true",
+            "--input=digital_in[3]=false",
+            "options.script");
+
+    assertAll(
+        () -> assertEquals(0, result.exitCode(), result.errors()),
+        () -> assertEquals("True\nFalse\n", result.output()));
+  }
+
+  @Test
+  void seedDecidesWhatRandomAnswers() {
+    script("random.script", "textmsg(random())");
+
+    String five = Launcher.pendant(folder, "run", "--seed", "5", "random.script").output();
+    String again = Launcher.pendant(folder, "run", "--seed", "5", "random.script").output();
+    String six = Launcher.pendant(folder, "run", "--seed", "6", "random.script").output();
+
+    assertAll(() -> assertEquals(five, again), () -> assertFalse(five.equals(six)));
+  }
+
+  @Test
+  void readerThatGoesAwayEndsTheRunWithoutNoise() {
+    script(
+        "chatty.script",
+        "def chatty():",
+        "  while True:",
+        "    textmsg(\"0123456789012345678901234567890123456789012345678901234567890123456789\")",
+        "    sync()",
+        "  end",
+        "end");
+
+    Result result =
+        Launcher.shell(
+            folder, "{ \"$PENDANT\" run chatty.script; echo $? >code; } | head -n 1; cat code");
+
+    assertAll(
+        () -> assertEquals("", result.errors()),
+        () -> assertEquals("141", result.outputLines().getLast()),
+        () -> assertEquals(2, result.outputLines().size()));
+  }
+
+  @Test
+  void haltIsAnOrdinaryEnd() {
+    script("halts.script", "def halts():", "  textmsg(\"x\")", "  halt", "end");
+
+    Result result = Launcher.pendant(folder, "run", "halts.script");
+
+    assertAll(
+        () -> assertEquals(0, result.exitCode()),
+        () -> assertEquals("x\n", result.output()),
+        () -> assertEquals("", result.errors()));
+  }
+
+  @Test
+  void standardErrorQuotesScriptsInTheirOwnBytes() {
+    Launcher.script(
+        folder, "words.script", "def words():\n  textmsg(\"\u00c3\u00bc\", missing)\nend\n");
+
+    Result result = Launcher.pendant(folder, "run", "words.script");
+
+    assertAll(
+        () -> assertEquals(3, result.exitCode()),
+        () -> assertTrue(result.errors().contains("textmsg(\"ü\", missing)"), result.errors()));
+  }
+}

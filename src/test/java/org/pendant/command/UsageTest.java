@@ -1,0 +1,105 @@
+package org.pendant.command;
+
+import static org.junit.jupiter.api.Assertions.assertAll;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.pendant.command.Launcher.Result;
+
+/** Wrong and right ways to call {@code pendant}. */
+final class UsageTest {
+  @TempDir Path folder;
+
+  static Stream<Arguments> wrongCalls() {
+    return Stream.of(
+        Arguments.of("", "Usage: pendant"),
+        Arguments.of("rum x.script", "did you mean run?"),
+        Arguments.of("run", "no file"),
+        Arguments.of("run --sped max good.script", "did you mean --speed?"),
+        Arguments.of("run --speed", "--speed needs a value"),
+        Arguments.of("run --speed fast good.script", "fast"),
+        Arguments.of("run --robot ur99 good.script", "ur99"),
+        Arguments.of("run --input digital_in[9]=true good.script", "digital_in[9]"),
+        Arguments.of("run --input digital_in[0]=perhaps good.script", "perhaps"),
+        Arguments.of("run --timeout -1 good.script", "-1"),
+        Arguments.of("run --record missing/out.csv good.script", "missing/out.csv"),
+        Arguments.of("run missing.script", "missing.script: no such file"),
+        Arguments.of("run .", "is a directory"),
+        Arguments.of("check good.script missing.script", "missing.script: no such file"),
+        Arguments.of("functions movje", "did you mean movej?"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("wrongCalls")
+  void wrongUsageIsExplainedAndExitsWithTwo(String words, String explanation) {
+    Launcher.script(folder, "good.script", "def good():\n  textmsg(\"ran\")\nend\n");
+
+    Result result =
+        Launcher.pendant(folder, words.isEmpty() ? new String[0] : words.split(" ", -1));
+
+    assertAll(
+        () -> assertEquals(2, result.exitCode()),
+        () -> assertEquals("", result.output()),
+        () -> assertTrue(result.errors().contains(explanation), result.errors()));
+  }
+
+  @Test
+  void helpAndVersionArePrinted() {
+    Result help = Launcher.pendant(folder, "--help");
+    Result runHelp = Launcher.pendant(folder, "run", "--help");
+    Result version = Launcher.pendant(folder, "--version");
+
+    assertAll(
+        () -> assertEquals(0, help.exitCode()),
+        () -> assertTrue(help.output().contains("functions [NAME]"), help.output()),
+        () -> assertEquals(0, runHelp.exitCode()),
+        () -> assertTrue(runHelp.output().contains("--speed max|1|N"), runHelp.output()),
+        () -> assertEquals(0, version.exitCode()),
+        () -> assertTrue(version.output().startsWith("pendant "), version.output()),
+        () -> assertEquals("", help.errors() + runHelp.errors() + version.errors()));
+  }
+
+  @Test
+  void checkReportsOnEveryFile() {
+    Launcher.script(folder, "good.script", "def good():\n  textmsg(\"ran\")\nend\n");
+    Launcher.script(folder, "bad.script", "def bad():\n  nonsense()\nend\n");
+    Launcher.script(folder, "worse.script", "def worse(:\nend\n");
+
+    Result good = Launcher.pendant(folder, "check", "good.script");
+    Result all = Launcher.pendant(folder, "check", "worse.script", "good.script", "bad.script");
+
+    assertAll(
+        () -> assertEquals(0, good.exitCode()),
+        () -> assertEquals("", good.output() + good.errors()),
+        () -> assertEquals(3, all.exitCode()),
+        () -> assertEquals("", all.output()),
+        () -> assertTrue(all.errors().contains("worse.script:1:"), all.errors()),
+        () -> assertTrue(all.errors().contains("bad.script:2:3: error: "), all.errors()));
+  }
+
+  @Test
+  void functionsListsAllAndExplainsOne() {
+    Result all = Launcher.pendant(folder, "functions");
+    Result one = Launcher.pendant(folder, "functions", "movej");
+
+    assertAll(
+        () -> assertEquals(0, all.exitCode()),
+        () -> assertTrue(all.output().contains("Module urmath"), all.output()),
+        () -> assertTrue(all.output().contains("  sleep(t) "), all.output()),
+        () -> assertEquals(0, one.exitCode()),
+        () ->
+            assertTrue(one.output().startsWith("movej(q, a=1.4, v=1.05, t=0, r=0)"), one.output()),
+        () ->
+            assertTrue(
+                one.output().contains("rad/s²") || one.output().contains("rad/s\u00c2\u00b2"),
+                one.output()),
+        () -> assertTrue(one.output().contains("section 15.29"), one.output()));
+  }
+}
