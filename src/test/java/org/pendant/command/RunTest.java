@@ -184,6 +184,30 @@ final class RunTest {
   }
 
   @Test
+  void pauseGoesOnAndSecondaryProgramsRun() {
+    script("pauses.script", "def pauses():", "  pause", "  textmsg(\"on\")", "end");
+    script("aside.script", "sec aside():", "  textmsg(\"aside\")", "end");
+    script(
+        "heavy.script",
+        "sec heavy():",
+        "  i = 0",
+        "  while i < 90000000:",
+        "    i = i + 1",
+        "  end",
+        "end");
+
+    Result result =
+        Launcher.pendant(folder, "run", "pauses.script", "aside.script", "heavy.script");
+
+    assertAll(
+        () -> assertEquals(1, result.exitCode()),
+        () -> assertEquals("on\naside\n", result.output()),
+        () -> assertTrue(result.errors().contains("paused in line 2"), result.errors()),
+        () -> assertTrue(result.errors().contains("heavy.script: error: "), result.errors()),
+        () -> assertTrue(result.errors().contains("Runtime is too much behind"), result.errors()));
+  }
+
+  @Test
   void haltIsAnOrdinaryEnd() {
     script("halts.script", "def halts():", "  textmsg(\"x\")", "  halt", "end");
 

@@ -3,7 +3,10 @@ package org.pendant.command;
 import static org.junit.jupiter.api.Assertions.assertAll;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -48,6 +51,20 @@ final class UsageTest {
         () -> assertEquals(2, result.exitCode()),
         () -> assertEquals("", result.output()),
         () -> assertTrue(result.errors().contains(explanation), result.errors()));
+  }
+
+  @Test
+  void unreadableFileIsNamed() {
+    Launcher.script(folder, "secret.script", "textmsg(1)\n");
+    assumeTrue(folder.resolve("secret.script").toFile().setReadable(false));
+    assumeFalse(Files.isReadable(folder.resolve("secret.script")), "root reads everything");
+
+    Result result = Launcher.pendant(folder, "run", "secret.script");
+
+    assertAll(
+        () -> assertEquals(2, result.exitCode()),
+        () ->
+            assertTrue(result.errors().contains("secret.script: no permission"), result.errors()));
   }
 
   @Test

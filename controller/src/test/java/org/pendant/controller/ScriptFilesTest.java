@@ -100,7 +100,7 @@ final class ScriptFilesTest {
   }
 
   private static void compareRun(ScriptCase script, Controller controller, Program program) {
-    var unused = controller.submit(new Command.StartProgram(program));
+    var _ = controller.submit(new Command.StartProgram(program));
     List<String> messages = new ArrayList<>();
     for (int frame = 0; frame < MOST_FRAMES; frame++) {
       controller.advance();

@@ -100,10 +100,8 @@ final class InstructionTranslator {
       case Op.JUMP_IF_NOT_LESS_OR_EQUAL -> jumpOrder(pc, a, b, Opcode.IFGT, label(pc + 1 + c));
       case Op.LOOP_IF_LESS -> loopOrder(pc, a, b, Opcode.IFGE, pc + 1 + c);
       case Op.LOOP_IF_LESS_OR_EQUAL -> loopOrder(pc, a, b, Opcode.IFGT, pc + 1 + c);
-      case Op.JUMP_IF_EQUAL ->
-          jumpEqual(pc, a, b, true, label(pc + 1 + c), label(pc + 1));
-      case Op.JUMP_IF_NOT_EQUAL ->
-          jumpEqual(pc, a, b, false, label(pc + 1 + c), label(pc + 1));
+      case Op.JUMP_IF_EQUAL -> jumpEqual(pc, a, b, true, label(pc + 1 + c), label(pc + 1));
+      case Op.JUMP_IF_NOT_EQUAL -> jumpEqual(pc, a, b, false, label(pc + 1 + c), label(pc + 1));
       case Op.CALL -> call(pc, Instruction.index(a), b, Instruction.index(c));
       case Op.RETURN -> giveBack(pc, a);
       case Op.RETURN_NONE -> registers.leave(0, () -> code.loadConstant(Registers.NONE));
@@ -146,8 +144,10 @@ final class InstructionTranslator {
         code.dup();
         registers.stop(Stop.GOES_ON);
         code.if_acmpne(stopped).pop();
-        registers.reloadArrays();
-        registers.reload(Instruction.local(Instruction.index(a)));
+        if (operation != Op.JOIN && operation != Op.KILL) {
+          registers.reloadArrays();
+          registers.reload(a);
+        }
       }
       case Op.HALT, Op.PAUSE, Op.INTERPRETED -> code.areturn();
       case Op.ENTER_CRITICAL, Op.EXIT_CRITICAL -> code.pop();

@@ -126,8 +126,7 @@ final class JvmCode {
   }
 
   boolean isVariable(int operand) {
-    return !Instruction.isLocal(operand)
-        || Instruction.index(operand) < function.variableCount();
+    return !Instruction.isLocal(operand) || Instruction.index(operand) < function.variableCount();
   }
 
   private int keeper(int operand) {
@@ -289,9 +288,7 @@ final class JvmCode {
 
   /** Throws, because the method was entered at an instruction that no thread can stop before. */
   void unknownResumePoint() {
-    code.iload(PC)
-        .invokestatic(CODE, "unknown", MethodTypeDesc.of(ILLEGAL_STATE, INT))
-        .athrow();
+    code.iload(PC).invokestatic(CODE, "unknown", MethodTypeDesc.of(ILLEGAL_STATE, INT)).athrow();
   }
 
   /** Counts one turn and jumps to {@code exhausted} when the budget does not suffice. */
@@ -357,8 +354,7 @@ final class JvmCode {
     tag.run();
     number(operand);
     address(operand);
-    code.invokevirtual(
-            PROCESSOR, "leave", MethodTypeDesc.of(STOP, THREAD, INT, DOUBLE, INT))
+    code.invokevirtual(PROCESSOR, "leave", MethodTypeDesc.of(STOP, THREAD, INT, DOUBLE, INT))
         .areturn();
   }
 }

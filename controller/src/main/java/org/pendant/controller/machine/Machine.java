@@ -45,7 +45,8 @@ public final class Machine {
     if (state != ProgramState.STOPPED) {
       throw new IllegalStateException("program " + programName + " is " + state);
     }
-    ProgramRun started = new ProgramRun(program, builtins, box, new Control(), interpreter::next, translation);
+    ProgramRun started =
+        new ProgramRun(program, builtins, box, new Control(), interpreter::next, translation);
     run = Optional.of(started);
     interpreter.programStarted(started);
     programName = program.name();
@@ -60,7 +61,8 @@ public final class Machine {
    */
   public Optional<ScriptFailure> runSecondary(Program program) {
     ProgramRun secondary =
-        new ProgramRun(program, builtins, box, new SecondaryControl(), thread -> false, translation);
+        new ProgramRun(
+            program, builtins, box, new SecondaryControl(), thread -> false, translation);
     try {
       ProgramRun.FrameResult result = secondary.advance();
       if (result == ProgramRun.FrameResult.RUNNING) {

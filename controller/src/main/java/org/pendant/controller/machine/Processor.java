@@ -123,8 +123,12 @@ final class Processor {
       tag[i] = UNASSIGNED;
     }
     thread.push(callee, first, result);
-    refusal = Stop.CALLED;
-    return depth % NESTING == 0 ? null : callee.translated();
+    TranslatedCode code = callee.translated();
+    if (code == null || (depth & (NESTING - 1)) == 0) {
+      refusal = Stop.CALLED;
+      return null;
+    }
+    return code;
   }
 
   /** Why {@link #enter} answered no code. */
@@ -200,7 +204,7 @@ final class Processor {
             int s = Instruction.slot(Instruction.b(w), base);
             int d = Instruction.slot(a, base);
             int t = tag[s];
-            if ((t | tag[d]) <= FLOAT || t <= BOOL && tag[d] == UNASSIGNED) {
+            if ((t | tag[d]) <= FLOAT || (t <= BOOL && tag[d] == UNASSIGNED)) {
               tag[d] = (byte) t;
               num[d] = num[s];
             } else {
@@ -501,7 +505,7 @@ final class Processor {
                 && ref[l] instanceof NumberList list
                 && index >= 0
                 && index < list.length()
-                && (list.tag() == tag[s] || list.tag() == FLOAT && tag[s] == INT)) {
+                && (list.tag() == tag[s] || (list.tag() == FLOAT && tag[s] == INT))) {
               list.setNumberAt(index, num[s]);
             } else {
               slow.run(thread, base, pc);
@@ -534,7 +538,7 @@ final class Processor {
     byte[] tag = registers.tags();
     int i = Instruction.slot(x, base);
     int j = Instruction.slot(y, base);
-    if ((tag[i] | tag[j]) <= FLOAT || tag[i] == BOOL && tag[j] == BOOL) {
+    if ((tag[i] | tag[j]) <= FLOAT || (tag[i] == BOOL && tag[j] == BOOL)) {
       return registers.numbers()[i] == registers.numbers()[j];
     }
     return slow.equal(thread, base, pc);

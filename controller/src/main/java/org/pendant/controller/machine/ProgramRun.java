@@ -438,6 +438,7 @@ final class ProgramRun {
         return FrameResult.PAUSED;
       }
       case JOINING -> {}
+      default -> throw new IllegalStateException("stopped: " + stop);
     }
     return FrameResult.RUNNING;
   }

@@ -74,17 +74,21 @@ final class ScriptThread {
   /** Enters {@code function} with its slots from {@code base}. */
   void push(ScriptFunction function, int base, int result) {
     if (depth == functions.length) {
-      int larger = depth * 2;
-      functions = Arrays.copyOf(functions, larger);
-      pcs = Arrays.copyOf(pcs, larger);
-      bases = Arrays.copyOf(bases, larger);
-      results = Arrays.copyOf(results, larger);
+      growFrames();
     }
     functions[depth] = function;
     pcs[depth] = 0;
     bases[depth] = base;
     results[depth] = result;
     depth++;
+  }
+
+  private void growFrames() {
+    int larger = depth * 2;
+    functions = Arrays.copyOf(functions, larger);
+    pcs = Arrays.copyOf(pcs, larger);
+    bases = Arrays.copyOf(bases, larger);
+    results = Arrays.copyOf(results, larger);
   }
 
   /** Moves every frame after the segment was moved by {@code distance}. */

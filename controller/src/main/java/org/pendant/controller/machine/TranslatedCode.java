@@ -46,7 +46,7 @@ abstract class TranslatedCode {
     if (object instanceof NumberList list
         && i >= 0
         && i < list.length()
-        && (list.tag() == tag || list.tag() == Registers.FLOAT && tag == Registers.INT)) {
+        && (list.tag() == tag || (list.tag() == Registers.FLOAT && tag == Registers.INT))) {
       list.setNumberAt(i, number);
       return true;
     }

@@ -19,6 +19,7 @@ final class Assignment {
   }
 
   /** As {@link #assign}, when the types are known to agree. */
+  @SuppressWarnings("ReferenceEquality") // whether it is the same object is the question
   static Value replaced(Value current, Value incoming) throws ScriptError {
     if (current == incoming) {
       // the machine puts a container back after it changed a part of it in place

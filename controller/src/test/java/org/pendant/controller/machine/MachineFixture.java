@@ -22,6 +22,10 @@ final class MachineFixture {
   int frames;
 
   MachineFixture() {
+    this(Translation.WHEN_HOT);
+  }
+
+  MachineFixture(Translation translation) {
     builtins
         .declare("textmsg")
         .manual("internals", "16.63")
@@ -72,7 +76,7 @@ final class MachineFixture {
               call.program().clearInterpreter();
               return call.answer();
             });
-    machine = new Machine(builtins, new ControlBox(BoxSetup.headless("ur5e")));
+    machine = new Machine(builtins, new ControlBox(BoxSetup.headless("ur5e")), translation);
   }
 
   private static Wait waitUntil(long wakeFrame) {

@@ -46,30 +46,32 @@ public final class Pendant {
 
   private ExitCode choose(List<String> words) {
     String first = words.isEmpty() ? "" : words.getFirst();
-    switch (first) {
+    return switch (first) {
       case "" -> {
         usage().forEach(console::complain);
-        return ExitCode.WRONG_USAGE;
+        yield ExitCode.WRONG_USAGE;
       }
       case "--help", "-h", "help" -> {
         usage().forEach(console::print);
-        return ExitCode.DONE;
+        yield ExitCode.DONE;
       }
       case "--version" -> {
         console.print(version());
-        return ExitCode.DONE;
+        yield ExitCode.DONE;
       }
-      default -> {
-        Optional<Subcommand> chosen =
-            subcommands.stream().filter(s -> s.name().equals(first)).findFirst();
-        if (chosen.isPresent()) {
-          return run(chosen.get(), words.subList(1, words.size()));
-        }
-        console.complain("pendant: " + unknown(first));
-        console.complain("pendant --help lists what there is");
-        return ExitCode.WRONG_USAGE;
-      }
+      default -> subcommand(first, words.subList(1, words.size()));
+    };
+  }
+
+  private ExitCode subcommand(String name, List<String> words) {
+    Optional<Subcommand> chosen =
+        subcommands.stream().filter(s -> s.name().equals(name)).findFirst();
+    if (chosen.isPresent()) {
+      return run(chosen.get(), words);
     }
+    console.complain("pendant: " + unknown(name));
+    console.complain("pendant --help lists what there is");
+    return ExitCode.WRONG_USAGE;
   }
 
   private ExitCode run(Subcommand subcommand, List<String> words) {

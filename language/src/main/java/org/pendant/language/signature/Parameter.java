@@ -7,5 +7,4 @@ package org.pendant.language.signature;
  * @param defaultText the default as it would be written in a script, or a description in angle
  *     brackets when the default depends on the robot's state; empty when required
  */
-public record Parameter(
-    String name, Type type, Unit unit, boolean required, String defaultText) {}
+public record Parameter(String name, Type type, Unit unit, boolean required, String defaultText) {}

@@ -47,8 +47,7 @@ public sealed interface Statement extends Node {
     }
   }
 
-  record While(Expression condition, List<Statement> body, SourceRange range)
-      implements Statement {
+  record While(Expression condition, List<Statement> body, SourceRange range) implements Statement {
     public While {
       body = List.copyOf(body);
     }
