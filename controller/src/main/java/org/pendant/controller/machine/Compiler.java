@@ -71,7 +71,7 @@ final class Compiler {
 
   private StatementCompiler compiler(FunctionScope scope) {
     return new StatementCompiler(
-        new ExpressionCompiler(source, scope, builtins, linkage, scope.locals()));
+        new FunctionContext(source, scope, linkage, scope.locals()), builtins);
   }
 
   /** Compiles the definitions that stand in an interpreted line, and the line itself. */
@@ -93,7 +93,7 @@ final class Compiler {
       }
     }
     StatementCompiler compiler =
-        new StatementCompiler(new ExpressionCompiler(source, scope, builtins, linkage, variables));
+        new StatementCompiler(new FunctionContext(source, scope, linkage, variables), builtins);
     compiler.statements(statements);
     return compiler.finishLine();
   }
@@ -112,7 +112,7 @@ final class Compiler {
     FunctionScope scope = outer.nested(definition);
     StatementCompiler compiler =
         new StatementCompiler(
-            new ExpressionCompiler(source, scope, builtins, linkage, scope.locals()));
+            new FunctionContext(source, scope, linkage, scope.locals()), builtins);
     compiler.statements(definition.body());
     linkage.define(
         linkage.function(definition),

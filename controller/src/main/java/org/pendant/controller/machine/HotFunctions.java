@@ -20,10 +20,13 @@ final class HotFunctions {
 
   /** The code to run {@code function} with; null when it has to be interpreted. */
   TranslatedCode code(ScriptFunction function) {
+    if (when == Translation.NEVER) {
+      return null;
+    }
     if (when == Translation.ALWAYS && function.translated() == null) {
       translate(function);
     }
-    return when == Translation.NEVER ? null : function.translated();
+    return function.translated();
   }
 
   /** Whether {@code function} must not be interpreted. */

@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import org.pendant.controller.call.Builtins;
 import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Statement;
 
@@ -12,29 +13,35 @@ final class StatementCompiler {
   /** Where leaving and repeating the innermost loops lead. */
   private record Loop(List<Integer> breaks, List<Integer> continues) {}
 
+  private final FunctionContext context;
   private final ExpressionCompiler expressions;
+  private final ConditionCompiler conditions;
+  private final AssignmentCompiler assignments;
   private final CodeBuilder code;
   private final Deque<Loop> loops = new ArrayDeque<>();
 
-  StatementCompiler(ExpressionCompiler expressions) {
-    this.expressions = expressions;
-    this.code = expressions.code();
+  StatementCompiler(FunctionContext context, Builtins builtins) {
+    this.context = context;
+    code = context.code();
+    expressions = new ExpressionCompiler(context, builtins);
+    conditions = expressions.conditions();
+    assignments = new AssignmentCompiler(context, expressions);
   }
 
   ScriptFunction finish(String name, int parameterCount) {
     code.emit(Op.RETURN_NONE, 0, 0, 0);
-    return expressions.function(name, parameterCount);
+    return context.function(name, parameterCount);
   }
 
   /** Ends an interpreted line, whose variables all stay as they are when it is entered. */
   ScriptFunction finishLine() {
     code.emit(Op.INTERPRETED, 0, 0, 0);
-    return expressions.function("interpreter", 0);
+    return context.function("interpreter", 0);
   }
 
   /** Gives the global variable {@code name} its first value. */
   void initialise(String name, Expression value) {
-    expressions.assignGlobal(name, value);
+    assignments.assignGlobal(name, value);
   }
 
   void statements(List<Statement> statements) {
@@ -46,7 +53,7 @@ final class StatementCompiler {
   private void statement(Statement statement) {
     code.at(statement.range());
     switch (statement) {
-      case Statement.Assign assign -> expressions.assign(assign);
+      case Statement.Assign assign -> assignments.assign(assign);
       case Statement.Evaluate evaluate -> expressions.effect(evaluate.expression());
       case Statement.If choice -> choice(choice);
       case Statement.While loop -> loop(loop);
@@ -76,7 +83,7 @@ final class StatementCompiler {
     List<Integer> ends = new ArrayList<>();
     for (Statement.Branch branch : choice.branches()) {
       List<Integer> otherwise = new ArrayList<>();
-      expressions.condition(branch.condition(), false, otherwise);
+      conditions.condition(branch.condition(), false, otherwise);
       statements(branch.body());
       ends.add(code.emitJump(Op.JUMP, 0));
       otherwise.forEach(jump -> code.land(jump, code.size()));
@@ -88,14 +95,14 @@ final class StatementCompiler {
   private void loop(Statement.While loop) {
     int top = code.size();
     Loop ways = new Loop(new ArrayList<>(), new ArrayList<>());
-    expressions.condition(loop.condition(), false, ways.breaks());
+    conditions.condition(loop.condition(), false, ways.breaks());
     int body = code.size();
     loops.push(ways);
     statements(loop.body());
     loops.pop();
     ways.continues().forEach(jump -> code.land(jump, code.size()));
     code.at(loop.condition().range());
-    expressions.repeat(loop.condition(), top, body);
+    conditions.repeat(loop.condition(), top, body);
     ways.breaks().forEach(jump -> code.land(jump, code.size()));
   }
 }

@@ -1,0 +1,109 @@
+package org.pendant.controller.machine;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.pendant.controller.value.Value;
+import org.pendant.language.check.Binding;
+import org.pendant.language.check.FunctionScope;
+import org.pendant.language.source.Source;
+import org.pendant.language.syntax.Expression.Name;
+
+/**
+ * One function while it is compiled: its code so far, what its names mean, and its slots.
+ * Temporaries are taken and given back like a stack.
+ */
+final class FunctionContext {
+  private final CodeBuilder code = new CodeBuilder();
+  private final Source source;
+  private final FunctionScope scope;
+  private final Linkage linkage;
+  private final List<String> variables;
+  private final Map<String, Integer> variableSlots = new HashMap<>();
+  private int nextTemporary;
+  private int slotCount;
+
+  /**
+   * @param variables parameters and local variables in the order of their slots
+   */
+  FunctionContext(Source source, FunctionScope scope, Linkage linkage, List<String> variables) {
+    this.source = source;
+    this.scope = scope;
+    this.linkage = linkage;
+    this.variables = variables;
+    for (int i = 0; i < variables.size(); i++) {
+      variableSlots.putIfAbsent(variables.get(i), i);
+    }
+    nextTemporary = variables.size();
+    slotCount = nextTemporary;
+  }
+
+  CodeBuilder code() {
+    return code;
+  }
+
+  ScriptFunction function(String name, int parameterCount) {
+    return new ScriptFunction(
+        name,
+        source,
+        code.code(),
+        code.starts(),
+        code.ends(),
+        parameterCount,
+        variables,
+        slotCount,
+        scope);
+  }
+
+  Source source() {
+    return source;
+  }
+
+  FunctionScope scope() {
+    return scope;
+  }
+
+  Linkage linkage() {
+    return linkage;
+  }
+
+  /** The operand of a constant. */
+  int constant(Value value) {
+    return linkage.statics().constant(value);
+  }
+
+  int temporary() {
+    return temporaries(1);
+  }
+
+  /** The index of the first of {@code count} consecutive temporaries. */
+  int temporaries(int count) {
+    int first = nextTemporary;
+    nextTemporary += count;
+    slotCount = Math.max(slotCount, nextTemporary);
+    if (slotCount > Instruction.MAX_OPERAND) {
+      throw new ProgramTooLarge("one expression needs more than 131071 values at once");
+    }
+    return first;
+  }
+
+  /** How many slots are taken, to {@link #release} those taken later. */
+  int mark() {
+    return nextTemporary;
+  }
+
+  void release(int mark) {
+    nextTemporary = mark;
+  }
+
+  Binding binding(Name name) {
+    return scope.resolve(name.name(), name.range().start());
+  }
+
+  int variable(Binding binding) {
+    return switch (binding) {
+      case Binding.Global global -> linkage.statics().global(global.name());
+      case Binding.Local local -> Instruction.local(variableSlots.get(local.name()));
+    };
+  }
+}
