@@ -10,7 +10,7 @@ import java.util.List;
 import org.pendant.controller.machine.Processor.Stop;
 import org.pendant.controller.value.Registers;
 
-/** Translates single instructions, each as the {@link Processor} interprets it. */
+/** Translates single instructions, each as the {@link InstructionLoop} interprets it. */
 final class InstructionTranslator {
   private final JvmCode registers;
   private final CodeBuilder code;
