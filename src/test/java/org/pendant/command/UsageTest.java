@@ -68,6 +68,18 @@ final class UsageTest {
   }
 
   @Test
+  void whatIsNoFileIsNamed() {
+    Result folderResult = Launcher.pendant(folder, "run", ".");
+    Result endless = Launcher.pendant(folder, "run", "/dev/zero");
+
+    assertAll(
+        () -> assertEquals(2, folderResult.exitCode()),
+        () -> assertTrue(folderResult.errors().contains("is a directory"), folderResult.errors()),
+        () -> assertEquals(2, endless.exitCode()),
+        () -> assertTrue(endless.errors().contains("has more than"), endless.errors()));
+  }
+
+  @Test
   void helpAndVersionArePrinted() {
     Result help = Launcher.pendant(folder, "--help");
     Result runHelp = Launcher.pendant(folder, "run", "--help");

@@ -1,6 +1,7 @@
 package org.pendant.gui.command;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -15,7 +16,7 @@ final class SourceFiles {
   /**
    * Far above any real program; a larger file is a mistake, and reading it would only hide that.
    */
-  private static final long LARGEST_BYTES = 64L << 20;
+  private static final int LARGEST_BYTES = 32 << 20;
 
   private SourceFiles() {}
 
@@ -39,12 +40,15 @@ final class SourceFiles {
       if (Files.isDirectory(path)) {
         throw new UsageException(name + " is a directory, expected a script file");
       }
-      long size = Files.size(path);
-      if (size > LARGEST_BYTES) {
-        throw new UsageException(
-            name + " has " + size + " bytes, a script may have at most " + LARGEST_BYTES);
+      // the size that a device or a pipe states says nothing, so the reading itself is bounded
+      try (InputStream in = Files.newInputStream(path)) {
+        byte[] bytes = in.readNBytes(LARGEST_BYTES + 1);
+        if (bytes.length > LARGEST_BYTES) {
+          throw new UsageException(
+              name + " has more than " + LARGEST_BYTES + " bytes, expected a script");
+        }
+        return Source.of(name, bytes);
       }
-      return Source.of(name, Files.readAllBytes(path));
     } catch (NoSuchFileException e) {
       throw new UsageException(name + ": no such file");
     } catch (AccessDeniedException e) {

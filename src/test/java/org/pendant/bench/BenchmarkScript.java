@@ -1,0 +1,101 @@
+package org.pendant.bench;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.machine.Ending;
+import org.pendant.controller.machine.Program;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.value.Value;
+import org.pendant.language.source.Source;
+
+/**
+ * One {@code bench_*.script} on a controller of its own, run as {@code pendant run} does it.
+ *
+ * <p>Whatever goes wrong is an {@link IllegalStateException}: a benchmark of a program that fails
+ * would only look fast.
+ */
+final class BenchmarkScript {
+  /** An hour of virtual time; no benchmark comes near. */
+  private static final long MOST_FRAMES = 1_800_000;
+
+  private final Controller controller;
+  private final Program program;
+
+  private BenchmarkScript(Controller controller, Program program) {
+    this.controller = controller;
+    this.program = program;
+  }
+
+  /** Reads {@code bench_<name>.script}. */
+  static Source source(String name) {
+    String file = "bench_" + name + ".script";
+    try (InputStream in = BenchmarkScript.class.getResourceAsStream(file)) {
+      if (in == null) {
+        throw new IllegalArgumentException("no resource is named " + file);
+      }
+      return Source.of(file, in.readAllBytes());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Loads {@code bench_<name>.script} on a new controller. */
+  static BenchmarkScript load(String name) {
+    return load(source(name));
+  }
+
+  /** Loads a program on a new controller. */
+  static BenchmarkScript load(Source source) {
+    Controller controller = new Controller(ControllerOptions.headless());
+    Program program =
+        controller
+            .load(source)
+            .program()
+            .orElseThrow(() -> new IllegalStateException(source.name() + " has errors"));
+    return new BenchmarkScript(controller, program);
+  }
+
+  Controller controller() {
+    return controller;
+  }
+
+  /** Starts the program and leaves it running. */
+  void start() {
+    var reply = controller.submit(new Command.StartProgram(program));
+    controller.advance();
+    if (!reply.isDone()) {
+      throw new IllegalStateException(program.name() + " was not started");
+    }
+  }
+
+  /**
+   * Runs the program to its end.
+   *
+   * @return its global variable {@code result}
+   */
+  double runToEnd() {
+    start();
+    if (controller.state().program().state() != ProgramState.STOPPED
+        && !controller.runUntil(this::stopped, MOST_FRAMES)) {
+      throw new IllegalStateException(program.name() + " did not end");
+    }
+    ControllerState state = controller.state();
+    if (!(state.program().ending().orElseThrow() instanceof Ending.Finished)) {
+      throw new IllegalStateException(program.name() + ": " + state.program().ending());
+    }
+    Value result = controller.globals().get("result");
+    if (result == null) {
+      throw new IllegalStateException(program.name() + " left no result");
+    }
+    return Double.parseDouble(result.text());
+  }
+
+  private boolean stopped() {
+    return controller.state().program().state() == ProgramState.STOPPED;
+  }
+}
