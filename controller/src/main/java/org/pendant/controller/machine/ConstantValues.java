@@ -1,10 +1,12 @@
 package org.pendant.controller.machine;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.value.FloatValue;
 import org.pendant.controller.value.IntValue;
 import org.pendant.controller.value.Kind;
+import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.NoneValue;
 import org.pendant.controller.value.NumberList;
 import org.pendant.controller.value.PoseValue;
@@ -32,6 +34,10 @@ final class ConstantValues {
             default -> Optional.empty();
           };
       case Expression.PoseLiteral pose -> numbers(pose.elements()).map(ConstantValues::pose);
+      case Expression.ListLiteral list
+          when !list.elements().isEmpty()
+              && list.elements().getFirst() instanceof Expression.ListLiteral ->
+          matrix(list);
       case Expression.ListLiteral list when !list.elements().isEmpty() ->
           numbers(list.elements())
               .map(
@@ -44,6 +50,29 @@ final class ConstantValues {
                               : Kind.FLOAT));
       default -> Optional.empty();
     };
+  }
+
+  /** A matrix whose rows are all known and of one length. */
+  private static Optional<Value> matrix(Expression.ListLiteral rows) {
+    int columns = -1;
+    boolean integers = true;
+    double[] elements = {};
+    for (int row = 0; row < rows.elements().size(); row++) {
+      if (!(rows.elements().get(row) instanceof Expression.ListLiteral list)) {
+        return Optional.empty();
+      }
+      Optional<double[]> numbers = numbers(list.elements());
+      if (numbers.isEmpty()
+          || numbers.get().length == 0
+          || (row > 0 && numbers.get().length != columns)) {
+        return Optional.empty();
+      }
+      columns = numbers.get().length;
+      elements = Arrays.copyOf(elements, (row + 1) * columns);
+      System.arraycopy(numbers.get(), 0, elements, row * columns, columns);
+      integers &= list.elements().stream().allMatch(ConstantValues::isInt);
+    }
+    return Optional.of(MatrixValue.owning(rows.elements().size(), columns, elements, integers));
   }
 
   private static Value pose(double[] n) {

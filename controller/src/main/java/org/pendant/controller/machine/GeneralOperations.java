@@ -1,6 +1,7 @@
 package org.pendant.controller.machine;
 
 import org.pendant.controller.call.Builtin;
+import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.NoneValue;
 import org.pendant.controller.value.Operators;
 import org.pendant.controller.value.PoseValue;
@@ -143,11 +144,30 @@ final class GeneralOperations {
     store(function, Instruction.a(w), base, Operators.index(receiver, index));
   }
 
+  /** The target is always a temporary, see {@link ExpressionCompiler}. */
   void getIndex2(ScriptFunction function, long w, int base) throws ScriptError {
-    Value receiver = read(function, Instruction.b(w), base);
-    Value row = read(function, Instruction.c(w), base);
-    Value column = read(function, Instruction.c(w) + 1, base);
-    store(function, Instruction.a(w), base, Operators.index(receiver, row, column));
+    int row = Instruction.slot(Instruction.c(w), base);
+    int slot = Instruction.slot(Instruction.b(w), base);
+    if (areInts(row)
+        && registers.tags()[slot] == Registers.OBJECT
+        && registers.objects()[slot] instanceof MatrixValue matrix) {
+      double number =
+          matrix.get((int) registers.numbers()[row], (int) registers.numbers()[row + 1]);
+      int target = Instruction.slot(Instruction.a(w), base);
+      registers.numbers()[target] = number;
+      registers.tags()[target] = matrix.integers() ? Registers.INT : Registers.FLOAT;
+    } else {
+      Value receiver = read(function, Instruction.b(w), base);
+      Value first = read(function, Instruction.c(w), base);
+      Value second = read(function, Instruction.c(w) + 1, base);
+      store(function, Instruction.a(w), base, Operators.index(receiver, first, second));
+    }
+  }
+
+  /** Whether a slot and the next one hold ints. */
+  private boolean areInts(int slot) {
+    byte[] tags = registers.tags();
+    return (tags[slot] | tags[slot + 1]) == Registers.INT;
   }
 
   void setIndex(ScriptFunction function, long w, int base) throws ScriptError {
@@ -159,13 +179,25 @@ final class GeneralOperations {
   }
 
   void setIndex2(ScriptFunction function, long w, int base) throws ScriptError {
-    Value receiver = read(function, Instruction.a(w), base);
-    Value row = read(function, Instruction.b(w), base);
-    Value column = read(function, Instruction.b(w) + 1, base);
-    Value element = read(function, Instruction.c(w), base);
-    registers.set(
-        Instruction.slot(Instruction.a(w), base),
-        Operators.setIndex(receiver, row, column, element));
+    int slot = Instruction.slot(Instruction.a(w), base);
+    int row = Instruction.slot(Instruction.b(w), base);
+    int source = Instruction.slot(Instruction.c(w), base);
+    if (areInts(row)
+        && registers.tags()[source] <= Registers.FLOAT
+        && registers.tags()[slot] == Registers.OBJECT
+        && registers.objects()[slot] instanceof MatrixValue matrix) {
+      matrix.set(
+          (int) registers.numbers()[row],
+          (int) registers.numbers()[row + 1],
+          registers.numbers()[source],
+          registers.tags()[source] == Registers.INT);
+    } else {
+      Value receiver = read(function, Instruction.a(w), base);
+      Value first = read(function, Instruction.b(w), base);
+      Value second = read(function, Instruction.b(w) + 1, base);
+      Value element = read(function, Instruction.c(w), base);
+      registers.set(slot, Operators.setIndex(receiver, first, second, element));
+    }
   }
 
   void getMember(ScriptFunction function, long w, int base) throws ScriptError {

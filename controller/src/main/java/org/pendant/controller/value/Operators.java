@@ -185,7 +185,7 @@ public final class Operators {
     }
     if (operator == BinaryOperator.ADD) {
       if (left instanceof StringValue a && right instanceof StringValue b) {
-        return concatenated(a.bytes(), b.bytes());
+        return concatenated(a, b);
       }
       if (left instanceof ListValue list && right instanceof StructValue struct) {
         return ListLiterals.added(list, struct);
@@ -246,14 +246,14 @@ public final class Operators {
     return Value.of((int) result);
   }
 
-  private static Value concatenated(String left, String right) throws ScriptError {
+  private static Value concatenated(StringValue left, StringValue right) throws ScriptError {
     int length = left.length() + right.length();
     if (length > MAX_STRING_LENGTH) {
       throw new ScriptError(
           "string-too-long",
           "+: the string has " + length + " bytes, must have at most " + MAX_STRING_LENGTH);
     }
-    return Value.of(left.concat(right));
+    return left.followedBy(right);
   }
 
   private static boolean ordered(BinaryOperator operator, Value left, Value right)

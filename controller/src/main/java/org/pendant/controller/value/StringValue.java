@@ -1,9 +1,88 @@
 package org.pendant.controller.value;
 
-/** A string of bytes; {@code bytes} holds one {@code char} (0 to 255) a byte (manual 3). */
-public record StringValue(String bytes) implements Value {
+import java.util.Optional;
+
+/**
+ * A string of bytes, one {@code char} (0 to 255) each (manual 3).
+ *
+ * <p>Programs build long strings piece by piece. So that this costs what is added and not what is
+ * there already, a string and the one it was made from share a growing text, of which each sees its
+ * own first part. Only the frame loop joins strings; a {@link #copy} may be read by any thread.
+ */
+public final class StringValue implements Value {
+  /** Shorter results are copied: sharing would cost more than it saves. */
+  private static final int SHORTEST_SHARED = 64;
+
+  private final Optional<StringBuilder> shared;
+  private final int length;
+  private String bytes;
+
+  public StringValue(String bytes) {
+    shared = Optional.empty();
+    length = bytes.length();
+    this.bytes = bytes;
+  }
+
+  /** The first {@code length} bytes of {@code shared}. */
+  private StringValue(Optional<StringBuilder> shared, int length) {
+    this.shared = shared;
+    this.length = length;
+    bytes = "";
+  }
+
+  /** The text, one {@code char} a byte. */
+  public String bytes() {
+    if (bytes.length() != length) {
+      bytes = shared.orElseThrow().substring(0, length);
+    }
+    return bytes;
+  }
+
+  /** How many bytes it has. */
+  public int length() {
+    return length;
+  }
+
+  /** This string followed by {@code tail}. */
+  StringValue followedBy(StringValue tail) {
+    int joined = length + tail.length;
+    if (joined < SHORTEST_SHARED) {
+      return new StringValue(bytes().concat(tail.bytes()));
+    }
+    // what stands behind this part of the text belongs to another string
+    Optional<StringBuilder> text =
+        shared.isPresent() && shared.get().length() == length
+            ? shared
+            : Optional.of(new StringBuilder(2 * joined).append(bytes()));
+    text.get().append(tail.bytes());
+    return new StringValue(text, joined);
+  }
+
   @Override
   public Kind kind() {
     return Kind.STRING;
+  }
+
+  @Override
+  public StringValue copy() {
+    bytes();
+    return this;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof StringValue string
+        && length == string.length
+        && bytes().equals(string.bytes());
+  }
+
+  @Override
+  public int hashCode() {
+    return bytes().hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return bytes();
   }
 }
