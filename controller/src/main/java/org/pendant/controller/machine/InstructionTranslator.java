@@ -65,6 +65,7 @@ final class InstructionTranslator {
           Op.LOOP_IF_LESS,
           Op.LOOP_IF_LESS_OR_EQUAL ->
           new int[] {a, b};
+      case Op.GET_INDEX_2 -> new int[] {a, b, c, c + 1};
       case Op.MOVE, Op.COPY, Op.NOT -> new int[] {b};
       case Op.RETURN, Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE -> new int[] {a};
       default -> new int[0];
@@ -106,6 +107,7 @@ final class InstructionTranslator {
       case Op.RETURN -> giveBack(pc, a);
       case Op.RETURN_NONE -> registers.leave(0, () -> code.loadConstant(Registers.NONE));
       case Op.GET_INDEX -> getIndex(pc, a, b, c);
+      case Op.GET_INDEX_2 -> getElement(pc, a, b, c);
       case Op.SET_INDEX -> setIndex(pc, a, b, c);
       default -> general(pc, operation, a);
     }
@@ -404,18 +406,55 @@ final class InstructionTranslator {
             "numbersAt",
             MethodTypeDesc.of(JvmCode.LIST, JvmCode.VALUE, ConstantDescs.CD_double))
         .dup()
-        .astore(JvmCode.NUMBER_LIST)
+        .astore(JvmCode.CONTAINER)
         .ifnull(slow);
-    code.aload(JvmCode.NUMBER_LIST)
+    code.aload(JvmCode.CONTAINER)
         .invokevirtual(JvmCode.LIST, "tag", MethodTypeDesc.of(ConstantDescs.CD_int))
         .istore(JvmCode.TAG)
-        .aload(JvmCode.NUMBER_LIST);
+        .aload(JvmCode.CONTAINER);
     registers.number(index);
     code.d2i()
         .invokevirtual(
             JvmCode.LIST,
             "numberAt",
             MethodTypeDesc.of(ConstantDescs.CD_double, ConstantDescs.CD_int))
+        .dstore(JvmCode.NUMBER);
+    registers.store(target, () -> code.iload(JvmCode.TAG));
+  }
+
+  /** An element of a matrix; its target is always a temporary. */
+  private void getElement(int pc, int target, int matrix, int row) {
+    int column = row + 1;
+    Label slow = slow(pc, target);
+    registers.tag(matrix);
+    code.loadConstant(Registers.OBJECT).if_icmpne(slow);
+    registers.tag(row);
+    code.ifne(slow);
+    registers.tag(column);
+    code.ifne(slow);
+    registers.object(matrix);
+    registers.number(row);
+    registers.number(column);
+    code.invokestatic(
+            JvmCode.CODE,
+            "matrixAt",
+            MethodTypeDesc.of(
+                JvmCode.MATRIX, JvmCode.VALUE, ConstantDescs.CD_double, ConstantDescs.CD_double))
+        .dup()
+        .astore(JvmCode.CONTAINER)
+        .ifnull(slow);
+    code.aload(JvmCode.CONTAINER)
+        .invokevirtual(JvmCode.MATRIX, "tag", MethodTypeDesc.of(ConstantDescs.CD_int))
+        .istore(JvmCode.TAG)
+        .aload(JvmCode.CONTAINER);
+    registers.number(row);
+    code.d2i();
+    registers.number(column);
+    code.d2i()
+        .invokevirtual(
+            JvmCode.MATRIX,
+            "numberAt",
+            MethodTypeDesc.of(ConstantDescs.CD_double, ConstantDescs.CD_int, ConstantDescs.CD_int))
         .dstore(JvmCode.NUMBER);
     registers.store(target, () -> code.iload(JvmCode.TAG));
   }

@@ -11,6 +11,7 @@ import org.pendant.controller.machine.Processor.Stop;
 import org.pendant.controller.value.BoolValue;
 import org.pendant.controller.value.FloatValue;
 import org.pendant.controller.value.IntValue;
+import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.NoneValue;
 import org.pendant.controller.value.NumberList;
 import org.pendant.controller.value.Registers;
@@ -31,6 +32,7 @@ final class JvmCode {
   static final ClassDesc THREAD = desc(ScriptThread.class);
   static final ClassDesc SLOW_PATH = desc(SlowPath.class);
   static final ClassDesc LIST = desc(NumberList.class);
+  static final ClassDesc MATRIX = desc(MatrixValue.class);
   static final ClassDesc VALUE = desc(Value.class);
   private static final ClassDesc REGISTERS = desc(Registers.class);
   private static final ClassDesc ILLEGAL_STATE = desc(IllegalStateException.class);
@@ -54,7 +56,7 @@ final class JvmCode {
   private static final int OBJECTS = 7;
   static final int TAG = 8;
   static final int NUMBER = 9;
-  static final int NUMBER_LIST = 11;
+  static final int CONTAINER = 11;
   static final int CALLEE = 12;
   private static final int FIRST_KEPT = 13;
 

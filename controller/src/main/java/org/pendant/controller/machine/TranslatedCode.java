@@ -1,5 +1,6 @@
 package org.pendant.controller.machine;
 
+import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.NumberList;
 import org.pendant.controller.value.Registers;
 import org.pendant.controller.value.ScriptError;
@@ -37,6 +38,17 @@ abstract class TranslatedCode {
             && i < list.length()
             && list.tag() <= Registers.FLOAT
         ? list
+        : null;
+  }
+
+  /** The matrix that has an element in a row and column; null when {@code object} is none such. */
+  static MatrixValue matrixAt(Value object, double row, double column) {
+    return object instanceof MatrixValue matrix
+            && row >= 0
+            && row < matrix.rows()
+            && column >= 0
+            && column < matrix.columns()
+        ? matrix
         : null;
   }
 

@@ -48,6 +48,16 @@ public final class MatrixValue implements Value {
     return elements;
   }
 
+  /** The element in a row and column that the caller knows to be there. */
+  public double numberAt(int row, int column) {
+    return elements[row * columns + column];
+  }
+
+  /** The {@link Registers} tag of the elements. */
+  public int tag() {
+    return integers ? Registers.INT : Registers.FLOAT;
+  }
+
   public double get(int row, int column) throws ScriptError {
     return elements[place(row, column)];
   }

@@ -86,15 +86,18 @@ public final class Registers {
 
   /** Stores {@code value}, not copied. */
   public void set(int slot, Value value) {
-    switch (value) {
-      case IntValue i -> setInt(slot, i.value());
-      case FloatValue f -> setFloat(slot, f.value());
-      case BoolValue b -> setBool(slot, b.value());
-      case NoneValue none -> tags[slot] = NONE;
-      default -> {
-        tags[slot] = OBJECT;
-        objects[slot] = value;
-      }
+    // not a pattern switch: it is several times slower here, and slow to start
+    if (value instanceof IntValue number) {
+      setInt(slot, number.value());
+    } else if (value instanceof FloatValue number) {
+      setFloat(slot, number.value());
+    } else if (value instanceof BoolValue bool) {
+      setBool(slot, bool.value());
+    } else if (value == NoneValue.NONE) {
+      tags[slot] = NONE;
+    } else {
+      tags[slot] = OBJECT;
+      objects[slot] = value;
     }
   }
 

@@ -157,6 +157,26 @@ class TranslationTest {
         end
         """,
         """
+        def elements():
+          def trace(m, n):
+            local sum = 0
+            local i = 0
+            while i < n:
+              sum = sum + m[i, i] * m[i, 1]
+              i = i + 1
+            end
+            return sum
+          end
+          local ints = [[1, 2], [3, 4]]
+          local floats = [[1.5, 2.5], [3.5, 4.5]]
+          ints[0, 1] = 7
+          textmsg(trace(ints, 2), trace(floats, 2))
+          floats[1, 1] = ints[0, 1]
+          textmsg(floats, [1, 2][trace([[1, 1], [0, 0]], 2)])
+          textmsg(trace(ints, 3))
+        end
+        """,
+        """
         def wrong_element():
           local l = [1, 2]
           l[0] = 3
