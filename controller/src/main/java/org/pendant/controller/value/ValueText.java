@@ -24,18 +24,25 @@ public final class ValueText {
 
   /** The text of {@code value}, one {@code char} a byte. */
   public static String of(Value value) {
-    return switch (value) {
-      case StringValue text -> text.bytes();
-      case IntValue i -> Integer.toString(i.value());
-      case FloatValue f -> number(f.value());
-      case BoolValue b -> bool(b.value());
-      case NoneValue none -> "None";
-      default -> {
-        StringBuilder text = new StringBuilder();
-        append(text, value);
-        yield text.toString();
-      }
-    };
+    // not a pattern switch: those cost the start of every short program
+    if (value instanceof StringValue string) {
+      return string.bytes();
+    }
+    if (value instanceof IntValue number) {
+      return Integer.toString(number.value());
+    }
+    if (value instanceof FloatValue number) {
+      return number(number.value());
+    }
+    if (value instanceof BoolValue bool) {
+      return bool(bool.value());
+    }
+    if (value == NoneValue.NONE) {
+      return "None";
+    }
+    StringBuilder text = new StringBuilder();
+    append(text, value);
+    return text.toString();
   }
 
   /**
