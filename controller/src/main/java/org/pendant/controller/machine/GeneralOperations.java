@@ -7,6 +7,7 @@ import org.pendant.controller.value.Operators;
 import org.pendant.controller.value.PoseValue;
 import org.pendant.controller.value.Registers;
 import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.StringValue;
 import org.pendant.controller.value.StructValue;
 import org.pendant.controller.value.Value;
 import org.pendant.language.syntax.Expression.BinaryOperator;
@@ -111,6 +112,25 @@ final class GeneralOperations {
     }
     Value value = registers.value(source);
     assignValue(function, target, slot, copy ? value.copy() : value);
+  }
+
+  /** Addition; strings, which programs build piece by piece, without a detour. */
+  void add(ScriptFunction function, long w, int base) throws ScriptError {
+    Value[] objects = registers.objects();
+    byte[] tags = registers.tags();
+    int x = Instruction.slot(Instruction.b(w), base);
+    int y = Instruction.slot(Instruction.c(w), base);
+    int target = Instruction.slot(Instruction.a(w), base);
+    if (tags[x] == Registers.OBJECT
+        && tags[y] == Registers.OBJECT
+        && tags[target] == Registers.OBJECT
+        && objects[x] instanceof StringValue head
+        && objects[y] instanceof StringValue tail
+        && objects[target] instanceof StringValue) {
+      objects[target] = Operators.concatenated(head, tail);
+    } else {
+      arithmetic(BinaryOperator.ADD, function, w, base);
+    }
   }
 
   void arithmetic(BinaryOperator operator, ScriptFunction function, long w, int base)

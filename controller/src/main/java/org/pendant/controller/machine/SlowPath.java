@@ -49,7 +49,7 @@ final class SlowPath {
         general.assign(function, a, slot, Instruction.b(w), source, operation == Op.ASSIGN_COPY);
       }
       case Op.UNSET -> registers.tags()[Instruction.slot(a, base)] = Registers.UNASSIGNED;
-      case Op.ADD -> general.arithmetic(BinaryOperator.ADD, function, w, base);
+      case Op.ADD -> general.add(function, w, base);
       case Op.SUBTRACT -> general.arithmetic(BinaryOperator.SUBTRACT, function, w, base);
       case Op.MULTIPLY -> general.arithmetic(BinaryOperator.MULTIPLY, function, w, base);
       case Op.DIVIDE -> general.arithmetic(BinaryOperator.DIVIDE, function, w, base);

@@ -246,7 +246,12 @@ public final class Operators {
     return Value.of((int) result);
   }
 
-  private static Value concatenated(StringValue left, StringValue right) throws ScriptError {
+  /**
+   * One string after the other.
+   *
+   * @throws ScriptError when the result would have more than 2^20 bytes
+   */
+  public static Value concatenated(StringValue left, StringValue right) throws ScriptError {
     int length = left.length() + right.length();
     if (length > MAX_STRING_LENGTH) {
       throw new ScriptError(
