@@ -7,50 +7,81 @@ import java.util.List;
  *
  * @param id the word that selects it, such as {@code ur5e}
  * @param displayName the name for people
+ * @param series its generation
  * @param dh lengths of the kinematic chain
  * @param joints limits of the six joints, base first
+ * @param actuators drives of the six joints
  * @param links masses of the six moving links, shoulder first
  * @param payloadKg rated payload, kg
  * @param reachM rated reach, m
  * @param status how far the numbers can be trusted
+ * @param notes where a number that is not verified comes from
  */
 public record ArmDescription(
     String id,
     String displayName,
+    Series series,
     DhLengths dh,
     List<JointLimits> joints,
+    List<Actuator> actuators,
     List<LinkMass> links,
     double payloadKg,
     double reachM,
-    Status status) {
+    Status status,
+    List<String> notes) {
   /**
    * Trust in each group of numbers.
    *
    * @param kinematics of the lengths
-   * @param dynamics of masses and inertias
+   * @param masses of masses and centres of mass
+   * @param inertias of the links
    * @param jointLimits of ranges, speeds and torques
+   * @param actuators of friction, rotor inertia and torque constants
    */
-  public record Status(Confidence kinematics, Confidence dynamics, Confidence jointLimits) {}
+  public record Status(
+      Confidence kinematics,
+      Confidence masses,
+      Confidence inertias,
+      Confidence jointLimits,
+      Confidence actuators) {}
 
   /**
    * Checks the counts and copies the lists.
    *
-   * @throws IllegalArgumentException if there are not six joints and six links
+   * @throws IllegalArgumentException if there are not six joints, actuators and links
    */
   public ArmDescription {
     joints = List.copyOf(joints);
+    actuators = List.copyOf(actuators);
     links = List.copyOf(links);
-    if (joints.size() != Joints.COUNT || links.size() != Joints.COUNT) {
+    notes = List.copyOf(notes);
+    if (joints.size() != Joints.COUNT
+        || actuators.size() != Joints.COUNT
+        || links.size() != Joints.COUNT) {
       throw new IllegalArgumentException(
           id
               + ": has "
               + joints.size()
-              + " joints and "
+              + " joints, "
+              + actuators.size()
+              + " actuators and "
               + links.size()
               + " links, must have "
               + Joints.COUNT
               + " of each");
     }
+  }
+
+  /** The same arm with other joint limits. */
+  public ArmDescription withJoints(List<JointLimits> limits) {
+    return new ArmDescription(
+        id, displayName, series, dh, limits, actuators, links, payloadKg, reachM, status, notes);
+  }
+
+  /** The same arm with other drives. */
+  public ArmDescription withActuators(List<Actuator> drives) {
+    return new ArmDescription(
+        id, displayName, series, dh, joints, drives, links, payloadKg, reachM, status, notes);
   }
 
   /** True if every joint position (rad) lies within its range. */

@@ -7,11 +7,14 @@ import java.util.List;
 
 /** The arm models that come with the program. Descriptions are data, one JSON file each. */
 public final class ArmLibrary {
-  private static final List<String> IDS = List.of("ur5e");
+  private static final List<String> IDS =
+      List.of(
+          "ur3", "ur5", "ur10", "ur3e", "ur5e", "ur7e", "ur10e", "ur12e", "ur16e", "ur8long",
+          "ur15", "ur18", "ur20", "ur30");
 
   private ArmLibrary() {}
 
-  /** The known models, the default one first. */
+  /** The known models, oldest series and smallest arm first. */
   public static List<String> ids() {
     return IDS;
   }

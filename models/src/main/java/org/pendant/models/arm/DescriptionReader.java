@@ -44,14 +44,16 @@ final class DescriptionReader {
     Map<String, Object> dh = object(root.get("dh"), "dh");
     Map<String, Object> status = object(root.get("status"), "status");
     List<JointLimits> joints = new ArrayList<>();
+    List<Actuator> actuators = new ArrayList<>();
     for (Object each : array(root.get("joints"), "joints")) {
       Map<String, Object> joint = object(each, "a joint");
-      joints.add(
-          new JointLimits(
-              number(joint, "minRad"),
-              number(joint, "maxRad"),
-              number(joint, "maxSpeedRadPerS"),
-              number(joint, "maxTorqueNm")));
+      joints.add(limits(joint));
+      actuators.add(
+          new Actuator(
+              number(joint, "rotorInertiaKgM2"),
+              number(joint, "coulombNm"),
+              number(joint, "viscousNmSPerRad"),
+              number(joint, "torqueConstantNmPerA")));
     }
     List<LinkMass> links = new ArrayList<>();
     for (Object each : array(root.get("links"), "links")) {
@@ -60,6 +62,7 @@ final class DescriptionReader {
     return new ArmDescription(
         text(root, "id"),
         text(root, "displayName"),
+        series(root),
         new DhLengths(
             number(dh, "d1"),
             number(dh, "a2"),
@@ -68,13 +71,47 @@ final class DescriptionReader {
             number(dh, "d5"),
             number(dh, "d6")),
         joints,
+        actuators,
         links,
         number(root, "payloadKg"),
         number(root, "reachM"),
         new ArmDescription.Status(
             confidence(status, "kinematics"),
-            confidence(status, "dynamics"),
-            confidence(status, "jointLimits")));
+            confidence(status, "masses"),
+            confidence(status, "inertias"),
+            confidence(status, "jointLimits"),
+            confidence(status, "actuators")),
+        notes(root));
+  }
+
+  private static JointLimits limits(Map<String, Object> joint) {
+    boolean unlimited = Boolean.TRUE.equals(joint.get("unlimited"));
+    return new JointLimits(
+        unlimited ? Double.NEGATIVE_INFINITY : number(joint, "minRad"),
+        unlimited ? Double.POSITIVE_INFINITY : number(joint, "maxRad"),
+        number(joint, "maxSpeedRadPerS"),
+        number(joint, "maxTorqueNm"));
+  }
+
+  private static Series series(Map<String, Object> root) {
+    String name = text(root, "series");
+    for (Series each : Series.values()) {
+      if (each.displayName().equals(name)) {
+        return each;
+      }
+    }
+    throw wrong("series", name, "CB3, e-Series or UR-Series");
+  }
+
+  private static List<String> notes(Map<String, Object> root) {
+    List<String> notes = new ArrayList<>();
+    for (Object each : array(root.get("notes"), "notes")) {
+      if (!(each instanceof String text)) {
+        throw wrong("notes", each, "a text");
+      }
+      notes.add(text);
+    }
+    return notes;
   }
 
   private static LinkMass link(Map<String, Object> link) {
@@ -118,9 +155,12 @@ final class DescriptionReader {
       }
       case VALUE_STRING -> parser.getString();
       // not getDoubleValue: loading the fast number parser behind it takes longer than the file
+      case VALUE_TRUE -> true;
+      case VALUE_FALSE -> false;
       case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> Double.valueOf(parser.getString());
       default ->
-          throw new IllegalArgumentException(token + " is not an object, array, text or number");
+          throw new IllegalArgumentException(
+              token + " is not an object, array, text, number or truth value");
     };
   }
 

@@ -3,8 +3,8 @@ package org.pendant.models.arm;
 /**
  * What one joint can do.
  *
- * @param minRad smallest position, rad
- * @param maxRad largest position, rad
+ * @param minRad smallest position, rad; minus infinity for a joint that turns without end
+ * @param maxRad largest position, rad; infinity for a joint that turns without end
  * @param maxSpeedRadPerS largest speed either way, rad/s
  * @param maxTorqueNm largest torque either way, Nm
  */
@@ -28,6 +28,11 @@ public record JointLimits(
               + maxTorqueNm
               + " Nm, both must be above 0");
     }
+  }
+
+  /** Whether the joint turns without end. */
+  public boolean unlimited() {
+    return minRad == Double.NEGATIVE_INFINITY && maxRad == Double.POSITIVE_INFINITY;
   }
 
   /** True if a position in rad lies within the range, its ends included. */

@@ -37,10 +37,23 @@ class ArmLibraryTest {
 
   @Test
   void inertiasArePossibleForAPhysicalBody() {
-    for (LinkMass link : ArmLibrary.load("ur5e").links()) {
-      assertTrue(link.ixx() < link.iyy() + link.izz(), link.name());
-      assertTrue(link.iyy() < link.izz() + link.ixx(), link.name());
-      assertTrue(link.izz() < link.ixx() + link.iyy(), link.name());
+    for (String id : ArmLibrary.ids()) {
+      for (LinkMass link : ArmLibrary.load(id).links()) {
+        String name = id + " " + link.name();
+        assertTrue(link.ixx() < link.iyy() + link.izz(), name);
+        assertTrue(link.iyy() < link.izz() + link.ixx(), name);
+        assertTrue(link.izz() < link.ixx() + link.iyy(), name);
+      }
+    }
+  }
+
+  @Test
+  void wrist3OfTheSmallArmsTurnsWithoutEnd() {
+    for (String id : ArmLibrary.ids()) {
+      assertEquals(
+          id.equals("ur3") || id.equals("ur3e"),
+          ArmLibrary.load(id).joints().getLast().unlimited(),
+          id);
     }
   }
 
@@ -48,7 +61,9 @@ class ArmLibraryTest {
   void anUnknownModelIsRefusedWithTheNamesOfTheKnownOnes() {
     IllegalArgumentException refused =
         assertThrows(IllegalArgumentException.class, () -> ArmLibrary.load("ur6"));
-    assertEquals("robot: 'ur6' is not known, must be one of ur5e", refused.getMessage());
+    assertEquals(
+        "robot: 'ur6' is not known, must be one of " + String.join(", ", ArmLibrary.ids()),
+        refused.getMessage());
   }
 
   @Test

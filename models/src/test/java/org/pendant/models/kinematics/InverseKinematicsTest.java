@@ -235,16 +235,7 @@ class InverseKinematicsTest {
   @Test
   void solutionsOutsideTheRangeOfAJointAreNotGiven() {
     JointLimits narrow = new JointLimits(0.5, 0.6, 1, 1);
-    ArmDescription arm =
-        new ArmDescription(
-            "narrow",
-            "narrow",
-            Arms.UR5E.dh(),
-            Collections.nCopies(Joints.COUNT, narrow),
-            Arms.UR5E.links(),
-            1,
-            1,
-            Arms.UR5E.status());
+    ArmDescription arm = Arms.UR5E.withJoints(Collections.nCopies(Joints.COUNT, narrow));
     InverseKinematics ofNarrow = new InverseKinematics(arm);
     Joints inside = Joints.of(0.55, 0.55, 0.55, 0.55, 0.55, 0.55);
     assertEquals(1, ofNarrow.all(forward.flangePose(inside), Joints.ZERO).size());
