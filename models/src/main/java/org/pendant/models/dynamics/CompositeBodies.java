@@ -1,0 +1,193 @@
+package org.pendant.models.dynamics;
+
+import org.pendant.models.arm.DhLengths;
+import org.pendant.models.arm.Joints;
+
+/**
+ * The mass matrix by composite bodies: each joint moves all links behind it as one body, whose
+ * first and second moments are carried from frame to frame towards the base. (R. Featherstone,
+ * "Rigid Body Dynamics Algorithms", section 6.2.)
+ */
+final class CompositeBodies {
+  private static final int N = Joints.COUNT;
+  private static final double[] COS_ALPHA = {0, 1, 1, 0, 0, 1};
+  private static final double[] SIN_ALPHA = {1, 0, 0, 1, -1, 0};
+
+  private final double[] a;
+  private final double[] d;
+  private final RigidBody[] bodies;
+
+  /** Each body's moments about the origin of its frame: first m c, then the inertia. */
+  private final double[][] moments = new double[N][];
+
+  private final double[] cos = new double[N];
+  private final double[] sin = new double[N];
+
+  /** The composite body behind each joint, in the frame before it: m, m c (3), inertia (6). */
+  private final double[][] behind = new double[N][10];
+
+  CompositeBodies(DhLengths dh, RigidBody[] bodies) {
+    this.bodies = bodies;
+    a = new double[] {0, dh.a2(), dh.a3(), 0, 0, 0};
+    d = new double[] {dh.d1(), 0, 0, dh.d4(), dh.d5(), dh.d6()};
+    for (int i = 0; i < N; i++) {
+      changed(i);
+    }
+  }
+
+  /** Body {@code i} has become another one. */
+  void changed(int i) {
+    RigidBody body = bodies[i];
+    RigidBody about = body.about(0, 0, 0);
+    moments[i] =
+        new double[] {
+          body.m(),
+          body.m() * body.cx(),
+          body.m() * body.cy(),
+          body.m() * body.cz(),
+          about.xx(),
+          about.xy(),
+          about.xz(),
+          about.yy(),
+          about.yz(),
+          about.zz()
+        };
+  }
+
+  /** Fills a matrix of six rows, both halves. */
+  void mass(double[] q, double[] mass) {
+    gather(q);
+    for (int joint = 0; joint < N; joint++) {
+      double[] body = behind[joint];
+      mass[N * joint + joint] = body[9];
+      // what accelerating the body by 1 rad/s² about z takes, carried to the joints before
+      double fx = -body[2];
+      double fy = body[1];
+      double fz = 0;
+      double nx = body[6];
+      double ny = body[8];
+      double nz = body[9];
+      for (int i = joint - 1; i >= 0; i--) {
+        double ca = COS_ALPHA[i];
+        double sa = SIN_ALPHA[i];
+        double c = cos[i];
+        double s = sin[i];
+        double t = ca * fy - sa * fz;
+        fz = sa * fy + ca * fz;
+        fy = s * fx + c * t;
+        fx = c * fx - s * t;
+        t = ca * ny - sa * nz;
+        double px = a[i] * c;
+        double py = a[i] * s;
+        nz = sa * ny + ca * nz + px * fy - py * fx;
+        ny = s * nx + c * t + d[i] * fx - px * fz;
+        nx = c * nx - s * t + py * fz - d[i] * fy;
+        mass[N * joint + i] = nz;
+        mass[N * i + joint] = nz;
+      }
+    }
+  }
+
+  /** Work that lifted the arm against an acceleration that it feels, J. */
+  double potentialEnergyJ(double[] q, double x, double y, double z) {
+    gather(q);
+    double[] all = behind[0];
+    return x * all[1] + y * all[2] + z * all[3];
+  }
+
+  void linearMomentum(double[] q, double[] qd, double[] momentum) {
+    gather(q);
+    double x = 0;
+    double y = 0;
+    double z = 0;
+    for (int i = N - 1; i >= 0; i--) {
+      double t = COS_ALPHA[i] * y - SIN_ALPHA[i] * z;
+      z = SIN_ALPHA[i] * y + COS_ALPHA[i] * z;
+      y = sin[i] * x + cos[i] * t + qd[i] * behind[i][1];
+      x = cos[i] * x - sin[i] * t - qd[i] * behind[i][2];
+    }
+    momentum[0] = x;
+    momentum[1] = y;
+    momentum[2] = z;
+  }
+
+  private void gather(double[] q) {
+    for (int i = N - 1; i >= 0; i--) {
+      double c = Math.cos(q[i]);
+      double s = Math.sin(q[i]);
+      cos[i] = c;
+      sin[i] = s;
+      double[] own = moments[i];
+      double m = own[0];
+      double hx = own[1];
+      double hy = own[2];
+      double hz = own[3];
+      double xx = own[4];
+      double xy = own[5];
+      double xz = own[6];
+      double yy = own[7];
+      double yz = own[8];
+      double zz = own[9];
+      if (i < N - 1) {
+        double[] next = behind[i + 1];
+        m += next[0];
+        hx += next[1];
+        hy += next[2];
+        hz += next[3];
+        xx += next[4];
+        xy += next[5];
+        xz += next[6];
+        yy += next[7];
+        yz += next[8];
+        zz += next[9];
+      }
+      // turned by alpha about x: by nothing or a quarter turn
+      double sa = SIN_ALPHA[i];
+      if (sa != 0) {
+        double t = hy;
+        hy = -sa * hz;
+        hz = sa * t;
+        t = xy;
+        xy = -sa * xz;
+        xz = sa * t;
+        t = yy;
+        yy = zz;
+        zz = t;
+        yz = -yz;
+      }
+      // turned by q about z
+      double t = c * hx - s * hy;
+      hy = s * hx + c * hy;
+      hx = t;
+      t = c * xz - s * yz;
+      yz = s * xz + c * yz;
+      xz = t;
+      double cc = c * c;
+      double cs = c * s;
+      double ss = s * s;
+      t = cc * xx - 2 * cs * xy + ss * yy;
+      double turnedXy = cs * (xx - yy) + (cc - ss) * xy;
+      yy = ss * xx + 2 * cs * xy + cc * yy;
+      xx = t;
+      xy = turnedXy;
+      // about the origin of the frame before
+      double px = a[i] * c;
+      double py = a[i] * s;
+      double pz = d[i];
+      double ox = 2 * hx + m * px;
+      double oy = 2 * hy + m * py;
+      double oz = 2 * hz + m * pz;
+      double[] out = behind[i];
+      out[0] = m;
+      out[1] = hx + m * px;
+      out[2] = hy + m * py;
+      out[3] = hz + m * pz;
+      out[4] = xx + py * oy + pz * oz;
+      out[5] = xy - hx * py - hy * px - m * px * py;
+      out[6] = xz - hx * pz - hz * px - m * px * pz;
+      out[7] = yy + px * ox + pz * oz;
+      out[8] = yz - hy * pz - hz * py - m * py * pz;
+      out[9] = zz + px * ox + py * oy;
+    }
+  }
+}

@@ -1,0 +1,169 @@
+package org.pendant.models.dynamics;
+
+import org.pendant.models.arm.DhLengths;
+import org.pendant.models.arm.Joints;
+
+/**
+ * The recursive Newton-Euler method in the links' Denavit-Hartenberg frames: speeds and
+ * accelerations outwards, forces and torques back. (B. Siciliano et al., "Robotics: Modelling,
+ * Planning and Control", equations 7.107 to 7.114.)
+ */
+final class NewtonEuler {
+  private static final int N = Joints.COUNT;
+
+  /** Cosines and sines of the twists alpha, exact. */
+  private static final double[] COS_ALPHA = {0, 1, 1, 0, 0, 1};
+
+  private static final double[] SIN_ALPHA = {1, 0, 0, 1, -1, 0};
+
+  private final RigidBody[] bodies;
+
+  /** From the origin of the frame before to a link's own, along its own axes, m. */
+  private final double[] rx = new double[N];
+
+  private final double[] ry = new double[N];
+  private final double[] rz = new double[N];
+
+  private final double[] cos = new double[N];
+  private final double[] sin = new double[N];
+
+  /** Force at and torque about each centre of mass, along the link's axes. */
+  private final double[] fx = new double[N];
+
+  private final double[] fy = new double[N];
+  private final double[] fz = new double[N];
+  private final double[] nx = new double[N];
+  private final double[] ny = new double[N];
+  private final double[] nz = new double[N];
+
+  /** How the last link moves, as of the latest call. */
+  final FlangeMotion flange = new FlangeMotion();
+
+  private double baseX;
+  private double baseY;
+  private double baseZ;
+
+  NewtonEuler(DhLengths dh, RigidBody[] bodies) {
+    this.bodies = bodies;
+    double[] a = {0, dh.a2(), dh.a3(), 0, 0, 0};
+    double[] d = {dh.d1(), 0, 0, dh.d4(), dh.d5(), dh.d6()};
+    for (int i = 0; i < N; i++) {
+      rx[i] = a[i];
+      ry[i] = d[i] * SIN_ALPHA[i];
+      rz[i] = d[i] * COS_ALPHA[i];
+    }
+  }
+
+  void setBase(double x, double y, double z) {
+    baseX = x;
+    baseY = y;
+    baseZ = z;
+  }
+
+  void torques(double[] q, double[] qd, double[] qdd, boolean withBase, double[] torque) {
+    double wx = 0;
+    double wy = 0;
+    double wz = 0;
+    double ex = 0;
+    double ey = 0;
+    double ez = 0;
+    double px = withBase ? baseX : 0;
+    double py = withBase ? baseY : 0;
+    double pz = withBase ? baseZ : 0;
+    for (int i = 0; i < N; i++) {
+      double c = Math.cos(q[i]);
+      double s = Math.sin(q[i]);
+      cos[i] = c;
+      sin[i] = s;
+      double ca = COS_ALPHA[i];
+      double sa = SIN_ALPHA[i];
+      // the angular acceleration gets qdd z + qd w x z before the frame is turned
+      double ax = ex + qd[i] * wy;
+      double ay = ey - qd[i] * wx;
+      double az = ez + qdd[i];
+      double bz = wz + qd[i];
+      // R transposed times a vector: turned back by q about z, then by alpha about x
+      double t = c * wy - s * wx;
+      wx = c * wx + s * wy;
+      wy = ca * t + sa * bz;
+      wz = ca * bz - sa * t;
+      t = c * ay - s * ax;
+      ex = c * ax + s * ay;
+      ey = ca * t + sa * az;
+      ez = ca * az - sa * t;
+      t = c * py - s * px;
+      px = c * px + s * py;
+      double turnedZ = pz;
+      py = ca * t + sa * turnedZ;
+      pz = ca * turnedZ - sa * t;
+
+      double xx = wx * wx;
+      double yy = wy * wy;
+      double zz = wz * wz;
+      double xy = wx * wy;
+      double xz = wx * wz;
+      double yz = wy * wz;
+      double x = rx[i];
+      double y = ry[i];
+      double z = rz[i];
+      px += (xy - ez) * y + (xz + ey) * z - (yy + zz) * x;
+      py += (xy + ez) * x + (yz - ex) * z - (xx + zz) * y;
+      pz += (xz - ey) * x + (yz + ex) * y - (xx + yy) * z;
+
+      RigidBody body = bodies[i];
+      x = body.cx();
+      y = body.cy();
+      z = body.cz();
+      fx[i] = body.m() * (px + (xy - ez) * y + (xz + ey) * z - (yy + zz) * x);
+      fy[i] = body.m() * (py + (xy + ez) * x + (yz - ex) * z - (xx + zz) * y);
+      fz[i] = body.m() * (pz + (xz - ey) * x + (yz + ex) * y - (xx + yy) * z);
+      double lx = body.xx() * wx + body.xy() * wy + body.xz() * wz;
+      double ly = body.xy() * wx + body.yy() * wy + body.yz() * wz;
+      double lz = body.xz() * wx + body.yz() * wy + body.zz() * wz;
+      nx[i] = body.xx() * ex + body.xy() * ey + body.xz() * ez + wy * lz - wz * ly;
+      ny[i] = body.xy() * ex + body.yy() * ey + body.yz() * ez + wz * lx - wx * lz;
+      nz[i] = body.xz() * ex + body.yz() * ey + body.zz() * ez + wx * ly - wy * lx;
+    }
+    flange.setAngular(wx, wy, wz, ex, ey, ez);
+    flange.setFelt(px, py, pz);
+    back(torque);
+  }
+
+  private void back(double[] torque) {
+    // force and torque that the next link asks for, along the axes of this one, at its origin
+    double gx = 0;
+    double gy = 0;
+    double gz = 0;
+    double hx = 0;
+    double hy = 0;
+    double hz = 0;
+    for (int i = N - 1; i >= 0; i--) {
+      RigidBody body = bodies[i];
+      double x = rx[i] + body.cx();
+      double y = ry[i] + body.cy();
+      double z = rz[i] + body.cz();
+      // about the origin of the frame before
+      double ux = hx + nx[i] + y * fz[i] - z * fy[i] + ry[i] * gz - rz[i] * gy;
+      double uy = hy + ny[i] + z * fx[i] - x * fz[i] + rz[i] * gx - rx[i] * gz;
+      double uz = hz + nz[i] + x * fy[i] - y * fx[i] + rx[i] * gy - ry[i] * gx;
+      gx += fx[i];
+      gy += fy[i];
+      gz += fz[i];
+      double ca = COS_ALPHA[i];
+      double sa = SIN_ALPHA[i];
+      torque[i] = sa * uy + ca * uz;
+      if (i > 0) {
+        double c = cos[i];
+        double s = sin[i];
+        double t = ca * gy - sa * gz;
+        gz = sa * gy + ca * gz;
+        gy = s * gx + c * t;
+        gx = c * gx - s * t;
+        t = ca * uy - sa * uz;
+        hz = torque[i];
+        hy = s * ux + c * t;
+        hx = c * ux - s * t;
+      }
+    }
+  }
+}
