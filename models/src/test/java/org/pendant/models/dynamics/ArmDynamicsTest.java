@@ -13,6 +13,8 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.kinematics.Jacobian;
+import org.pendant.models.pose.Pose;
 
 final class ArmDynamicsTest {
   private static final int N = Joints.COUNT;
@@ -149,19 +151,49 @@ final class ArmDynamicsTest {
   }
 
   @Test
-  void theFlangeFeelsGravityAlongItsOwnAxes() {
-    double[] q = {0, -Math.PI / 2, -Math.PI / 2, -Math.PI / 2, Math.PI / 2, 0};
-    dynamics.inverse(q, new double[N], new double[N], new double[N]);
-    assertEquals(0, dynamics.flangeMotion().feltMPerS2(0), 1e-12);
-    assertEquals(0, dynamics.flangeMotion().feltMPerS2(1), 1e-12);
-    assertEquals(-9.82, dynamics.flangeMotion().feltMPerS2(2), 1e-12, "tool points down");
-    assertThrows(IllegalArgumentException.class, () -> dynamics.flangeMotion().feltMPerS2(3));
+  void theFlangeAcceleratesAsItsJacobianSays() {
+    Jacobian jacobian = new Jacobian(arm.dh());
+    double[] now = new double[Jacobian.SIZE];
+    double[] before = new double[Jacobian.SIZE];
+    double[] after = new double[Jacobian.SIZE];
+    double[] acceleration = new double[6];
+    double step = 1e-6;
+    for (int n = 0; n < 100; n++) {
+      double[] q = random(3);
+      double[] qd = random(2);
+      double[] qdd = random(5);
+      dynamics.flangeAcceleration(q, qd, qdd, acceleration);
+      jacobian.at(q, Pose.ZERO, now);
+      jacobian.at(moved(q, qd, -step), Pose.ZERO, before);
+      jacobian.at(moved(q, qd, step), Pose.ZERO, after);
+      for (int row = 0; row < 6; row++) {
+        double sum = 0;
+        for (int i = 0; i < N; i++) {
+          double change = (after[N * row + i] - before[N * row + i]) / (2 * step);
+          sum += now[N * row + i] * qdd[i] + change * qd[i];
+        }
+        assertEquals(sum, acceleration[row], 1e-6);
+      }
+    }
+  }
+
+  private static double[] moved(double[] q, double[] qd, double timeS) {
+    double[] moved = new double[N];
+    for (int i = 0; i < N; i++) {
+      moved[i] = q[i] + timeS * qd[i];
+    }
+    return moved;
   }
 
   @Test
-  void aPayloadLoadsTheFlangeWithWhatItAddsToTheTorques() {
+  void aPayloadTakesWhatItAddsToTheTorques() {
     ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    Jacobian jacobian = new Jacobian(arm.dh());
     double[] wrench = new double[6];
+    double[] felt = new double[6];
+    double[] twist = new double[6];
+    double[] flange = new double[12];
+    double[] columns = new double[Jacobian.SIZE];
     for (int n = 0; n < 100; n++) {
       Payload payload = payload(random);
       double[] q = random(3);
@@ -171,18 +203,22 @@ final class ArmDynamicsTest {
       double[] with = new double[N];
       dynamics.setPayload(Payload.NONE);
       dynamics.inverse(q, qd, qdd, without);
-      dynamics.flangeMotion().loadOf(payload, wrench);
       dynamics.setPayload(payload);
       dynamics.inverse(q, qd, qdd, with);
-      double[] flange = new double[12];
+      dynamics.flangeAcceleration(q, qd, qdd, felt);
+      felt[2] += ArmDynamics.STANDARD_GRAVITY_M_PER_S2;
       forward.flange(q, flange);
-      // the last joint turns about the z axis of the flange
-      assertEquals(with[5] - without[5], -wrench[5], 1e-9);
-      double fx = flange[0] * wrench[0] + flange[1] * wrench[1] + flange[2] * wrench[2];
-      double fy = flange[3] * wrench[0] + flange[4] * wrench[1] + flange[5] * wrench[2];
-      double mz = flange[6] * wrench[3] + flange[7] * wrench[4] + flange[8] * wrench[5];
-      double aboutBase = mz + flange[9] * fy - flange[10] * fx;
-      assertEquals(with[0] - without[0], -aboutBase, 1e-9);
+      jacobian.at(q, Pose.ZERO, columns);
+      Jacobian.twist(columns, qd, twist);
+      double[] turning = {twist[3], twist[4], twist[5]};
+      PayloadWrench.of(payload, flange, turning, felt, wrench);
+      for (int i = 0; i < N; i++) {
+        double power = 0;
+        for (int row = 0; row < 6; row++) {
+          power += columns[N * row + i] * wrench[row];
+        }
+        assertEquals(with[i] - without[i], power, 1e-9);
+      }
     }
   }
 
