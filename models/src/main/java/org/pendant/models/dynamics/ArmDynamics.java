@@ -86,13 +86,9 @@ public final class ArmDynamics {
     newtonEuler.torques(q, qd, qdd, true, torque);
   }
 
-  /**
-   * Acceleration of the flange along the axes of the base, without gravity and that of the base.
-   *
-   * @param acceleration of its origin in m/s², then angular in rad/s², overwritten
-   */
-  public void flangeAcceleration(double[] q, double[] qd, double[] qdd, double[] acceleration) {
-    newtonEuler.flangeAcceleration(q, qd, qdd, acceleration);
+  /** How the flange moves in the latest call of {@link #inverse}; the same object always. */
+  public FlangeMotion flangeMotion() {
+    return newtonEuler.flange;
   }
 
   /** Torques that hold the arm. */

@@ -36,8 +36,8 @@ final class NewtonEuler {
   private final double[] ny = new double[N];
   private final double[] nz = new double[N];
 
-  /** Linear and angular acceleration of the flange along its own axes. */
-  private final double[] flange = new double[6];
+  /** How the last link moves, as of the latest call. */
+  final FlangeMotion flange = new FlangeMotion();
 
   private double baseX;
   private double baseY;
@@ -61,30 +61,6 @@ final class NewtonEuler {
   }
 
   void torques(double[] q, double[] qd, double[] qdd, boolean withBase, double[] torque) {
-    outwards(q, qd, qdd, withBase);
-    inwards(torque);
-  }
-
-  /** Acceleration of the flange's origin and angular acceleration, along the axes of the base. */
-  void flangeAcceleration(double[] q, double[] qd, double[] qdd, double[] acceleration) {
-    outwards(q, qd, qdd, false);
-    for (int half = 0; half < 6; half += 3) {
-      double x = flange[half];
-      double y = flange[half + 1];
-      double z = flange[half + 2];
-      for (int i = N - 1; i >= 0; i--) {
-        double t = COS_ALPHA[i] * y - SIN_ALPHA[i] * z;
-        z = SIN_ALPHA[i] * y + COS_ALPHA[i] * z;
-        y = sin[i] * x + cos[i] * t;
-        x = cos[i] * x - sin[i] * t;
-      }
-      acceleration[half] = x;
-      acceleration[half + 1] = y;
-      acceleration[half + 2] = z;
-    }
-  }
-
-  private void outwards(double[] q, double[] qd, double[] qdd, boolean withBase) {
     double wx = 0;
     double wy = 0;
     double wz = 0;
@@ -148,15 +124,12 @@ final class NewtonEuler {
       ny[i] = body.xy() * ex + body.yy() * ey + body.yz() * ez + wz * lx - wx * lz;
       nz[i] = body.xz() * ex + body.yz() * ey + body.zz() * ez + wx * ly - wy * lx;
     }
-    flange[0] = px;
-    flange[1] = py;
-    flange[2] = pz;
-    flange[3] = ex;
-    flange[4] = ey;
-    flange[5] = ez;
+    flange.setAngular(wx, wy, wz, ex, ey, ez);
+    flange.setFelt(px, py, pz);
+    back(torque);
   }
 
-  private void inwards(double[] torque) {
+  private void back(double[] torque) {
     // force and torque that the next link asks for, along the axes of this one, at its origin
     double gx = 0;
     double gy = 0;

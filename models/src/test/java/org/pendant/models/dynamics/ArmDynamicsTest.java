@@ -151,47 +151,55 @@ final class ArmDynamicsTest {
   }
 
   @Test
-  void theFlangeAcceleratesAsItsJacobianSays() {
-    Jacobian jacobian = new Jacobian(arm.dh());
-    double[] now = new double[Jacobian.SIZE];
-    double[] before = new double[Jacobian.SIZE];
-    double[] after = new double[Jacobian.SIZE];
-    double[] acceleration = new double[6];
-    double step = 1e-6;
+  void theFlangeFeelsGravityAlongItsOwnAxes() {
+    double[] q = {0, -Math.PI / 2, -Math.PI / 2, -Math.PI / 2, Math.PI / 2, 0};
+    dynamics.inverse(q, new double[N], new double[N], new double[N]);
+    assertEquals(0, dynamics.flangeMotion().feltMPerS2(0), 1e-12);
+    assertEquals(0, dynamics.flangeMotion().feltMPerS2(1), 1e-12);
+    assertEquals(-9.82, dynamics.flangeMotion().feltMPerS2(2), 1e-12, "tool points down");
+    assertThrows(IllegalArgumentException.class, () -> dynamics.flangeMotion().feltMPerS2(3));
+  }
+
+  @Test
+  void theFlangeFeelsTheAccelerationOfItsJoints() {
+    ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    double step = 1e-4;
+    double[] before = new double[12];
+    double[] now = new double[12];
+    double[] after = new double[12];
     for (int n = 0; n < 100; n++) {
       double[] q = random(3);
       double[] qd = random(2);
       double[] qdd = random(5);
-      dynamics.flangeAcceleration(q, qd, qdd, acceleration);
-      jacobian.at(q, Pose.ZERO, now);
-      jacobian.at(moved(q, qd, -step), Pose.ZERO, before);
-      jacobian.at(moved(q, qd, step), Pose.ZERO, after);
-      for (int row = 0; row < 6; row++) {
-        double sum = 0;
-        for (int i = 0; i < N; i++) {
-          double change = (after[N * row + i] - before[N * row + i]) / (2 * step);
-          sum += now[N * row + i] * qdd[i] + change * qd[i];
-        }
-        assertEquals(sum, acceleration[row], 1e-6);
+      dynamics.inverse(q, qd, qdd, new double[N]);
+      forward.flange(q, now);
+      forward.flange(moved(q, qd, qdd, -step), before);
+      forward.flange(moved(q, qd, qdd, step), after);
+      double[] felt = new double[3];
+      for (int row = 0; row < 3; row++) {
+        felt[row] = (after[9 + row] - 2 * now[9 + row] + before[9 + row]) / (step * step);
+      }
+      felt[2] += ArmDynamics.STANDARD_GRAVITY_M_PER_S2;
+      for (int axis = 0; axis < 3; axis++) {
+        double along = now[axis] * felt[0] + now[3 + axis] * felt[1] + now[6 + axis] * felt[2];
+        assertEquals(along, dynamics.flangeMotion().feltMPerS2(axis), 1e-5);
       }
     }
   }
 
-  private static double[] moved(double[] q, double[] qd, double timeS) {
+  private static double[] moved(double[] q, double[] qd, double[] qdd, double timeS) {
     double[] moved = new double[N];
     for (int i = 0; i < N; i++) {
-      moved[i] = q[i] + timeS * qd[i];
+      moved[i] = q[i] + timeS * qd[i] + 0.5 * timeS * timeS * qdd[i];
     }
     return moved;
   }
 
   @Test
-  void aPayloadTakesWhatItAddsToTheTorques() {
+  void aPayloadLoadsTheFlangeWithWhatItAddsToTheTorques() {
     ForwardKinematics forward = new ForwardKinematics(arm.dh());
     Jacobian jacobian = new Jacobian(arm.dh());
-    double[] wrench = new double[6];
-    double[] felt = new double[6];
-    double[] twist = new double[6];
+    double[] load = new double[6];
     double[] flange = new double[12];
     double[] columns = new double[Jacobian.SIZE];
     for (int n = 0; n < 100; n++) {
@@ -203,23 +211,27 @@ final class ArmDynamicsTest {
       double[] with = new double[N];
       dynamics.setPayload(Payload.NONE);
       dynamics.inverse(q, qd, qdd, without);
+      dynamics.flangeMotion().loadOf(payload, load);
       dynamics.setPayload(payload);
       dynamics.inverse(q, qd, qdd, with);
-      dynamics.flangeAcceleration(q, qd, qdd, felt);
-      felt[2] += ArmDynamics.STANDARD_GRAVITY_M_PER_S2;
       forward.flange(q, flange);
       jacobian.at(q, Pose.ZERO, columns);
-      Jacobian.twist(columns, qd, twist);
-      double[] turning = {twist[3], twist[4], twist[5]};
-      PayloadWrench.of(payload, flange, turning, felt, wrench);
       for (int i = 0; i < N; i++) {
-        double power = 0;
+        double given = 0;
         for (int row = 0; row < 6; row++) {
-          power += columns[N * row + i] * wrench[row];
+          given += columns[N * row + i] * alongBase(row, flange, load);
         }
-        assertEquals(with[i] - without[i], power, 1e-9);
+        assertEquals(without[i] - with[i], given, 1e-9);
       }
     }
+  }
+
+  private static double alongBase(int row, double[] flange, double[] load) {
+    int from = row < 3 ? 0 : 3;
+    int axis = 3 * (row % 3);
+    return flange[axis] * load[from]
+        + flange[axis + 1] * load[from + 1]
+        + flange[axis + 2] * load[from + 2];
   }
 
   @Test
