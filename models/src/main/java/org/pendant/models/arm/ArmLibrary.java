@@ -1,9 +1,9 @@
 package org.pendant.models.arm;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.pendant.models.json.JsonObject;
 
 /** The arm models that come with the program. Descriptions are data, one JSON file each. */
 public final class ArmLibrary {
@@ -20,24 +20,37 @@ public final class ArmLibrary {
   }
 
   /**
+   * The id of the model that people call {@code name}: its id or display name, in capitals or not,
+   * with or without blanks. {@code UR8 Long} is {@code ur8long}.
+   */
+  public static Optional<String> find(String name) {
+    // An id is the display name in lower case without its blanks.
+    String id = name.replace(" ", "").toLowerCase(Locale.ROOT);
+    return IDS.contains(id) ? Optional.of(id) : Optional.empty();
+  }
+
+  /**
+   * As {@link #find}, for a name that must be known.
+   *
+   * @throws IllegalArgumentException if there is no such model; the message names those there are
+   */
+  public static String idOf(String name) {
+    Optional<String> id = find(name);
+    if (id.isEmpty()) {
+      throw new IllegalArgumentException(
+          "robot: '" + name + "' is not known, must be one of " + String.join(", ", IDS));
+    }
+    return id.get();
+  }
+
+  /**
    * Reads the description of a model.
    *
-   * @throws IllegalArgumentException if there is no model of this id; the message names those there
-   *     are
+   * @param name as {@link #find} understands it
+   * @throws IllegalArgumentException if there is no such model; the message names those there are
    */
-  public static ArmDescription load(String id) {
-    if (!IDS.contains(id)) {
-      throw new IllegalArgumentException(
-          "robot: '" + id + "' is not known, must be one of " + String.join(", ", IDS));
-    }
-    String file = id.concat(".json");
-    try (InputStream in = ArmLibrary.class.getResourceAsStream(file)) {
-      if (in == null) {
-        throw new IllegalStateException(file + " is missing from this build");
-      }
-      return new DescriptionReader(file, in).read();
-    } catch (IOException e) {
-      throw new UncheckedIOException(file + " cannot be read", e);
-    }
+  public static ArmDescription load(String name) {
+    String file = idOf(name).concat(".json");
+    return DescriptionReader.read(JsonObject.ofResource(ArmLibrary.class, file));
   }
 }

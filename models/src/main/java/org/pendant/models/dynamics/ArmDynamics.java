@@ -121,13 +121,14 @@ public final class ArmDynamics {
    *
    * @param torque torques of drives, friction and outside forces, Nm
    * @param withRotors whether the rotors have to be accelerated, too
+   * @param qdd overwritten; it may be the array of the torques
    * @throws IllegalStateException if the mass matrix is not positive definite
    */
   public void forward(double[] q, double[] qd, double[] torque, boolean withRotors, double[] qdd) {
-    newtonEuler.torques(q, qd, ZERO, true, qdd);
+    newtonEuler.torques(q, qd, ZERO, true, side.data);
     mass(q, withRotors, factor);
     for (int i = 0; i < N; i++) {
-      side.data[i] = torque[i] - qdd[i];
+      side.data[i] = torque[i] - side.data[i];
     }
     if (!solver.setA(factor)) {
       throw new IllegalStateException("the mass matrix is not positive definite");

@@ -37,9 +37,22 @@ public record Payload(
     if (!(massKg >= 0)) {
       throw new IllegalArgumentException("payload: mass is " + massKg + " kg, must be at least 0");
     }
-    double sum = massKg + cogXM + cogYM + cogZM + ixx + iyy + izz + ixy + ixz + iyz;
-    if (!Double.isFinite(sum)) {
-      throw new IllegalArgumentException("payload: a number is not finite");
+    requireFinite("mass", massKg);
+    requireFinite("cog x", cogXM);
+    requireFinite("cog y", cogYM);
+    requireFinite("cog z", cogZM);
+    requireFinite("Ixx", ixx);
+    requireFinite("Iyy", iyy);
+    requireFinite("Izz", izz);
+    requireFinite("Ixy", ixy);
+    requireFinite("Ixz", ixz);
+    requireFinite("Iyz", iyz);
+  }
+
+  private static void requireFinite(String name, double value) {
+    if (!Double.isFinite(value)) {
+      throw new IllegalArgumentException(
+          "payload: " + name + " is " + value + ", must be a finite number");
     }
   }
 

@@ -1,18 +1,18 @@
 package org.pendant.models.kinematics;
 
 import org.pendant.models.arm.DhLengths;
+import org.pendant.models.pose.Transforms;
 
 /**
  * The closed-form inverse of {@link ForwardKinematics}, one method a decision: which side the
  * shoulder is on (joint 1), which way the wrist is turned (joints 5 and 6), and which way the elbow
- * bends (joints 2 to 4). Each method takes a sign and fills in its joints; two signs each make the
- * eight solutions.
+ * bends (joints 2 to 4). Two ways each make the eight solutions; the other way of a wrist or an
+ * elbow follows from the first without another arc tangent.
  *
  * <p>Derivation from the geometry; the same three decisions are described by K. P. Hawkins,
  * "Analytic inverse kinematics for the Universal Robots UR-5/UR-10 arms" (2013). Angles come from
  * {@code atan2} of quantities that stay well scaled, never from an arc sine or cosine alone. Where
- * the pose is out of reach, the joint goes as near as it can; whoever uses the result checks it
- * with the forward kinematics.
+ * the pose is out of reach, the joint goes as near as it can; {@link #reaches} tells.
  *
  * <p>Coordinates {@code u, v, w} are those of the plane of the arm, as in {@link
  * ForwardKinematics}.
@@ -24,10 +24,21 @@ final class ClosedForm {
    */
   private static final double WRIST_SINGULAR_SINE = 1e-11;
 
+  /** Sine of joint 5 below which rounding turns wrist 3 by more than rounding. */
+  private static final double WRIST_NEARLY_SINGULAR_SINE = 1e-5;
+
+  /** Turn of the flange (rad), a hundredth of the tightest error allowed, that may be spent. */
+  private static final double SPARE_TURN = 1e-12;
+
   /** A distance (m) or the sine of an angle that counts as zero when a direction is taken of it. */
   private static final double NO_DIRECTION = 1e-12;
 
+  /** How far from 1 the square sum of a sine and a cosine may be that a check relies on. */
+  private static final double UNIT_ERROR = 1e-11;
+
   private final DhLengths dh;
+  private final ForwardKinematics forward;
+  private final double[] reached = new double[Transforms.SIZE];
 
   private double[] target;
   private double centreX;
@@ -36,8 +47,20 @@ final class ClosedForm {
   private double shoulderRoot;
   private double c1;
   private double s1;
+  private double u;
+  private double v;
+  private double squared;
+  private double c3;
+  private double s3;
+  private double direction;
+  private double lead;
+  private double q234;
   private double c234;
   private double s234;
+  private double c5;
+  private double s5;
+  private double c6;
+  private double s6;
 
   double q1;
   double q2;
@@ -58,8 +81,11 @@ final class ClosedForm {
   /** Joint 5 is 0 or pi, so wrist 3 was free. */
   boolean wristFree;
 
+  private boolean shoulderFree;
+
   ClosedForm(DhLengths dh) {
     this.dh = dh;
+    forward = new ForwardKinematics(dh);
   }
 
   /** Starts on a flange transformation, which must not change until the last decision. */
@@ -76,9 +102,9 @@ final class ClosedForm {
 
   /** Joint 1, with the wrist before (+1) or behind (-1) the base axis along u. */
   void shoulder(int sign, double nearQ1) {
-    double u = sign * shoulderRoot;
-    double cosine = centreX * u - centreY * dh.d4();
-    double sine = centreY * u + centreX * dh.d4();
+    double outwards = sign * shoulderRoot;
+    double cosine = centreX * outwards - centreY * dh.d4();
+    double sine = centreY * outwards + centreX * dh.d4();
     double scale = Math.sqrt(cosine * cosine + sine * sine);
     if (scale < NO_DIRECTION * NO_DIRECTION) {
       // the wrist centre is on the base axis, which leaves joint 1 free
@@ -92,23 +118,21 @@ final class ClosedForm {
     }
   }
 
-  /** Joints 5 and 6, with the sine of joint 5 positive (+1) or negative (-1). */
-  void wrist(int sign, double nearQ6) {
-    double c5 = s1 * target[2] - c1 * target[5];
+  /** Joints 5 and 6 and the sum of joints 2 to 4, with the sine of joint 5 positive. */
+  void wrist(double nearQ6) {
     double xw = s1 * target[0] - c1 * target[3];
     double yw = s1 * target[1] - c1 * target[4];
-    double sine = Math.sqrt(xw * xw + yw * yw);
-    wristFree = sine < WRIST_SINGULAR_SINE;
-    q5 = Math.atan2(sign * sine, c5);
-    double c6;
-    double s6;
+    c5 = s1 * target[2] - c1 * target[5];
+    s5 = Math.sqrt(xw * xw + yw * yw);
+    q5 = Math.atan2(s5, c5);
+    wristFree = s5 < WRIST_SINGULAR_SINE;
     if (wristFree) {
       q6 = nearQ6;
       c6 = Math.cos(nearQ6);
       s6 = Math.sin(nearQ6);
     } else {
-      c6 = sign * xw / sine;
-      s6 = -sign * yw / sine;
+      c6 = xw / s5;
+      s6 = -yw / s5;
       q6 = Math.atan2(s6, c6);
     }
     // s6 x6 + c6 y6 is the direction (-s234, c234) in the plane whatever joint 5 is
@@ -116,9 +140,25 @@ final class ClosedForm {
     double dirY = s6 * target[3] + c6 * target[4];
     s234 = -(c1 * dirX + s1 * dirY);
     c234 = s6 * target[6] + c6 * target[7];
-    if (wristFree) {
-      turnWithinReach(c5);
-    }
+    q234 = Math.atan2(s234, c234);
+    turnWithinReach();
+  }
+
+  /** The wrist turned the other way: half a turn more before and behind joint 5. */
+  void otherWrist() {
+    q5 = -q5;
+    s5 = -s5;
+    q6 = opposite(q6);
+    c6 = -c6;
+    s6 = -s6;
+    q234 = opposite(q234);
+    c234 = -c234;
+    s234 = -s234;
+    turnWithinReach();
+  }
+
+  private static double opposite(double angle) {
+    return angle > 0 ? angle - Math.PI : angle + Math.PI;
   }
 
   /**
@@ -126,12 +166,19 @@ final class ClosedForm {
    * joints 4 and 6 are then parallel, d5 apart: turning joint 6 swings wrist 1 on a circle about
    * the wrist centre, which may lead out of the arm's reach. The nearest place within is where that
    * circle meets the one of the stretched or the folded arm.
+   *
+   * <p>Next to the singularity joint 6 is known only up to rounding divided by the sine of joint 5.
+   * That much it may turn, too, or a stretched arm would be found to be too short.
    */
-  private void turnWithinReach(double c5) {
-    double u = c1 * centreX + s1 * centreY;
-    double distance = Math.sqrt(u * u + centreZ * centreZ);
-    double square = u * u + centreZ * centreZ + dh.d5() * dh.d5();
-    double reach = square - 2 * dh.d5() * (u * s234 - centreZ * c234);
+  private void turnWithinReach() {
+    double sine = Math.abs(s5);
+    if (sine >= WRIST_NEARLY_SINGULAR_SINE) {
+      return;
+    }
+    double outwards = c1 * centreX + s1 * centreY;
+    double distance = Math.sqrt(outwards * outwards + centreZ * centreZ);
+    double square = outwards * outwards + centreZ * centreZ + dh.d5() * dh.d5();
+    double reach = square - 2 * dh.d5() * (outwards * s234 - centreZ * c234);
     double stretched = dh.a2() + dh.a3();
     double folded = dh.a2() - dh.a3();
     double bound = Math.max(folded * folded, Math.min(stretched * stretched, reach));
@@ -140,37 +187,106 @@ final class ClosedForm {
     }
     double cosine = (square - bound) / (2 * dh.d5() * distance);
     double apart = Math.acos(Math.max(-1, Math.min(1, cosine)));
-    double middle = Math.atan2(centreZ, u) + 0.5 * Math.PI;
-    double present = Math.atan2(s234, c234);
-    double one = Math.IEEEremainder(middle + apart - present, 2 * Math.PI);
-    double other = Math.IEEEremainder(middle - apart - present, 2 * Math.PI);
+    double middle = Math.atan2(centreZ, outwards) + 0.5 * Math.PI;
+    double one = Math.IEEEremainder(middle + apart - q234, 2 * Math.PI);
+    double other = Math.IEEEremainder(middle - apart - q234, 2 * Math.PI);
     double turn = Math.abs(one) <= Math.abs(other) ? one : other;
-    s234 = Math.sin(present + turn);
-    c234 = Math.cos(present + turn);
+    if (!wristFree && sine * Math.abs(turn) > SPARE_TURN) {
+      return;
+    }
+    q234 += turn;
+    s234 = Math.sin(q234);
+    c234 = Math.cos(q234);
     q6 -= Math.signum(c5) * turn;
+    c6 = Math.cos(q6);
+    s6 = Math.sin(q6);
   }
 
-  /** Joints 2 to 4, with the sine of joint 3 positive (+1) or negative (-1). */
-  void elbow(int sign, double nearQ2) {
-    double u = c1 * centreX + s1 * centreY - dh.d5() * s234;
-    double v = centreZ + dh.d5() * c234;
-    double squared = u * u + v * v;
-    double c3 = (squared - dh.a2() * dh.a2() - dh.a3() * dh.a3()) / (2 * dh.a2() * dh.a3());
-    tooFar = c3 > 1;
-    tooFolded = c3 < -1;
-    c3 = Math.max(-1, Math.min(1, c3));
-    double s3 = sign * Math.sqrt((1 - c3) * (1 + c3));
+  /** Joints 2 to 4, with the sine of joint 3 positive. */
+  void elbow(double nearQ2) {
+    u = c1 * centreX + s1 * centreY - dh.d5() * s234;
+    v = centreZ + dh.d5() * c234;
+    squared = u * u + v * v;
+    double cosine = (squared - dh.a2() * dh.a2() - dh.a3() * dh.a3()) / (2 * dh.a2() * dh.a3());
+    tooFar = cosine > 1;
+    tooFolded = cosine < -1;
+    c3 = Math.max(-1, Math.min(1, cosine));
+    s3 = Math.sqrt((1 - c3) * (1 + c3));
     q3 = Math.atan2(s3, c3);
-    // a2 + a3 at the angle q3 is the vector (along, across) that joint 2 turns onto (u, v)
-    double along = dh.a2() + dh.a3() * c3;
-    double across = dh.a3() * s3;
-    boolean free = squared < NO_DIRECTION * NO_DIRECTION;
-    q2 = free ? nearQ2 : Math.atan2(along * v - across * u, along * u + across * v);
-    q4 = Math.atan2(s234, c234) - q2 - q3;
+    shoulderFree = squared < NO_DIRECTION * NO_DIRECTION;
+    // a2 + a3 at the angle q3 is a vector that joint 2 turns onto (u, v)
+    direction = shoulderFree ? nearQ2 : Math.atan2(v, u);
+    lead = shoulderFree ? 0 : Math.atan2(dh.a3() * s3, dh.a2() + dh.a3() * c3);
+    q2 = direction - lead;
+    q4 = q234 - q2 - q3;
   }
 
-  /** True if both shoulder signs give the same. */
+  /** The elbow bent the other way. */
+  void otherElbow() {
+    s3 = -s3;
+    q3 = -q3;
+    lead = -lead;
+    q2 = direction - lead;
+    q4 = q234 - q2 - q3;
+  }
+
+  /** True if both shoulders give the same. */
   boolean oneShoulder() {
     return shoulderRoot == 0;
+  }
+
+  /** True if both elbows give the same. */
+  boolean oneElbow() {
+    return s3 == 0;
+  }
+
+  /** Writes the six joint positions. */
+  void copyTo(double[] q) {
+    q[0] = q1;
+    q[1] = q2;
+    q[2] = q3;
+    q[3] = q4;
+    q[4] = q5;
+    q[5] = q6;
+  }
+
+  /**
+   * True if the joints reach the target within an error in m and rad (1e-10 or more): the forward
+   * kinematics of the sines and cosines whose arc tangents the joints are, which spares taking them
+   * again.
+   */
+  boolean reaches(double tolerance) {
+    if (!isUnit(c234, s234) || !isUnit(c5, s5)) {
+      return false; // the target's matrix is none of a rotation
+    }
+    double along = dh.a2() + dh.a3() * c3;
+    double across = dh.a3() * s3;
+    double c2;
+    double s2;
+    if (shoulderFree) {
+      c2 = Math.cos(q2);
+      s2 = Math.sin(q2);
+    } else {
+      double scale = 1 / Math.sqrt(squared * (along * along + across * across));
+      c2 = scale * (along * u + across * v);
+      s2 = scale * (along * v - across * u);
+    }
+    forward.flange(
+        c1,
+        s1,
+        c2 * along - s2 * across + dh.d5() * s234,
+        dh.d1() + s2 * along + c2 * across - dh.d5() * c234,
+        c234,
+        s234,
+        c5,
+        s5,
+        c6,
+        s6,
+        reached);
+    return PoseError.within(reached, target, tolerance);
+  }
+
+  private static boolean isUnit(double cosine, double sine) {
+    return Math.abs(cosine * cosine + sine * sine - 1) <= UNIT_ERROR;
   }
 }

@@ -1,5 +1,6 @@
 package org.pendant.models.kinematics;
 
+import org.pendant.models.arm.DhDeltas;
 import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
@@ -15,14 +16,25 @@ import org.pendant.models.pose.Transforms;
  * parallel axes, each link adds one vector. (B. Siciliano et al., "Robotics: Modelling, Planning
  * and Control", chapter 2.8, for the convention.)
  *
+ * <p>An arm with calibration deltas has no such plane; for it the matrices are multiplied out.
+ *
  * <p>Immutable; transformations are laid out as {@link Transforms} says.
  */
 public final class ForwardKinematics {
   private final DhLengths dh;
+  private final boolean nominal;
+  private final CalibratedChain chain;
 
   /** Kinematics of an arm with these lengths. */
   public ForwardKinematics(DhLengths dh) {
+    this(dh, DhDeltas.NONE);
+  }
+
+  /** Kinematics of one arm with these lengths and its own calibration. */
+  public ForwardKinematics(DhLengths dh, DhDeltas deltas) {
     this.dh = dh;
+    nominal = deltas.equals(DhDeltas.NONE);
+    chain = new CalibratedChain(dh, deltas);
   }
 
   /** Pose of the flange in the base frame. */
@@ -49,6 +61,10 @@ public final class ForwardKinematics {
    * @param transform twelve numbers, overwritten
    */
   public void flange(double[] q, double[] transform) {
+    if (!nominal) {
+      chain.flange(q, transform);
+      return;
+    }
     double c1 = Math.cos(q[0]);
     double s1 = Math.sin(q[0]);
     double q23 = q[1] + q[2];
@@ -59,18 +75,39 @@ public final class ForwardKinematics {
     double c6 = Math.cos(q[5]);
     double s6 = Math.sin(q[5]);
 
-    double u =
-        dh.a2() * Math.cos(q[1]) + dh.a3() * Math.cos(q23) + dh.d5() * s234 - dh.d6() * s5 * c234;
-    double v =
-        dh.a2() * Math.sin(q[1]) + dh.a3() * Math.sin(q23) - dh.d5() * c234 - dh.d6() * s5 * s234;
-    double w = dh.d4() + dh.d6() * c5;
+    double u = dh.a2() * Math.cos(q[1]) + dh.a3() * Math.cos(q23) + dh.d5() * s234;
+    double v = dh.d1() + dh.a2() * Math.sin(q[1]) + dh.a3() * Math.sin(q23) - dh.d5() * c234;
+    flange(c1, s1, u, v, c234, s234, c5, s5, c6, s6, transform);
+  }
 
+  /**
+   * Transformation of the flange of the nominal arm in the base frame, from sines and cosines.
+   *
+   * @param u of the origin of frame 5, from the base axis outwards in the plane of the arm, m
+   * @param v of the same, height over the base, m
+   */
+  void flange(
+      double c1,
+      double s1,
+      double u,
+      double v,
+      double c234,
+      double s234,
+      double c5,
+      double s5,
+      double c6,
+      double s6,
+      double[] transform) {
     axis(c1, s1, c6 * c5 * c234 - s6 * s234, c6 * c5 * s234 + s6 * c234, c6 * s5, transform, 0);
     axis(c1, s1, -s6 * c5 * c234 - c6 * s234, -s6 * c5 * s234 + c6 * c234, -s6 * s5, transform, 1);
     axis(c1, s1, -s5 * c234, -s5 * s234, c5, transform, 2);
-    transform[9] = c1 * u + s1 * w;
-    transform[10] = s1 * u - c1 * w;
-    transform[11] = dh.d1() + v;
+    origin(
+        c1,
+        s1,
+        u - dh.d6() * s5 * c234,
+        v - dh.d6() * s5 * s234,
+        dh.d4() + dh.d6() * c5,
+        transform);
   }
 
   /**
@@ -80,6 +117,10 @@ public final class ForwardKinematics {
    * @param frames six rows of twelve numbers, overwritten
    */
   public void frames(double[] q, double[][] frames) {
+    if (!nominal) {
+      chain.frames(q, frames);
+      return;
+    }
     double c1 = Math.cos(q[0]);
     double s1 = Math.sin(q[0]);
     double c2 = Math.cos(q[1]);
@@ -92,42 +133,41 @@ public final class ForwardKinematics {
     double c5 = Math.cos(q[4]);
     double s5 = Math.sin(q[4]);
 
-    double u = 0;
     double v = dh.d1();
-    double w = 0;
     axis(c1, s1, 1, 0, 0, frames[0], 0);
     axis(c1, s1, 0, 1, 0, frames[0], 1);
     axis(c1, s1, 0, 0, 1, frames[0], 2);
-    origin(c1, s1, u, v, w, frames[0]);
+    origin(c1, s1, 0, v, 0, frames[0]);
 
-    u += dh.a2() * c2;
+    double u = dh.a2() * c2;
     v += dh.a2() * s2;
     axis(c1, s1, c2, s2, 0, frames[1], 0);
     axis(c1, s1, -s2, c2, 0, frames[1], 1);
     axis(c1, s1, 0, 0, 1, frames[1], 2);
-    origin(c1, s1, u, v, w, frames[1]);
+    origin(c1, s1, u, v, 0, frames[1]);
 
     u += dh.a3() * c23;
     v += dh.a3() * s23;
     axis(c1, s1, c23, s23, 0, frames[2], 0);
     axis(c1, s1, -s23, c23, 0, frames[2], 1);
     axis(c1, s1, 0, 0, 1, frames[2], 2);
-    origin(c1, s1, u, v, w, frames[2]);
+    origin(c1, s1, u, v, 0, frames[2]);
 
-    w += dh.d4();
     axis(c1, s1, c234, s234, 0, frames[3], 0);
     axis(c1, s1, 0, 0, 1, frames[3], 1);
     axis(c1, s1, s234, -c234, 0, frames[3], 2);
-    origin(c1, s1, u, v, w, frames[3]);
+    origin(c1, s1, u, v, dh.d4(), frames[3]);
 
     u += dh.d5() * s234;
     v -= dh.d5() * c234;
     axis(c1, s1, c5 * c234, c5 * s234, s5, frames[4], 0);
     axis(c1, s1, -s234, c234, 0, frames[4], 1); // the fourth z axis, reversed
     axis(c1, s1, -s5 * c234, -s5 * s234, c5, frames[4], 2);
-    origin(c1, s1, u, v, w, frames[4]);
+    origin(c1, s1, u, v, dh.d4(), frames[4]);
 
-    flange(q, frames[5]);
+    double c6 = Math.cos(q[5]);
+    double s6 = Math.sin(q[5]);
+    flange(c1, s1, u, v, c234, s234, c5, s5, c6, s6, frames[5]);
   }
 
   /** Writes one column of a rotation, given in the plane of the arm, in base coordinates. */

@@ -9,8 +9,9 @@ public sealed interface InverseResult {
    *
    * @param q joint positions in rad, within the limits of the arm
    * @param error what is left between the wanted pose and that of {@code q}
-   * @param wristFree true at the wrist singularity, where wrist 3 stays at the angle it is given or
-   *     as near as the arm's reach lets it
+   * @param wristFree true at the wrist singularity ({@link Singularity#WRIST}), where wrist 3 stays
+   *     at the angle it is given or as near as the arm's reach lets it; the other singularities
+   *     leave no choice, and so does a calibrated arm
    */
   record Reached(Joints q, PoseError error, boolean wristFree) implements InverseResult {}
 
@@ -22,7 +23,10 @@ public sealed interface InverseResult {
    */
   record Unreachable(Cause cause, PoseError leastError) implements InverseResult {}
 
-  /** Why a pose is out of reach. */
+  /**
+   * Why a pose is out of reach. A calibrated arm has the causes of the nominal one; where only the
+   * calibrated arm falls short, by millimetres, it is {@link #TOLERANCE}.
+   */
   enum Cause {
     /** Wrist 1 would have to be nearer to the axis of joint 1 than the offset of the wrist. */
     TOO_CLOSE_TO_BASE_AXIS("the wrist would be too close to the axis of the base joint"),

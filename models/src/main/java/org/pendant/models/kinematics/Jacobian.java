@@ -1,18 +1,19 @@
 package org.pendant.models.kinematics;
 
+import org.pendant.models.arm.DhDeltas;
 import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /**
- * The geometric Jacobian: joint speeds to the twist of the TCP (manual 16.17), and back.
+ * The geometric Jacobian: joint speeds to the twist of the TCP (manual 16.17), and back; and its
+ * time derivative (manual 16.18).
  *
  * <p>A twist is six numbers, the velocity of the TCP's origin in m/s, then the angular velocity in
  * rad/s, both along the axes of the base frame. Column i of the Jacobian is what joint i alone
  * gives at 1 rad/s: {@code (z x (p_tcp - p), z)} for an axis z through p. (B. Siciliano et al.,
- * "Robotics: Modelling, Planning and Control", equation 3.30; the damped inverse is its section
- * 3.5.2.)
+ * "Robotics: Modelling, Planning and Control", equation 3.30.)
  *
  * <p>A matrix is a {@code double[36]}, its rows one after another. Methods write into their last
  * parameter and allocate nothing. An object keeps scratch space between calls: it must not be used
@@ -22,22 +23,21 @@ public final class Jacobian {
   /** Numbers in a Jacobian. */
   public static final int SIZE = Joints.COUNT * Joints.COUNT;
 
-  /**
-   * Pivot below which the arm counts as singular. Entries are of the order of 1 (m and rad), so the
-   * speeds found just above it would be millions of times the twist.
-   */
-  private static final double SINGULAR_PIVOT = 1e-9;
-
   private static final int N = Joints.COUNT;
 
   private final ForwardKinematics forward;
   private final double[][] frames = new double[N][Transforms.SIZE];
-  private final double[] work = new double[SIZE];
-  private final double[] side = new double[N];
+  private final double[] tcp = new double[3];
+  private final SpeedSolver solver = new SpeedSolver();
 
   /** The Jacobian of an arm with these lengths. */
   public Jacobian(DhLengths dh) {
-    forward = new ForwardKinematics(dh);
+    this(dh, DhDeltas.NONE);
+  }
+
+  /** The Jacobian of one arm with these lengths and its own calibration. */
+  public Jacobian(DhLengths dh, DhDeltas deltas) {
+    forward = new ForwardKinematics(dh, deltas);
   }
 
   /**
@@ -50,13 +50,21 @@ public final class Jacobian {
   public void at(double[] q, Pose tcpInFlange, double[] jacobian) {
     forward.frames(q, frames);
     double[] flange = frames[N - 1];
-    double px = flange[9] + turned(flange, 0, tcpInFlange);
-    double py = flange[10] + turned(flange, 3, tcpInFlange);
-    double pz = flange[11] + turned(flange, 6, tcpInFlange);
-    column(0, 0, 1, px, py, pz, 0, jacobian);
+    for (int axis = 0; axis < 3; axis++) {
+      tcp[axis] = flange[9 + axis] + turned(flange, 3 * axis, tcpInFlange);
+    }
+    column(0, 0, 1, tcp[0], tcp[1], tcp[2], 0, jacobian);
     for (int i = 1; i < N; i++) {
-      double[] axis = frames[i - 1];
-      column(axis[2], axis[5], axis[8], px - axis[9], py - axis[10], pz - axis[11], i, jacobian);
+      double[] before = frames[i - 1];
+      column(
+          before[2],
+          before[5],
+          before[8],
+          tcp[0] - before[9],
+          tcp[1] - before[10],
+          tcp[2] - before[11],
+          i,
+          jacobian);
     }
   }
 
@@ -69,11 +77,80 @@ public final class Jacobian {
    */
   public static void twist(double[] jacobian, double[] qd, double[] twist) {
     for (int row = 0; row < N; row++) {
+      twist[row] = row(jacobian, row, qd);
+    }
+  }
+
+  /**
+   * The time derivative of the Jacobian while the joints move (manual 16.18): times the joint
+   * speeds it is the part of the TCP's acceleration that needs no joint acceleration.
+   *
+   * <p>By the product rule, column i is {@code (zd x r + z x rd, zd)} with r the arm from axis i to
+   * the TCP; an axis turns with the link that carries it: {@code zd = omega x z}.
+   *
+   * @param q six joint positions, rad
+   * @param qd six joint speeds, rad/s
+   * @param tcpInFlange the TCP offset; only its position matters
+   * @param derivative 36 numbers, per second, overwritten
+   */
+  public void derivative(double[] q, double[] qd, Pose tcpInFlange, double[] derivative) {
+    at(q, tcpInFlange, derivative);
+    double tcpSpeedX = row(derivative, 0, qd);
+    double tcpSpeedY = row(derivative, 1, qd);
+    double tcpSpeedZ = row(derivative, 2, qd);
+    // of the link before joint i: angular velocity, and velocity of its frame's origin on axis i
+    double wx = 0;
+    double wy = 0;
+    double wz = 0;
+    double vx = 0;
+    double vy = 0;
+    double vz = 0;
+    for (int i = 0; i < N; i++) {
+      double zx = derivative[3 * N + i];
+      double zy = derivative[4 * N + i];
+      double zz = derivative[5 * N + i];
+      double zdx = wy * zz - wz * zy;
+      double zdy = wz * zx - wx * zz;
+      double zdz = wx * zy - wy * zx;
+      double rx = tcp[0] - origin(i, 9);
+      double ry = tcp[1] - origin(i, 10);
+      double rz = tcp[2] - origin(i, 11);
+      double rdx = tcpSpeedX - vx;
+      double rdy = tcpSpeedY - vy;
+      double rdz = tcpSpeedZ - vz;
+      derivative[i] = zdy * rz - zdz * ry + zy * rdz - zz * rdy;
+      derivative[N + i] = zdz * rx - zdx * rz + zz * rdx - zx * rdz;
+      derivative[2 * N + i] = zdx * ry - zdy * rx + zx * rdy - zy * rdx;
+      derivative[3 * N + i] = zdx;
+      derivative[4 * N + i] = zdy;
+      derivative[5 * N + i] = zdz;
+      wx += zx * qd[i];
+      wy += zy * qd[i];
+      wz += zz * qd[i];
+      double linkX = frames[i][9] - origin(i, 9);
+      double linkY = frames[i][10] - origin(i, 10);
+      double linkZ = frames[i][11] - origin(i, 11);
+      vx += wy * linkZ - wz * linkY;
+      vy += wz * linkX - wx * linkZ;
+      vz += wx * linkY - wy * linkX;
+    }
+  }
+
+  /**
+   * The joint torques that a wrench on the TCP is worth, the Jacobian transposed times it. Motors
+   * that hold the arm against the wrench give the opposite.
+   *
+   * @param jacobian 36 numbers
+   * @param wrench force in N at the TCP and torque in Nm about it, along the axes of the base
+   * @param torque six joint torques in Nm, overwritten; must not be {@code wrench}
+   */
+  public static void transposed(double[] jacobian, double[] wrench, double[] torque) {
+    for (int i = 0; i < N; i++) {
       double sum = 0;
-      for (int i = 0; i < N; i++) {
-        sum += jacobian[N * row + i] * qd[i];
+      for (int row = 0; row < N; row++) {
+        sum += jacobian[N * row + i] * wrench[row];
       }
-      twist[row] = sum;
+      torque[i] = sum;
     }
   }
 
@@ -86,30 +163,7 @@ public final class Jacobian {
    * @return false if the arm is singular; {@code qd} is then undefined
    */
   public boolean solve(double[] jacobian, double[] twist, double[] qd) {
-    System.arraycopy(jacobian, 0, work, 0, SIZE);
-    System.arraycopy(twist, 0, side, 0, N);
-    for (int step = 0; step < N; step++) {
-      swapRows(step, pivotRow(step));
-      double pivot = work[N * step + step];
-      if (!(Math.abs(pivot) >= SINGULAR_PIVOT)) {
-        return false;
-      }
-      for (int row = step + 1; row < N; row++) {
-        double factor = work[N * row + step] / pivot;
-        for (int i = step + 1; i < N; i++) {
-          work[N * row + i] -= factor * work[N * step + i];
-        }
-        side[row] -= factor * side[step];
-      }
-    }
-    for (int row = N - 1; row >= 0; row--) {
-      double sum = side[row];
-      for (int i = row + 1; i < N; i++) {
-        sum -= work[N * row + i] * qd[i];
-      }
-      qd[row] = sum / work[N * row + row];
-    }
-    return true;
+    return solver.solve(jacobian, twist, qd);
   }
 
   /**
@@ -127,72 +181,20 @@ public final class Jacobian {
     if (!(damping > 0)) {
       throw new IllegalArgumentException("jacobian: damping is " + damping + ", must be above 0");
     }
-    for (int row = 0; row < N; row++) {
-      for (int i = 0; i <= row; i++) {
-        double sum = row == i ? damping * damping : 0;
-        for (int k = 0; k < N; k++) {
-          sum += jacobian[N * k + row] * jacobian[N * k + i];
-        }
-        work[N * row + i] = sum;
-      }
-      double sum = 0;
-      for (int k = 0; k < N; k++) {
-        sum += jacobian[N * k + row] * twist[k];
-      }
-      side[row] = sum;
-    }
-    factorise();
-    for (int row = 0; row < N; row++) {
-      double sum = side[row];
-      for (int i = 0; i < row; i++) {
-        sum -= work[N * row + i] * qd[i];
-      }
-      qd[row] = sum / work[N * row + row];
-    }
-    for (int row = N - 1; row >= 0; row--) {
-      double sum = qd[row];
-      for (int i = row + 1; i < N; i++) {
-        sum -= work[N * i + row] * qd[i];
-      }
-      qd[row] = sum / work[N * row + row];
-    }
+    solver.solveDamped(jacobian, twist, damping, qd);
   }
 
-  /** Cholesky factor of the lower half of {@code work}, in place; damping makes it exist. */
-  private void factorise() {
-    for (int row = 0; row < N; row++) {
-      for (int i = 0; i <= row; i++) {
-        double sum = work[N * row + i];
-        for (int k = 0; k < i; k++) {
-          sum -= work[N * row + k] * work[N * i + k];
-        }
-        work[N * row + i] = row == i ? Math.sqrt(sum) : sum / work[N * i + i];
-      }
-    }
-  }
-
-  private int pivotRow(int step) {
-    int best = step;
-    for (int row = step + 1; row < N; row++) {
-      if (Math.abs(work[N * row + step]) > Math.abs(work[N * best + step])) {
-        best = row;
-      }
-    }
-    return best;
-  }
-
-  private void swapRows(int a, int b) {
-    if (a == b) {
-      return;
-    }
+  private static double row(double[] matrix, int row, double[] qd) {
+    double sum = 0;
     for (int i = 0; i < N; i++) {
-      double kept = work[N * a + i];
-      work[N * a + i] = work[N * b + i];
-      work[N * b + i] = kept;
+      sum += matrix[N * row + i] * qd[i];
     }
-    double kept = side[a];
-    side[a] = side[b];
-    side[b] = kept;
+    return sum;
+  }
+
+  /** Coordinate (9 to 11) of the origin of the frame before joint i, a point of its axis. */
+  private double origin(int i, int coordinate) {
+    return i == 0 ? 0 : frames[i - 1][coordinate];
   }
 
   private static double turned(double[] transform, int row, Pose offset) {

@@ -17,14 +17,29 @@ public record PoseError(double positionM, double orientationRad) {
     return new PoseError(position(a, b), orientation(a, b));
   }
 
-  static double position(double[] a, double[] b) {
+  /** True if neither error between the transformations is above the same small tolerance. */
+  static boolean within(double[] a, double[] b, double tolerance) {
+    double dx = a[9] - b[9];
+    double dy = a[10] - b[10];
+    double dz = a[11] - b[11];
+    double sum = 0;
+    for (int i = 0; i < 9; i++) {
+      double difference = a[i] - b[i];
+      sum += difference * difference;
+    }
+    double square = tolerance * tolerance;
+    // 8 sin^2(angle / 2) is 2 angle^2 for small angles
+    return dx * dx + dy * dy + dz * dz <= square && sum <= 2 * square;
+  }
+
+  private static double position(double[] a, double[] b) {
     double dx = a[9] - b[9];
     double dy = a[10] - b[10];
     double dz = a[11] - b[11];
     return Math.sqrt(dx * dx + dy * dy + dz * dz);
   }
 
-  static double orientation(double[] a, double[] b) {
+  private static double orientation(double[] a, double[] b) {
     double sum = 0;
     for (int i = 0; i < 9; i++) {
       double difference = a[i] - b[i];

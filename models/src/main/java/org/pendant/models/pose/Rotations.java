@@ -82,6 +82,15 @@ public final class Rotations {
     vector[2] = f * z;
   }
 
+  /**
+   * Matrix to unit quaternion, in {@code quaternion[0..3]}; w is not negative, except by less than
+   * {@value #HALF_TURN_BAND} at half a turn.
+   */
+  public static void matrixToQuaternion(double[] matrix, double[] quaternion) {
+    matrixToVector(matrix, quaternion);
+    vectorToQuaternion(quaternion[0], quaternion[1], quaternion[2], quaternion);
+  }
+
   /** Rotation vector (rad) to unit quaternion, in {@code quaternion[0..3]}. */
   public static void vectorToQuaternion(double rx, double ry, double rz, double[] quaternion) {
     double angle = Math.sqrt(rx * rx + ry * ry + rz * rz);

@@ -6,8 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.models.json.JsonObject;
 
 class ArmLibraryTest {
   @Test
@@ -67,19 +73,41 @@ class ArmLibraryTest {
   }
 
   @Test
-  void aDescriptionWithoutALengthIsRefused() {
-    IllegalStateException refused =
-        assertThrows(
-            IllegalStateException.class,
-            () -> read("{\"dh\": {\"d1\": 1}, \"status\": {}, \"joints\": [], \"links\": []}"));
-    assertTrue(refused.getMessage().startsWith("test.json: "), refused::getMessage);
+  void modelsAreFoundByIdAndDisplayNameHoweverTheyAreWritten() {
+    for (String id : ArmLibrary.ids()) {
+      String displayName = ArmLibrary.load(id).displayName();
+      assertEquals(Optional.of(id), ArmLibrary.find(id));
+      assertEquals(Optional.of(id), ArmLibrary.find(displayName));
+      assertEquals(Optional.of(id), ArmLibrary.find(displayName.toUpperCase(Locale.ROOT)));
+      assertEquals(Optional.of(id), ArmLibrary.find(displayName.replace(" ", "")));
+    }
+    assertEquals(Optional.of("ur8long"), ArmLibrary.find(" ur8 long"));
+    assertEquals("UR10e", ArmLibrary.load("UR10E").displayName());
   }
 
   @Test
-  void aFileThatIsNotJsonIsRefused() {
-    assertThrows(IllegalStateException.class, () -> read("nonsense"));
-    assertThrows(IllegalStateException.class, () -> read(""));
-    assertThrows(IllegalStateException.class, () -> read("{\"dh\": ["));
+  void otherNamesAreNotFound() {
+    for (String name : new String[] {"", " ", "ur", "ur6", "ur5e.json", "../arm/ur5e"}) {
+      assertEquals(Optional.empty(), ArmLibrary.find(name), name);
+    }
+  }
+
+  @Test
+  void aDescriptionWithoutALengthIsRefused() {
+    assertEquals("test.json: a2 is missing, must be a number", refusal("\"a2\": -0.425, ", ""));
+  }
+
+  @Test
+  void numbersThatNoArmHasAreRefusedWithTheName() {
+    assertEquals(
+        "test.json: dh: a2 is 0.0 m and a3 is -0.3922 m, neither may be zero",
+        refusal("\"a2\": -0.425", "\"a2\": 0"));
+    assertEquals(
+        "test.json: series is UR, must be CB3, e-Series or UR-Series",
+        refusal("\"e-Series\"", "\"UR\""));
+    assertEquals(
+        "test.json: status is sure, must be verified, measured, assumed, estimated or missing",
+        refusal("\"kinematics\": \"verified\"", "\"kinematics\": \"sure\""));
   }
 
   @Test
@@ -90,9 +118,18 @@ class ArmLibraryTest {
     assertFalse(arm.withinLimits(Joints.ZERO.with(5, Double.NaN)));
   }
 
-  private static ArmDescription read(String json) {
-    return new DescriptionReader(
-            "test.json", new ByteArrayInputStream(json.getBytes(StandardCharsets.UTF_8)))
-        .read();
+  /** What reading the UR5e's file says when {@code piece} of it is replaced. */
+  private static String refusal(String piece, String replacement) {
+    String good;
+    try (InputStream in = ArmLibrary.class.getResourceAsStream("ur5e.json")) {
+      good = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    assertTrue(good.contains(piece), piece);
+    byte[] bad = good.replace(piece, replacement).getBytes(StandardCharsets.UTF_8);
+    JsonObject root = JsonObject.parse("test.json", new ByteArrayInputStream(bad));
+    return assertThrows(IllegalStateException.class, () -> DescriptionReader.read(root))
+        .getMessage();
   }
 }

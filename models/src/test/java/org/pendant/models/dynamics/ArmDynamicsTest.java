@@ -5,13 +5,17 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.MatrixFeatures_DDRM;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.arm.LinkMass;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.pose.Pose;
@@ -235,12 +239,98 @@ final class ArmDynamicsTest {
   }
 
   @Test
+  void aPayloadAtTheLastLinksCentreOfMassIsAHeavierLink() {
+    LinkMass wrist = arm.links().get(N - 1);
+    Payload payload =
+        new Payload(
+            2, wrist.comXM(), wrist.comYM(), wrist.comZM(), 0.02, 0.03, 0.04, 0.001, -0.002, 0.003);
+    LinkMass heavier =
+        new LinkMass(
+            "wrist 3 with payload",
+            wrist.massKg() + 2,
+            wrist.comXM(),
+            wrist.comYM(),
+            wrist.comZM(),
+            wrist.ixx() + 0.02,
+            wrist.ixy() + 0.001,
+            wrist.ixz() - 0.002,
+            wrist.iyy() + 0.03,
+            wrist.iyz() + 0.003,
+            wrist.izz() + 0.04);
+    ArmDynamics welded = new ArmDynamics(withLastLink(heavier));
+    dynamics.setPayload(payload);
+    double[] q = random(3);
+    double[] qd = random(2);
+    double[] qdd = random(5);
+    double[] expected = new double[N];
+    double[] torque = new double[N];
+    welded.inverse(q, qd, qdd, expected);
+    dynamics.inverse(q, qd, qdd, torque);
+    assertArrayEquals(expected, torque, 1e-10);
+    DMatrixRMaj expectedMass = new DMatrixRMaj(N, N);
+    DMatrixRMaj mass = new DMatrixRMaj(N, N);
+    welded.mass(q, false, expectedMass);
+    dynamics.mass(q, false, mass);
+    assertArrayEquals(expectedMass.data, mass.data, 1e-12);
+  }
+
+  private ArmDescription withLastLink(LinkMass link) {
+    List<LinkMass> links = new ArrayList<>(arm.links());
+    links.set(N - 1, link);
+    return new ArmDescription(
+        arm.id(),
+        arm.displayName(),
+        arm.series(),
+        arm.dh(),
+        arm.joints(),
+        arm.actuators(),
+        links,
+        arm.payloadKg(),
+        arm.reachM(),
+        arm.status(),
+        arm.notes());
+  }
+
+  @Test
+  void takingThePayloadOffLeavesTheArmAsItWas() {
+    double[] q = random(3);
+    double[] before = new double[N];
+    double[] after = new double[N];
+    dynamics.gravity(q, before);
+    dynamics.setPayload(payload(random));
+    dynamics.setPayload(Payload.NONE);
+    dynamics.gravity(q, after);
+    assertArrayEquals(before, after, 0);
+  }
+
+  @Test
+  void accelerationsMayReplaceTheTorques() {
+    double[] q = random(3);
+    double[] qd = random(2);
+    double[] torque = random(50);
+    double[] qdd = new double[N];
+    dynamics.forward(q, qd, torque, true, qdd);
+    dynamics.forward(q, qd, torque, true, torque);
+    assertArrayEquals(qdd, torque, 0);
+  }
+
+  @Test
   void impossiblePayloadsAreRefused() {
-    assertEquals(
-        "payload: mass is -1.0 kg, must be at least 0",
-        assertThrows(IllegalArgumentException.class, () -> Payload.of(-1, 0, 0, 0)).getMessage());
-    assertThrows(IllegalArgumentException.class, () -> Payload.of(Double.NaN, 0, 0, 0));
-    assertThrows(IllegalArgumentException.class, () -> Payload.of(1, 0, Double.NaN, 0));
+    assertRefused("payload: mass is -1.0 kg, must be at least 0", () -> Payload.of(-1, 0, 0, 0));
+    assertRefused(
+        "payload: mass is NaN kg, must be at least 0", () -> Payload.of(Double.NaN, 0, 0, 0));
+    assertRefused(
+        "payload: mass is Infinity, must be a finite number",
+        () -> Payload.of(Double.POSITIVE_INFINITY, 0, 0, 0));
+    assertRefused(
+        "payload: cog y is NaN, must be a finite number", () -> Payload.of(1, 0, Double.NaN, 0));
+    assertRefused(
+        "payload: Iyz is -Infinity, must be a finite number",
+        () -> new Payload(1, 0, 0, 0, 0, 0, 0, 0, 0, Double.NEGATIVE_INFINITY));
+  }
+
+  private static void assertRefused(String message, Executable call) {
+    assertEquals(message, assertThrows(IllegalArgumentException.class, call).getMessage());
   }
 
   @Test

@@ -174,7 +174,7 @@ class InverseKinematicsTest {
   void theShoulderSingularityHasASolution() {
     Random random = new Random(57);
     for (int n = 0; n < CASES; n++) {
-      Joints q = overTheShoulder(random);
+      Joints q = Arms.overTheShoulder(Arms.UR5E.dh(), random);
       assertEquals(0, Singularity.SHOULDER.measure(Arms.UR5E.dh(), q), 1e-12);
       assertTrue(inverse.closest(forward.flangePose(q), q).isPresent(), q::toString);
     }
@@ -298,6 +298,40 @@ class InverseKinematicsTest {
   }
 
   @Test
+  void solutionsInPlaceAreThoseOfTheList() {
+    Random random = new Random(62);
+    double[] transform = new double[Transforms.SIZE];
+    double[][] solutions = new double[InverseKinematics.MOST_SOLUTIONS][Joints.COUNT];
+    for (int n = 0; n < CASES; n++) {
+      Pose flange = forward.flangePose(Arms.joints(random));
+      Joints near = Arms.joints(random);
+      Transforms.of(flange, transform);
+      int count = inverse.allInto(transform, near.toArray(), solutions);
+      List<Joints> listed = inverse.all(flange, near);
+      assertEquals(listed.size(), count);
+      for (int i = 0; i < count; i++) {
+        assertEquals(listed.get(i), Joints.of(solutions[i]));
+      }
+    }
+  }
+
+  @Test
+  void aMatrixThatIsNoRotationHasNoSolution() {
+    double[] transform = new double[Transforms.SIZE];
+    double[][] solutions = new double[InverseKinematics.MOST_SOLUTIONS][Joints.COUNT];
+    double[] q = {0.1, -1.5, 1.2, -1, -1.4, 0.3};
+    forward.flange(q, transform);
+    assertEquals(8, inverse.allInto(transform, q, solutions));
+    for (int i = 0; i < 9; i++) {
+      double[] wrong = transform.clone();
+      wrong[i] += 1e-9;
+      assertEquals(0, inverse.allInto(wrong, q, solutions), "entry " + i);
+    }
+    transform[9] = Double.NaN;
+    assertEquals(0, inverse.allInto(transform, q, solutions));
+  }
+
+  @Test
   void inputsThatAreNotFiniteAreRefused() {
     assertThrows(
         IllegalArgumentException.class,
@@ -318,24 +352,5 @@ class InverseKinematicsTest {
   private static Joints withParallelWrist(Random random) {
     double q4 = new double[] {0, Math.PI, -Math.PI}[random.nextInt(3)];
     return Arms.joints(random).with(4, q4);
-  }
-
-  /** Joints with the wrist centre in the plane that holds the base axis. */
-  private static Joints overTheShoulder(Random random) {
-    while (true) {
-      Joints q = Arms.joints(random);
-      double a2 = Arms.UR5E.dh().a2();
-      double a3 = Arms.UR5E.dh().a3();
-      double u = a2 * Math.cos(q.q1()) + Arms.UR5E.dh().d5() * Math.sin(q.q3());
-      if (Math.abs(u) < Math.abs(a3)) {
-        double sum = Math.acos(-u / a3);
-        double q2 = sum - q.q1();
-        double q3 = q.q3() - sum;
-        Joints over = q.with(2, q2).with(3, q3);
-        if (Arms.UR5E.withinLimits(over)) {
-          return over;
-        }
-      }
-    }
   }
 }

@@ -43,6 +43,64 @@ class JacobianTest {
   }
 
   @Test
+  void derivativeIsTheFiniteDifferenceOfTheJacobianAlongTheMotion() {
+    Random random = new Random(75);
+    double step = 1e-5;
+    double[] before = new double[Jacobian.SIZE];
+    double[] after = new double[Jacobian.SIZE];
+    double[] derivative = new double[Jacobian.SIZE];
+    for (int n = 0; n < CASES; n++) {
+      Joints q = Arms.joints(random);
+      Joints qd = Arms.joints(random);
+      Pose offset = Arms.tcp(random);
+      jacobian.derivative(q.toArray(), qd.toArray(), offset, derivative);
+      jacobian.at(moved(q, qd, -step), offset, before);
+      jacobian.at(moved(q, qd, step), offset, after);
+      for (int i = 0; i < Jacobian.SIZE; i++) {
+        double expected = (after[i] - before[i]) / (2 * step);
+        String entry = "entry " + i + " at " + q + " moving at " + qd + " with " + offset;
+        // the third derivative times the square of the step
+        assertEquals(expected, derivative[i], 3e-7, entry);
+      }
+    }
+  }
+
+  @Test
+  void anArmAtRestHasAConstantJacobian() {
+    double[] derivative = new double[Jacobian.SIZE];
+    jacobian.derivative(
+        new double[] {0.1, -1.5, 1.2, -1, 0.4, 0.3}, new double[6], Pose.ZERO, derivative);
+    assertArrayEquals(new double[Jacobian.SIZE], derivative, 0.0);
+  }
+
+  @Test
+  void torquesDoTheWorkOfTheWrench() {
+    Random random = new Random(76);
+    double[] j = new double[Jacobian.SIZE];
+    double[] twist = new double[Joints.COUNT];
+    double[] torque = new double[Joints.COUNT];
+    for (int n = 0; n < CASES; n++) {
+      Joints q = Arms.joints(random);
+      double[] qd = Arms.joints(random).toArray();
+      double[] wrench = Arms.joints(random).toArray();
+      jacobian.at(q.toArray(), Arms.tcp(random), j);
+      Jacobian.twist(j, qd, twist);
+      Jacobian.transposed(j, wrench, torque);
+      assertEquals(dot(wrench, twist), dot(torque, qd), 1e-12, q::toString);
+    }
+  }
+
+  @Test
+  void aLoadOnTheStretchedArmWeighsOnTheShoulderWithTheWholeLength() {
+    double[] j = new double[Jacobian.SIZE];
+    double[] torque = new double[Joints.COUNT];
+    jacobian.at(new double[6], Pose.ZERO, j);
+    Jacobian.transposed(j, new double[] {0, 0, -10, 0, 0, 0}, torque);
+    // flange at x = -0.8172 m, shoulder axis along -y: the load turns it by -10 N times -0.8172 m
+    assertArrayEquals(new double[] {0, 8.172, 3.922, 0, 0, 0}, torque, 1e-12);
+  }
+
+  @Test
   void determinantIsTheProductOfTheSingularityMeasures() {
     Random random = new Random(72);
     double[] j = new double[Jacobian.SIZE];
@@ -118,6 +176,22 @@ class JacobianTest {
     assertThrows(
         IllegalArgumentException.class,
         () -> jacobian.solveDamped(j, new double[6], 0, new double[6]));
+  }
+
+  private static double[] moved(Joints q, Joints qd, double timeS) {
+    double[] moved = q.toArray();
+    for (int i = 0; i < moved.length; i++) {
+      moved[i] += timeS * qd.get(i);
+    }
+    return moved;
+  }
+
+  private static double dot(double[] a, double[] b) {
+    double sum = 0;
+    for (int i = 0; i < a.length; i++) {
+      sum += a[i] * b[i];
+    }
+    return sum;
   }
 
   private static SimpleMatrix matrix(double[] j) {

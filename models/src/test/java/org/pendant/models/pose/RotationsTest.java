@@ -2,6 +2,7 @@ package org.pendant.models.pose;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import org.ejml.simple.SimpleMatrix;
@@ -28,6 +29,22 @@ class RotationsTest {
     Math.PI - 1e-4,
     Math.PI - 1e-9,
     Math.PI - 1e-11
+  };
+
+  private static final double[] AROUND_HALF_A_TURN = {
+    0,
+    1e-9,
+    1,
+    Math.PI - 1e-6,
+    Math.PI - 1e-9,
+    Math.PI - 3e-12,
+    Math.PI - 1e-12,
+    Math.PI,
+    Math.PI + 1e-12,
+    Math.PI + 3e-12,
+    Math.PI + 1e-9,
+    5,
+    2 * Math.PI
   };
 
   @Test
@@ -64,6 +81,73 @@ class RotationsTest {
         Rotations.vectorToMatrix(vector[0], vector[1], vector[2], matrix);
         Rotations.matrixToVector(matrix, result);
         assertArrayEquals(vector, result, tolerance + 1e-14, () -> "by matrix: " + input);
+      }
+    }
+  }
+
+  @Test
+  void matrixSurvivesTheWayThroughQuaternion() {
+    Random random = new Random(28);
+    double[] matrix = new double[9];
+    double[] quaternion = new double[4];
+    double[] again = new double[9];
+    for (double angle : AROUND_HALF_A_TURN) {
+      for (int n = 0; n < CASES; n++) {
+        double[] axis = Samples.axis(random);
+        Rotations.vectorToMatrix(angle * axis[0], angle * axis[1], angle * axis[2], matrix);
+        Rotations.matrixToQuaternion(matrix, quaternion);
+        double w = quaternion[0];
+        double x = quaternion[1];
+        double y = quaternion[2];
+        double z = quaternion[3];
+        String input = angle + " about " + axis[0] + ", " + axis[1] + ", " + axis[2];
+        assertTrue(w >= -Rotations.HALF_TURN_BAND, input);
+        assertEquals(1, w * w + x * x + y * y + z * z, 1e-15, input);
+        Rotations.quaternionToMatrix(w, x, y, z, again);
+        assertArrayEquals(matrix, again, 4e-15, () -> input);
+      }
+    }
+  }
+
+  @Test
+  void noRotationIsExactlyNoneInEveryForm() {
+    double[] identity = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    double[] matrix = new double[9];
+    double[] quaternion = new double[4];
+    double[] three = new double[3];
+    Rotations.vectorToMatrix(0, 0, 0, matrix);
+    assertArrayEquals(identity, matrix);
+    Rotations.rpyToMatrix(0, 0, 0, matrix);
+    assertArrayEquals(new double[9], minus(identity, matrix));
+    Rotations.matrixToQuaternion(identity, quaternion);
+    assertArrayEquals(new double[] {1, 0, 0, 0}, quaternion);
+    Rotations.matrixToVector(identity, three);
+    assertArrayEquals(new double[3], three);
+    Rotations.matrixToRpy(identity, three);
+    assertArrayEquals(new double[3], minus(new double[3], three));
+  }
+
+  @Test
+  void rotationsAroundHalfATurnSurviveTheWayThroughEveryForm() {
+    Random random = new Random(29);
+    double[] matrix = new double[9];
+    double[] again = new double[9];
+    double[] three = new double[3];
+    for (double angle : AROUND_HALF_A_TURN) {
+      for (int n = 0; n < CASES; n++) {
+        double[] axis = Samples.axis(random);
+        if (n < 3) {
+          axis = new double[3];
+          axis[n] = 1;
+        }
+        String input = angle + " about " + axis[0] + ", " + axis[1] + ", " + axis[2];
+        Rotations.vectorToMatrix(angle * axis[0], angle * axis[1], angle * axis[2], matrix);
+        Rotations.matrixToVector(matrix, three);
+        Rotations.vectorToMatrix(three[0], three[1], three[2], again);
+        assertArrayEquals(matrix, again, 4e-15, () -> "by vector: " + input);
+        Rotations.matrixToRpy(matrix, three);
+        Rotations.rpyToMatrix(three[0], three[1], three[2], again);
+        assertArrayEquals(matrix, again, 4e-15, () -> "by roll, pitch and yaw: " + input);
       }
     }
   }
@@ -196,5 +280,14 @@ class RotationsTest {
         }
       }
     }
+  }
+
+  /** The difference, which has no negative zeros where the numbers are equal. */
+  private static double[] minus(double[] a, double[] b) {
+    double[] difference = new double[a.length];
+    for (int i = 0; i < a.length; i++) {
+      difference[i] = a[i] - b[i];
+    }
+    return difference;
   }
 }
