@@ -1,0 +1,80 @@
+package org.pendant.controller.json;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** A JSON value that knows where it stands. */
+public sealed interface Json {
+  /** Letters of a text that a message repeats at most. */
+  int LONGEST_QUOTE = 40;
+
+  /** Where it begins. */
+  Place place();
+
+  /** What it is, for messages. */
+  String described();
+
+  /** An object, its members in the file's order. */
+  record Members(Map<String, Member> byKey, Place place) implements Json {
+    public Members {
+      byKey = Collections.unmodifiableMap(new LinkedHashMap<>(byKey));
+    }
+
+    @Override
+    public String described() {
+      return "an object";
+    }
+  }
+
+  /** A member of an object. */
+  record Member(Json value, Place keyPlace) {}
+
+  /** An array. */
+  record Elements(List<Json> values, Place place) implements Json {
+    public Elements {
+      values = List.copyOf(values);
+    }
+
+    @Override
+    public String described() {
+      return "an array of " + values.size();
+    }
+  }
+
+  /** A string. */
+  record Text(String value, Place place) implements Json {
+    @Override
+    public String described() {
+      return quoted(value);
+    }
+  }
+
+  /** A number; infinite if the file's is too large for a double. */
+  record Numeral(double value, Place place) implements Json {
+    @Override
+    public String described() {
+      return Range.number(value);
+    }
+  }
+
+  /** One of the words {@code true}, {@code false}, {@code null}. */
+  record Word(String word, Place place) implements Json {
+    @Override
+    public String described() {
+      return word;
+    }
+  }
+
+  /** A text for a message: in quotes, not too long, and without line ends. */
+  static String quoted(String text) {
+    String start = text.length() > LONGEST_QUOTE ? text.substring(0, LONGEST_QUOTE) + "..." : text;
+    StringBuilder quoted = new StringBuilder("\"");
+    for (int i = 0; i < start.length(); i++) {
+      char letter = start.charAt(i);
+      quoted.append(Character.isISOControl(letter) ? '?' : letter);
+    }
+    return quoted.append('"').toString();
+  }
+}

@@ -1,0 +1,152 @@
+package org.pendant.controller.json;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CodingErrorAction;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
+import tools.jackson.core.TokenStreamLocation;
+import tools.jackson.core.exc.UnexpectedEndOfInputException;
+import tools.jackson.core.json.JsonFactory;
+
+/**
+ * Reads one JSON value from a file of UTF-8, with the place of everything in it. The streaming
+ * parser alone is used: it tells the places, and data binding would cost more than the file is
+ * worth.
+ */
+public final class JsonFile {
+  /** Far above what anybody writes by hand; a larger file is a mistake. */
+  static final int LARGEST_BYTES = 1 << 20;
+
+  /** Objects and arrays within one another at most: twice what any file needs. */
+  static final int DEEPEST = 8;
+
+  /** What the parser's messages say about the parser itself. */
+  private static final Pattern PARSER_TALK =
+      Pattern.compile(": enable .*|:? \\((start marker|for |not recognized).*|, from `[^`]*`");
+
+  private final String file;
+
+  private JsonFile(String file) {
+    this.file = file;
+  }
+
+  /**
+   * Reads all of {@code in}.
+   *
+   * @throws JsonException if that fails, or it is not one JSON value
+   */
+  public static Json read(String file, InputStream in) throws JsonException {
+    return new JsonFile(file).read(in);
+  }
+
+  private Json read(InputStream in) throws JsonException {
+    String text = text(bytes(in));
+    try (JsonParser parser = new JsonFactory().createParser(ObjectReadContext.empty(), text)) {
+      try {
+        if (parser.nextToken() == null) {
+          throw place(parser.currentLocation()).refusal("the file is empty, must be an object");
+        }
+        Json value = value(parser, 1);
+        if (parser.nextToken() != null) {
+          throw here(parser).refusal("the file goes on after its end, must be one object");
+        }
+        return value;
+      } catch (JacksonException e) {
+        TokenStreamLocation at = e.getLocation();
+        throw place(at == null ? parser.currentLocation() : at).refusal(complaint(e));
+      }
+    }
+  }
+
+  private byte[] bytes(InputStream in) throws JsonException {
+    try {
+      // what a device or a pipe says of its size is worth nothing, so the reading itself is bounded
+      byte[] bytes = in.readNBytes(LARGEST_BYTES + 1);
+      if (bytes.length > LARGEST_BYTES) {
+        throw new JsonException(
+            file + ": has more than " + LARGEST_BYTES + " bytes, must be at most that many");
+      }
+      return bytes;
+    } catch (IOException e) {
+      throw new JsonException(file + ": cannot be read, " + e.getMessage());
+    }
+  }
+
+  /** The letters of the file, so that columns count letters; without the mark some editors set. */
+  private String text(byte[] bytes) throws JsonException {
+    CharBuffer letters = CharBuffer.allocate(bytes.length);
+    boolean wrong =
+        StandardCharsets.UTF_8
+            .newDecoder()
+            .onMalformedInput(CodingErrorAction.REPORT)
+            .decode(ByteBuffer.wrap(bytes), letters, true)
+            .isError();
+    String text = letters.flip().toString();
+    if (wrong) {
+      throw Place.after(file, text).refusal("a byte is no letter, the file must be in UTF-8");
+    }
+    return text.startsWith("\ufeff") ? text.substring(1) : text;
+  }
+
+  private Json value(JsonParser parser, int depth) throws JsonException {
+    Place place = here(parser);
+    if (depth > DEEPEST) {
+      throw place.refusal("more than " + DEEPEST + " values within one another");
+    }
+    return switch (parser.currentToken()) {
+      case START_OBJECT -> members(parser, depth, place);
+      case START_ARRAY -> {
+        List<Json> values = new ArrayList<>();
+        while (parser.nextToken() != JsonToken.END_ARRAY) {
+          values.add(value(parser, depth + 1));
+        }
+        yield new Json.Elements(values, place);
+      }
+      case VALUE_STRING -> new Json.Text(parser.getString(), place);
+      case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT ->
+          new Json.Numeral(Double.parseDouble(parser.getString()), place);
+      case VALUE_TRUE, VALUE_FALSE, VALUE_NULL -> new Json.Word(parser.getString(), place);
+      case NOT_AVAILABLE, END_OBJECT, END_ARRAY, PROPERTY_NAME, VALUE_EMBEDDED_OBJECT ->
+          throw new IllegalStateException(parser.currentToken() + " where a value begins");
+    };
+  }
+
+  private Json members(JsonParser parser, int depth, Place place) throws JsonException {
+    Map<String, Json.Member> members = new LinkedHashMap<>();
+    while (parser.nextToken() != JsonToken.END_OBJECT) {
+      String key = parser.currentName();
+      Place keyPlace = here(parser);
+      if (members.containsKey(key)) {
+        throw keyPlace.refusal("key " + Json.quoted(key) + " again, must be there once");
+      }
+      parser.nextToken();
+      members.put(key, new Json.Member(value(parser, depth + 1), keyPlace));
+    }
+    return new Json.Members(members, place);
+  }
+
+  private Place here(JsonParser parser) {
+    return place(parser.currentTokenLocation());
+  }
+
+  private Place place(TokenStreamLocation location) {
+    return new Place(file, location.getLineNr(), location.getColumnNr());
+  }
+
+  private static String complaint(JacksonException e) {
+    return e instanceof UnexpectedEndOfInputException
+        ? "not JSON: the file ends too early"
+        : "not JSON: " + PARSER_TALK.matcher(e.getOriginalMessage()).replaceFirst("");
+  }
+}

@@ -1,0 +1,235 @@
+package org.pendant.controller.world;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.pendant.controller.json.Range;
+import org.pendant.models.pose.Wrench;
+
+/**
+ * The forces on the tool: those of a scene that it touches, and one that somebody applies by hand.
+ *
+ * <p>Each tool point is a ball (of radius 0 mostly) without mass, rigid with the flange. Where it
+ * is inside an object, the object's {@link Material} pushes it out along the surface's normal and
+ * holds against its sliding; the force acts at the point's deepest place. Contacts do not know of
+ * one another: a point inside two objects is pushed by both. Spinning on the spot meets no
+ * friction, and only tool points touch, not the rest of the tool and the arm.
+ *
+ * <p>A point pressed deeper than half a thin object's thickness leaves it on the far side. See
+ * {@link Surface.Block} for edges and corners.
+ *
+ * <p>Belongs to the thread of the frame loop.
+ */
+public final class ContactWorld {
+  /** Largest component of an applied wrench, N and Nm; no arm withstands a tenth of it. */
+  private static final Range APPLIED = new Range(-10_000, 10_000, "");
+
+  private final List<SceneObject> objects;
+  private final Surface[] surfaces;
+  private final List<ToolPoint> toolPoints;
+  private Wrench applied = Wrench.ZERO;
+
+  /** Of the latest step, for each object: depth at the deepest point, m, at most 0 if untouched. */
+  private final double[] depthM;
+
+  /** Of the latest step: three components of force, N, for each object. */
+  private final double[] forceN;
+
+  private final double[] normal = new double[3];
+  private double clearanceM = Double.POSITIVE_INFINITY;
+
+  /** The forces of {@code scene}, nothing applied. */
+  public ContactWorld(Scene scene) {
+    objects = scene.objects();
+    toolPoints = scene.toolPoints();
+    surfaces = new Surface[objects.size()];
+    for (int i = 0; i < surfaces.length; i++) {
+      surfaces[i] = Surface.of(objects.get(i));
+    }
+    depthM = new double[surfaces.length];
+    forceN = new double[3 * surfaces.length];
+  }
+
+  /**
+   * The load on the tool from outside. Allocates nothing.
+   *
+   * @param flange12 the flange in the base frame, as {@link org.pendant.models.pose.Transforms} has
+   *     it
+   * @param tcpInFlange3 the active tool centre point in the flange's frame, m; touches things
+   *     unless the scene names tool points, and takes the applied wrench
+   * @param flangeTwist6 velocity of the flange's origin, m/s, and angular velocity, rad/s, along
+   *     the base's axes
+   * @param wrench6 overwritten with force, N, and torque about the flange's origin, Nm, along the
+   *     base's axes
+   */
+  public void wrench(
+      double[] flange12, double[] tcpInFlange3, double[] flangeTwist6, double[] wrench6) {
+    clearanceM = Double.POSITIVE_INFINITY;
+    Arrays.fill(depthM, 0);
+    Arrays.fill(forceN, 0);
+    Arrays.fill(wrench6, 0, 6, 0);
+    double tcpX = tcpInFlange3[0];
+    double tcpY = tcpInFlange3[1];
+    double tcpZ = tcpInFlange3[2];
+    addApplied(flange12, tcpX, tcpY, tcpZ, wrench6);
+    if (toolPoints.isEmpty()) {
+      touch(flange12, tcpX, tcpY, tcpZ, 0, flangeTwist6, wrench6);
+    }
+    for (int i = 0; i < toolPoints.size(); i++) {
+      ToolPoint point = toolPoints.get(i);
+      Vector3 inFlange = point.pointInFlangeM();
+      touch(
+          flange12,
+          inFlange.x(),
+          inFlange.y(),
+          inFlange.z(),
+          point.radiusM(),
+          flangeTwist6,
+          wrench6);
+    }
+  }
+
+  /**
+   * Pushes at the tool centre point until told otherwise.
+   *
+   * @param atTcpInBase force, N, and torque about the tool centre point, Nm, along the base's axes,
+   *     each -10,000 to 10,000: positive fz pushes the tool up
+   * @throws IllegalArgumentException if a number is outside this range
+   */
+  public void apply(Wrench atTcpInBase) {
+    APPLIED.require("applied fx", atTcpInBase.fx());
+    APPLIED.require("applied fy", atTcpInBase.fy());
+    APPLIED.require("applied fz", atTcpInBase.fz());
+    APPLIED.require("applied mx", atTcpInBase.mx());
+    APPLIED.require("applied my", atTcpInBase.my());
+    APPLIED.require("applied mz", atTcpInBase.mz());
+    applied = atTcpInBase;
+  }
+
+  /** Applies nothing any more. */
+  public void release() {
+    applied = Wrench.ZERO;
+  }
+
+  /** What {@link #apply} was told last: at the tool centre point, along the base's axes. */
+  public Wrench applied() {
+    return applied;
+  }
+
+  /** Whether the tool touched anything when {@link #wrench} was asked last. */
+  public boolean inContact() {
+    return clearanceM < 0;
+  }
+
+  /**
+   * How far the tool was from the nearest object when {@link #wrench} was asked last, m: below 0 by
+   * the depth where it touched, infinite where there is nothing.
+   */
+  public double clearanceM() {
+    return clearanceM;
+  }
+
+  /** What the tool touched when {@link #wrench} was asked last, in the scene's order. */
+  public List<Contact> contacts() {
+    List<Contact> contacts = new ArrayList<>();
+    for (int i = 0; i < surfaces.length; i++) {
+      if (depthM[i] > 0) {
+        Vector3 force = new Vector3(forceN[3 * i], forceN[3 * i + 1], forceN[3 * i + 2]);
+        contacts.add(new Contact(objects.get(i).name(), depthM[i], force.length()));
+      }
+    }
+    return contacts;
+  }
+
+  private void addApplied(double[] flange, double x, double y, double z, double[] wrench) {
+    wrench[3] += applied.mx();
+    wrench[4] += applied.my();
+    wrench[5] += applied.mz();
+    addForce(
+        turned(flange, 0, x, y, z),
+        turned(flange, 1, x, y, z),
+        turned(flange, 2, x, y, z),
+        applied.fx(),
+        applied.fy(),
+        applied.fz(),
+        wrench);
+  }
+
+  /** Adds the forces of all objects on one point of the tool, given in the flange's frame. */
+  private void touch(
+      double[] flange,
+      double x,
+      double y,
+      double z,
+      double radiusM,
+      double[] twist,
+      double[] wrench) {
+    double armX = turned(flange, 0, x, y, z);
+    double armY = turned(flange, 1, x, y, z);
+    double armZ = turned(flange, 2, x, y, z);
+    for (int i = 0; i < surfaces.length; i++) {
+      double distanceM =
+          surfaces[i].distanceM(flange[9] + armX, flange[10] + armY, flange[11] + armZ, normal);
+      clearanceM = Math.min(clearanceM, distanceM - radiusM);
+      if (distanceM < radiusM) {
+        push(
+            i,
+            radiusM - distanceM,
+            armX - radiusM * normal[0],
+            armY - radiusM * normal[1],
+            armZ - radiusM * normal[2],
+            twist,
+            wrench);
+      }
+    }
+  }
+
+  /**
+   * Adds the force of one object, along {@link #normal}, on a place of the tool that is {@code
+   * (armX, armY, armZ)} away from the flange's origin.
+   */
+  private void push(
+      int object,
+      double depth,
+      double armX,
+      double armY,
+      double armZ,
+      double[] twist,
+      double[] wrench) {
+    double vx = twist[0] + twist[4] * armZ - twist[5] * armY;
+    double vy = twist[1] + twist[5] * armX - twist[3] * armZ;
+    double vz = twist[2] + twist[3] * armY - twist[4] * armX;
+    double leaving = vx * normal[0] + vy * normal[1] + vz * normal[2];
+    double slidingX = vx - leaving * normal[0];
+    double slidingY = vy - leaving * normal[1];
+    double slidingZ = vz - leaving * normal[2];
+    double sliding = Math.sqrt(slidingX * slidingX + slidingY * slidingY + slidingZ * slidingZ);
+    Material material = objects.get(object).material();
+    double out = material.normalForceN(depth, leaving);
+    double drag = material.dragNSPerM(out, sliding);
+    double fx = out * normal[0] - drag * slidingX;
+    double fy = out * normal[1] - drag * slidingY;
+    double fz = out * normal[2] - drag * slidingZ;
+    depthM[object] = Math.max(depthM[object], depth);
+    forceN[3 * object] += fx;
+    forceN[3 * object + 1] += fy;
+    forceN[3 * object + 2] += fz;
+    addForce(armX, armY, armZ, fx, fy, fz, wrench);
+  }
+
+  /** Adds a force that acts {@code (armX, armY, armZ)} away from the flange's origin. */
+  private static void addForce(
+      double armX, double armY, double armZ, double fx, double fy, double fz, double[] wrench) {
+    wrench[0] += fx;
+    wrench[1] += fy;
+    wrench[2] += fz;
+    wrench[3] += armY * fz - armZ * fy;
+    wrench[4] += armZ * fx - armX * fz;
+    wrench[5] += armX * fy - armY * fx;
+  }
+
+  /** Component {@code row} of a vector of the flange's frame, along the base's axes. */
+  private static double turned(double[] flange, int row, double x, double y, double z) {
+    return flange[3 * row] * x + flange[3 * row + 1] * y + flange[3 * row + 2] * z;
+  }
+}

@@ -1,0 +1,55 @@
+package org.pendant.controller.world;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.pendant.controller.json.Json;
+import org.pendant.models.dynamics.Payload;
+
+/**
+ * What is around the arm; {@link SceneReader} reads it from a file.
+ *
+ * @param objects what the tool can touch, at most {@value #MOST_OBJECTS}, each with its own name
+ * @param load what truly hangs on the flange, whatever a program declares; empty when nothing is
+ *     known beyond that
+ * @param toolPoints where the tool touches things, at most {@value #MOST_TOOL_POINTS}; empty for
+ *     the active tool centre point alone
+ */
+public record Scene(List<SceneObject> objects, Optional<Payload> load, List<ToolPoint> toolPoints) {
+  /** Objects in a scene at most; each of them is looked at for every tool point in every step. */
+  public static final int MOST_OBJECTS = 1000;
+
+  /** Tool points in a scene at most. */
+  public static final int MOST_TOOL_POINTS = 16;
+
+  /** Nothing around the arm. */
+  public static final Scene EMPTY = new Scene(List.of(), Optional.empty(), List.of());
+
+  /**
+   * Checks the counts and names.
+   *
+   * @throws IllegalArgumentException for too many objects or tool points, and for two objects with
+   *     one name
+   */
+  public Scene {
+    objects = List.copyOf(objects);
+    toolPoints = List.copyOf(toolPoints);
+    requireCount("objects", objects.size(), MOST_OBJECTS);
+    requireCount("tool points", toolPoints.size(), MOST_TOOL_POINTS);
+    Set<String> names = new HashSet<>();
+    for (SceneObject object : objects) {
+      if (!names.add(object.name())) {
+        throw new IllegalArgumentException(
+            "name is " + Json.quoted(object.name()) + " again, must be another for each object");
+      }
+    }
+  }
+
+  private static void requireCount(String what, int count, int most) {
+    if (count > most) {
+      throw new IllegalArgumentException(
+          "scene has " + count + " " + what + ", must be at most " + most);
+    }
+  }
+}

@@ -1,0 +1,91 @@
+package org.pendant.controller.world;
+
+import org.pendant.controller.json.Range;
+import org.pendant.models.pose.Pose;
+
+/** A solid thing that the tool can touch; it stands still, whatever pushes it. */
+public sealed interface SceneObject {
+  /** How it is called, in 1 to 60 letters; unique in its scene. */
+  String name();
+
+  /** What its surface is of. */
+  Material material();
+
+  /**
+   * Everything behind a plane: a table, a floor, a wall.
+   *
+   * @param name how it is called
+   * @param pointInBaseM a point of the plane, m, each -10 to 10
+   * @param normalInBase the direction out of the solid; any length from 0.001 to 1000 will do, kept
+   *     with length 1
+   * @param material what it is of
+   */
+  record Plane(String name, Vector3 pointInBaseM, Vector3 normalInBase, Material material)
+      implements SceneObject {
+    static final Range NORMAL = new Range(-1000, 1000, "");
+    static final Range NORMAL_LENGTH = new Range(0.001, 1000, "");
+
+    /**
+     * Checks the numbers.
+     *
+     * @throws IllegalArgumentException if one is outside its range
+     */
+    public Plane {
+      ObjectName.require(name);
+      pointInBaseM.require("point", SceneRange.POSITION);
+      NORMAL_LENGTH.require("length of normal", normalInBase.length());
+      normalInBase = normalInBase.unit();
+    }
+  }
+
+  /**
+   * A block.
+   *
+   * @param name how it is called
+   * @param poseInBase its centre, m, each -10 to 10, and orientation, rad, each -100 to 100
+   * @param sizeM lengths of its sides along its own axes, m, each 0.001 to 10
+   * @param material what it is of
+   */
+  record Box(String name, Pose poseInBase, Vector3 sizeM, Material material)
+      implements SceneObject {
+    /**
+     * Checks the numbers.
+     *
+     * @throws IllegalArgumentException if one is outside its range
+     */
+    public Box {
+      ObjectName.require(name);
+      for (int i = 0; i < Pose.SIZE; i++) {
+        poseRange(i).require("pose[" + i + "]", poseInBase.get(i));
+      }
+      sizeM.require("size", SceneRange.SIZE);
+    }
+
+    /** What component {@code i} of the pose may be. */
+    static Range poseRange(int i) {
+      return i < 3 ? SceneRange.POSITION : SceneRange.ROTATION;
+    }
+  }
+
+  /**
+   * A ball.
+   *
+   * @param name how it is called
+   * @param centreInBaseM its centre, m, each -10 to 10
+   * @param radiusM its radius, m, 0.001 to 10
+   * @param material what it is of
+   */
+  record Sphere(String name, Vector3 centreInBaseM, double radiusM, Material material)
+      implements SceneObject {
+    /**
+     * Checks the numbers.
+     *
+     * @throws IllegalArgumentException if one is outside its range
+     */
+    public Sphere {
+      ObjectName.require(name);
+      centreInBaseM.require("centre", SceneRange.POSITION);
+      SceneRange.SIZE.require("radius", radiusM);
+    }
+  }
+}

@@ -1,0 +1,17 @@
+package org.pendant.controller.world;
+
+import org.pendant.controller.json.Range;
+
+/** What lengths and angles in a scene may be. */
+final class SceneRange {
+  /** Where something may be, in the base frame: several times as far as the longest arm reaches. */
+  static final Range POSITION = new Range(-10, 10, "m");
+
+  /** Far more than any way of writing an orientation needs; keeps sines exact. */
+  static final Range ROTATION = new Range(-100, 100, "rad");
+
+  /** From a thin sheet to a hall. */
+  static final Range SIZE = new Range(0.001, 10, "m");
+
+  private SceneRange() {}
+}

@@ -1,0 +1,140 @@
+package org.pendant.controller.world;
+
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.pendant.controller.json.Fields;
+import org.pendant.controller.json.Json;
+import org.pendant.controller.json.JsonException;
+import org.pendant.controller.json.JsonFile;
+import org.pendant.controller.json.Place;
+import org.pendant.models.pose.Pose;
+
+/** Reads a scene from JSON; docs/scene.md describes the file. */
+public final class SceneReader {
+  private final List<SceneObject> objects = new ArrayList<>();
+  private final Map<String, Place> places = new HashMap<>();
+
+  private SceneReader() {}
+
+  /**
+   * Reads all of {@code in}, which the caller closes.
+   *
+   * @param fileName for messages
+   * @throws JsonException for the first thing that is wrong, with its place; also if the file
+   *     cannot be read or is too large
+   */
+  public static Scene read(String fileName, InputStream in) throws JsonException {
+    return new SceneReader().scene(JsonFile.read(fileName, in));
+  }
+
+  private Scene scene(Json root) throws JsonException {
+    Fields fields = new Fields(root, "a scene");
+    fields.allow("objects", "load", "tool");
+    for (Json each : fields.array("objects", Scene.MOST_OBJECTS)) {
+      add(each);
+    }
+    List<ToolPoint> toolPoints = new ArrayList<>();
+    for (Json each : fields.array("tool", Scene.MOST_TOOL_POINTS)) {
+      toolPoints.add(toolPoint(new Fields(each, "a tool point")));
+    }
+    Optional<Json> load = fields.optional("load");
+    return new Scene(
+        objects,
+        load.isPresent() ? Optional.of(LoadReader.load(load.get())) : Optional.empty(),
+        toolPoints);
+  }
+
+  private void add(Json each) throws JsonException {
+    Fields fields = new Fields(each, "an object of the scene");
+    Json.Text type = fields.text("type");
+    SceneObject object =
+        switch (type.value()) {
+          case "plane" -> plane(new Fields(each, "a plane"));
+          case "box" -> box(new Fields(each, "a box"));
+          case "sphere" -> sphere(new Fields(each, "a sphere"));
+          default ->
+              throw type.place()
+                  .refusal("type is " + type.described() + ", must be plane, box or sphere");
+        };
+    Json.Text name = fields.text("name");
+    Place first = places.putIfAbsent(object.name(), name.place());
+    if (first != null) {
+      throw name.place()
+          .refusal(
+              "name is "
+                  + name.described()
+                  + " as in line "
+                  + first.line()
+                  + ", must be another for each object");
+    }
+    objects.add(object);
+  }
+
+  private static SceneObject plane(Fields fields) throws JsonException {
+    fields.allow("type", "name", "point", "normal", "material");
+    String name = name(fields);
+    Vector3 point = Vector3.read(fields, "point", SceneRange.POSITION);
+    Vector3 normal = Vector3.read(fields, "normal", SceneObject.Plane.NORMAL);
+    if (!SceneObject.Plane.NORMAL_LENGTH.holds(normal.length())) {
+      throw fields
+          .required("normal")
+          .place()
+          .refusal(SceneObject.Plane.NORMAL_LENGTH.refusal("length of normal", normal.length()));
+    }
+    return new SceneObject.Plane(name, point, normal, material(fields));
+  }
+
+  private static SceneObject box(Fields fields) throws JsonException {
+    fields.allow("type", "name", "pose", "size", "material");
+    String name = name(fields);
+    List<Json> six = fields.numbers("pose", Pose.SIZE);
+    double[] pose = new double[Pose.SIZE];
+    for (int i = 0; i < pose.length; i++) {
+      pose[i] = Fields.number("pose[" + i + "]", six.get(i), SceneObject.Box.poseRange(i));
+    }
+    return new SceneObject.Box(
+        name, Pose.of(pose), Vector3.read(fields, "size", SceneRange.SIZE), material(fields));
+  }
+
+  private static SceneObject sphere(Fields fields) throws JsonException {
+    fields.allow("type", "name", "centre", "radius", "material");
+    return new SceneObject.Sphere(
+        name(fields),
+        Vector3.read(fields, "centre", SceneRange.POSITION),
+        fields.number("radius", SceneRange.SIZE),
+        material(fields));
+  }
+
+  private static String name(Fields fields) throws JsonException {
+    Json.Text name = fields.text("name");
+    Optional<String> refusal = ObjectName.refusal(name.value());
+    if (refusal.isPresent()) {
+      throw name.place().refusal(refusal.get());
+    }
+    return name.value();
+  }
+
+  private static Material material(Fields object) throws JsonException {
+    Optional<Json> value = object.optional("material");
+    if (value.isEmpty()) {
+      return Material.DEFAULT;
+    }
+    Fields fields = new Fields(value.get(), "a material");
+    fields.allow("stiffness", "damping", "friction");
+    return new Material(
+        fields.number("stiffness", Material.STIFFNESS, Material.DEFAULT.stiffnessNPerM()),
+        fields.number("damping", Material.DAMPING, Material.DEFAULT.dampingSPerM()),
+        fields.number("friction", Material.FRICTION, Material.DEFAULT.friction()));
+  }
+
+  private static ToolPoint toolPoint(Fields fields) throws JsonException {
+    fields.allow("point", "radius");
+    return new ToolPoint(
+        Vector3.read(fields, "point", ToolPoint.POINT),
+        fields.number("radius", ToolPoint.RADIUS, 0));
+  }
+}

@@ -1,0 +1,137 @@
+package org.pendant.controller.world;
+
+import org.pendant.models.pose.Transforms;
+
+/** The boundary of a solid, made ready for asking how far points are from it. */
+sealed interface Surface {
+
+  /** The surface of an object. */
+  static Surface of(SceneObject object) {
+    return switch (object) {
+      case SceneObject.Plane plane -> new Flat(plane);
+      case SceneObject.Box box -> new Block(box);
+      case SceneObject.Sphere sphere -> new Ball(sphere);
+    };
+  }
+
+  /**
+   * The distance of a point of the base frame, m: above 0 outside, below 0 inside.
+   *
+   * @param normalInBase overwritten with the direction, of length 1, in which the distance grows
+   *     fastest
+   */
+  double distanceM(double x, double y, double z, double[] normalInBase);
+
+  /** The surface of a half space. */
+  final class Flat implements Surface {
+    private final Vector3 normal;
+    private final Vector3 point;
+
+    Flat(SceneObject.Plane plane) {
+      normal = plane.normalInBase();
+      point = plane.pointInBaseM();
+    }
+
+    @Override
+    public double distanceM(double x, double y, double z, double[] normalInBase) {
+      normalInBase[0] = normal.x();
+      normalInBase[1] = normal.y();
+      normalInBase[2] = normal.z();
+      return normal.x() * (x - point.x())
+          + normal.y() * (y - point.y())
+          + normal.z() * (z - point.z());
+    }
+  }
+
+  /** The surface of a ball. From its centre, every way out is as short; up is taken. */
+  final class Ball implements Surface {
+    private final Vector3 centre;
+    private final double radiusM;
+
+    Ball(SceneObject.Sphere sphere) {
+      centre = sphere.centreInBaseM();
+      radiusM = sphere.radiusM();
+    }
+
+    @Override
+    public double distanceM(double x, double y, double z, double[] normalInBase) {
+      double dx = x - centre.x();
+      double dy = y - centre.y();
+      double dz = z - centre.z();
+      double fromCentreM = Math.sqrt(dx * dx + dy * dy + dz * dz);
+      boolean atCentre = fromCentreM == 0;
+      normalInBase[0] = atCentre ? 0 : dx / fromCentreM;
+      normalInBase[1] = atCentre ? 0 : dy / fromCentreM;
+      normalInBase[2] = atCentre ? 1 : dz / fromCentreM;
+      return fromCentreM - radiusM;
+    }
+  }
+
+  /**
+   * The surface of a block, its edges and corners rounded: a smaller block, the core, and a skin of
+   * even thickness around it. In the skin and outside, the normal leads away from the nearest point
+   * of the core and so turns steadily from one face to the next. Within the core it is that of the
+   * nearest face: it jumps where two faces are equally near, but the distance does not, so a spring
+   * of that length gives back what was put into it on every way through.
+   */
+  final class Block implements Surface {
+    /** Thickness of the skin, m, on blocks that are thick enough. */
+    private static final double SKIN_M = 1e-3;
+
+    /** Thickness of the skin as a share of the shortest side, on thinner ones. */
+    private static final double SKIN_SHARE = 0.25;
+
+    private final double[] inBase = new double[Transforms.SIZE];
+    private final Vector3 halfCoreM;
+    private final double skinM;
+
+    Block(SceneObject.Box box) {
+      Transforms.of(box.poseInBase(), inBase);
+      Vector3 size = box.sizeM();
+      double shortestM = Math.min(size.x(), Math.min(size.y(), size.z()));
+      skinM = Math.min(SKIN_M, SKIN_SHARE * shortestM);
+      halfCoreM = new Vector3(size.x() / 2 - skinM, size.y() / 2 - skinM, size.z() / 2 - skinM);
+    }
+
+    @Override
+    public double distanceM(double x, double y, double z, double[] normalInBase) {
+      double dx = x - inBase[9];
+      double dy = y - inBase[10];
+      double dz = z - inBase[11];
+      double ownX = inBase[0] * dx + inBase[3] * dy + inBase[6] * dz;
+      double ownY = inBase[1] * dx + inBase[4] * dy + inBase[7] * dz;
+      double ownZ = inBase[2] * dx + inBase[5] * dy + inBase[8] * dz;
+      double beyondX = Math.abs(ownX) - halfCoreM.x();
+      double beyondY = Math.abs(ownY) - halfCoreM.y();
+      double beyondZ = Math.abs(ownZ) - halfCoreM.z();
+      double outX = Math.max(beyondX, 0);
+      double outY = Math.max(beyondY, 0);
+      double outZ = Math.max(beyondZ, 0);
+      double fromCoreM = Math.sqrt(outX * outX + outY * outY + outZ * outZ);
+      if (fromCoreM > 0) {
+        turn(
+            Math.copySign(outX / fromCoreM, ownX),
+            Math.copySign(outY / fromCoreM, ownY),
+            Math.copySign(outZ / fromCoreM, ownZ),
+            normalInBase);
+        return fromCoreM - skinM;
+      }
+      if (beyondX >= beyondY && beyondX >= beyondZ) {
+        turn(Math.copySign(1, ownX), 0, 0, normalInBase);
+        return beyondX - skinM;
+      }
+      if (beyondY >= beyondZ) {
+        turn(0, Math.copySign(1, ownY), 0, normalInBase);
+        return beyondY - skinM;
+      }
+      turn(0, 0, Math.copySign(1, ownZ), normalInBase);
+      return beyondZ - skinM;
+    }
+
+    private void turn(double x, double y, double z, double[] normalInBase) {
+      for (int row = 0; row < 3; row++) {
+        normalInBase[row] = inBase[3 * row] * x + inBase[3 * row + 1] * y + inBase[3 * row + 2] * z;
+      }
+    }
+  }
+}
