@@ -1,6 +1,10 @@
 package org.pendant.controller;
 
+import java.util.Optional;
 import org.pendant.controller.machine.Program;
+import org.pendant.controller.safety.SafetyInput;
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.pose.Wrench;
 
 /** What somebody outside asks of a controller; carried out at the begin of the next frame. */
 public sealed interface Command {
@@ -49,4 +53,44 @@ public sealed interface Command {
 
   /** Ends the move that the main thread waits for early (manual 13.5). */
   record AbortMove() implements Command {}
+
+  /** Powers the arm on; it rests on its brakes then. */
+  record PowerOn() implements Command {}
+
+  /** Powers the arm off; a program ends. */
+  record PowerOff() implements Command {}
+
+  /** Releases the brakes of a powered arm; programs may start then. */
+  record ReleaseBrakes() implements Command {}
+
+  /** Ends a protective stop; the program stays paused. */
+  record UnlockProtectiveStop() implements Command {}
+
+  /**
+   * Starts the safety functions again after a violation or a fault; the arm is powered off then.
+   */
+  record RestartSafety() implements Command {}
+
+  /** Lets a powered arm be pushed about by hand. */
+  record StartBackdrive() implements Command {}
+
+  /** Locks the brakes again after {@link StartBackdrive}. */
+  record EndBackdrive() implements Command {}
+
+  /** Demands a safety function, or no longer does. */
+  record SetSafetyInput(SafetyInput input, boolean active) implements Command {}
+
+  /**
+   * Pushes the tool until told otherwise.
+   *
+   * @param wrenchAtTcpInBase force and torque at the TCP, along the axes of the base
+   */
+  record PushTool(Wrench wrenchAtTcpInBase) implements Command {}
+
+  /**
+   * Hangs something on the flange, whatever programs declare.
+   *
+   * @param load what it is; empty for what programs declare
+   */
+  record AttachLoad(Optional<Payload> load) implements Command {}
 }

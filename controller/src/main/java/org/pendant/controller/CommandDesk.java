@@ -11,6 +11,7 @@ import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.Program;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.machine.ScriptFailure;
+import org.pendant.models.dynamics.Payload;
 
 /**
  * Takes commands from any thread and carries them out in the frame loop. Secondary programs wait
@@ -91,6 +92,17 @@ final class CommandDesk {
         case Command.SkipInterpreted skip -> done(machine.interpreter()::skip);
         case Command.AbortMove abort ->
             machine.abortMove() ? DONE : new Reply.Refused("no move is under way");
+        case Command.PowerOn on -> granted(box.safety().powerOn());
+        case Command.PowerOff off -> powerOff();
+        case Command.ReleaseBrakes release -> granted(box.safety().releaseBrakes());
+        case Command.UnlockProtectiveStop unlock -> granted(box.safety().unlockProtectiveStop());
+        case Command.RestartSafety restart -> granted(box.safety().restartSafety());
+        case Command.StartBackdrive start -> granted(box.safety().startBackdrive());
+        case Command.EndBackdrive end -> granted(box.safety().endBackdrive());
+        case Command.SetSafetyInput set ->
+            done(() -> box.safety().setInput(set.input(), set.active()));
+        case Command.PushTool push -> done(() -> box.world().apply(push.wrenchAtTcpInBase()));
+        case Command.AttachLoad attach -> done(() -> attach(attach.load()));
       };
     } catch (IllegalArgumentException e) {
       return new Reply.Refused(e.getMessage());
@@ -105,7 +117,24 @@ final class CommandDesk {
     return DONE;
   }
 
+  private static Reply granted(Optional<String> refusal) {
+    return refusal.map(why -> (Reply) new Reply.Refused(why)).orElse(DONE);
+  }
+
+  private Reply powerOff() {
+    machine.stop();
+    return granted(box.safety().powerOff());
+  }
+
+  private void attach(Optional<Payload> load) {
+    load.ifPresentOrElse(box::attachLoad, box::followDeclaredPayload);
+  }
+
   private Reply start(Program program) {
+    Optional<String> refusal = box.safety().programRefusal();
+    if (refusal.isPresent()) {
+      return new Reply.Refused(refusal.get());
+    }
     if (machine.state() != ProgramState.STOPPED) {
       return new Reply.Refused("program " + machine.programName() + " runs already");
     }
@@ -126,6 +155,10 @@ final class CommandDesk {
     if (machine.state() != ProgramState.PAUSED) {
       return new Reply.Refused("no program is paused");
     }
+    Optional<String> refusal = box.safety().programRefusal();
+    if (refusal.isPresent()) {
+      return new Reply.Refused(refusal.get());
+    }
     box.popups().closeBlocking();
     machine.resume();
     return DONE;
@@ -136,7 +169,7 @@ final class CommandDesk {
     if (!box.popups().answer(number)) {
       return new Reply.Refused("popup " + number + " is not open");
     }
-    if (blocked && !box.popups().blocked()) {
+    if (blocked && !box.popups().blocked() && box.safety().programRefusal().isEmpty()) {
       machine.resume();
     }
     return DONE;

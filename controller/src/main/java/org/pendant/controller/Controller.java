@@ -1,6 +1,8 @@
 package org.pendant.controller;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.SortedMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
@@ -11,6 +13,7 @@ import org.pendant.controller.machine.Loaded;
 import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.ProgramLoader;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.value.Value;
 import org.pendant.language.source.Source;
@@ -41,10 +44,23 @@ public final class Controller {
   public Controller(ControllerOptions options, Builtins builtins) {
     this.builtins = builtins;
     box = new ControlBox(options.boxSetup());
-    options.inputs().forEach(box.io()::setInput);
+    options.inputs().forEach(this::setInput);
     machine = new Machine(builtins, box);
     desk = new CommandDesk(box, machine);
     frame = new Frame(box, machine, desk);
+  }
+
+  private void setInput(String name, boolean level) {
+    Optional<SafetyInput> safety = safetyInput(name);
+    if (safety.isPresent()) {
+      box.safety().setInput(safety.get(), level);
+    } else {
+      box.io().setInput(name, level);
+    }
+  }
+
+  private static Optional<SafetyInput> safetyInput(String name) {
+    return Arrays.stream(SafetyInput.values()).filter(each -> each.word().equals(name)).findAny();
   }
 
   /** The functions that programs may call. */

@@ -8,9 +8,12 @@ import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.machine.ScriptFailure;
 import org.pendant.controller.motion.MotionControl;
+import org.pendant.controller.safety.FrameFacts;
+import org.pendant.controller.state.ArmReadings;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
+import org.pendant.controller.state.SafetyStatus;
 import org.pendant.language.source.SourceRange;
 
 /** What happens in one frame of 2 ms, in its order. One thread at a time calls {@link #advance}. */
@@ -23,6 +26,10 @@ final class Frame {
   private ProgramStatus program = ProgramStatus.NONE;
   private Optional<Ending> internalEnding = Optional.empty();
   private long faultFrame;
+
+  /** The program is paused because a safety function stopped the arm. */
+  private boolean heldBySafety;
+
   private volatile ControllerState state;
 
   Frame(ControlBox box, Machine machine, CommandDesk desk) {
@@ -70,14 +77,70 @@ final class Frame {
   }
 
   private void stepArm() {
-    box.arm().step(box.motion().positionRad(), box.motion().speedRadPerS());
+    box.stepArm();
+  }
+
+  private void checkSafety() {
+    endAfterLostPath();
+    if (box.isShutDown()) {
+      stopProgram();
+    }
+    switch (box.safety().step(facts())) {
+      case NONE -> {}
+      case PAUSE -> pauseProgram();
+      case STOP_ON_PATH -> {
+        heldBySafety |= pauseProgram();
+        box.motion().halt(box.safety().stopDecelerationRadPerS2());
+      }
+      case STOP_ON_PATH_THEN_OFF -> {
+        stopProgram();
+        box.motion().halt(box.safety().stopDecelerationRadPerS2());
+      }
+      case OFF_NOW -> stopProgram();
+      case RESUME -> goOn();
+    }
+    box.settle();
+  }
+
+  private FrameFacts facts() {
+    return new FrameFacts(
+        box.timeS(),
+        box.drivenPositionRad(),
+        box.motion().speedRadPerS(),
+        box.arm().sensors(),
+        box.tool().inFlange(),
+        box.flangeWrenchInBase(),
+        box.motion().steady(),
+        box.motion().moving(),
+        machine.state() == ProgramState.RUNNING);
+  }
+
+  /** Holds the program if it runs; returns whether it did. */
+  private boolean pauseProgram() {
+    boolean running = machine.state() == ProgramState.RUNNING;
+    machine.pause();
+    followProgram();
+    return running;
+  }
+
+  private void stopProgram() {
+    machine.stop();
+    followProgram();
+  }
+
+  /** What held the program is over by itself. */
+  private void goOn() {
+    if (heldBySafety && machine.state() == ProgramState.PAUSED && !box.popups().blocked()) {
+      machine.resume();
+      followProgram();
+    }
   }
 
   /**
    * A motion that could not follow its path has stopped by itself. The thread that waits for it
    * fails in the next frame; without one the program is stopped here.
    */
-  private void checkSafety() {
+  private void endAfterLostPath() {
     if (box.motion().fault().isEmpty()) {
       faultFrame = 0;
     } else if (faultFrame == 0) {
@@ -108,6 +171,7 @@ final class Frame {
     switch (now) {
       case RUNNING -> {
         internalEnding = Optional.empty();
+        heldBySafety = false;
         box.motion().resume();
       }
       case PAUSED -> box.motion().pause();
@@ -115,6 +179,7 @@ final class Frame {
         box.motion().abort();
         box.motion().resume();
         box.popups().closeBlocking();
+        box.safety().programStopped();
         if (machine.ending().orElseThrow() instanceof Ending.Failed failed) {
           ScriptFailure why = failed.failure();
           box.log()
@@ -152,6 +217,8 @@ final class Frame {
         box.frame(),
         box.timeS(),
         armState(),
+        ArmReadings.of(box),
+        SafetyStatus.of(box),
         programStatus(),
         box.io().levels(),
         box.popups().open(),
@@ -166,7 +233,7 @@ final class Frame {
         motion.positionRad(),
         motion.speedRadPerS(),
         motion.accelerationRadPerS2(),
-        box.arm().positionRad(),
+        box.actualPositionRad(),
         box.arm().speedRadPerS(),
         box.tool(),
         box.forward(),

@@ -142,7 +142,15 @@ final class ControllerTest {
     advance(20);
     assertEquals(List.of("slept"), lines);
     controller.runUntil(this::ended, LONG);
-    assertEquals(new Joints(1, -1, -1, -1, 1, 1), controller.state().arm().actualPositionRad());
+    assertEquals(new Joints(1, -1, -1, -1, 1, 1), controller.state().arm().targetPositionRad());
+    assertEquals(
+        0,
+        controller
+            .state()
+            .arm()
+            .actualPositionRad()
+            .maxAbsDifference(new Joints(1, -1, -1, -1, 1, 1)),
+        1e-4);
   }
 
   @Test

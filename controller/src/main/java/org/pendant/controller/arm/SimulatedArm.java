@@ -1,24 +1,71 @@
 package org.pendant.controller.arm;
 
 import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Wrench;
 
-/** An arm that follows joint targets, one step a frame. */
+/** An arm that is told something once a frame, and what its sensors say then. */
 public interface SimulatedArm {
 
-  /**
-   * Advances by one frame.
-   *
-   * @param targetPositionRad where the joints should be at the end of the frame, rad
-   * @param targetSpeedRadPerS how fast they should turn then, rad/s
-   */
-  void step(Joints targetPositionRad, Joints targetSpeedRadPerS);
+  /** Advances by one frame. */
+  void step(ArmCommand command);
 
   /** Puts the arm elsewhere, at rest; only a simulation can (manual 15.46). */
   void jumpTo(Joints positionRad);
 
-  /** Joint positions as the encoders would read them, rad. */
-  Joints positionRad();
+  /** What the sensors report; the same object always, its numbers change with every step. */
+  ArmSensors sensors();
+
+  /**
+   * The load on the flange as its force/torque sensor feels it: weight and inertia of what hangs
+   * there, contacts and everything else that pushes, at the flange's origin along the flange's
+   * axes.
+   */
+  Wrench loadOnFlange();
+
+  /**
+   * What {@code payload} would add to {@link #loadOnFlange} if it hung on the flange in its present
+   * motion: its weight and inertia, at the flange's origin along the flange's axes.
+   */
+  Wrench weightOf(Payload payload);
+
+  /**
+   * Where the flange truly is in the base frame.
+   *
+   * @param flange12 overwritten, as {@link org.pendant.models.pose.Transforms} has it
+   */
+  void copyFlangeInBase(double[] flange12);
+
+  /** What truly hangs on the flange, whatever the controller has been told. */
+  void setLoad(Payload load);
+
+  /**
+   * How the base is truly mounted and moved.
+   *
+   * @param x what a resting arm feels along the x axis of the base: gravity, reversed, and the
+   *     acceleration of the base, m/s²
+   * @param y along the y axis, m/s²
+   * @param z along the z axis, m/s²; 9.82 on the floor
+   */
+  void setMounting(double x, double y, double z);
+
+  /** Moves the point of the tool that touches things and takes applied forces. */
+  void setToolCentre(Pose tcpInFlange);
+
+  /**
+   * Must be called after the payload, gravity or base acceleration of the controller's model have
+   * changed: a resting arm does not look.
+   */
+  void modelChanged();
+
+  /** Joint positions as the encoders read them, rad. */
+  default Joints positionRad() {
+    return sensors().positionRad();
+  }
 
   /** Joint speeds, rad/s. */
-  Joints speedRadPerS();
+  default Joints speedRadPerS() {
+    return sensors().speedRadPerS();
+  }
 }

@@ -4,6 +4,8 @@ import java.time.InstantSource;
 import java.util.Map;
 import java.util.Optional;
 import org.pendant.controller.message.Operator;
+import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
@@ -15,6 +17,11 @@ import org.pendant.models.arm.Joints;
  * @param startRad where the joints are at first, rad
  * @param seed of the random numbers that programs ask for
  * @param operator who answers popups and questions
+ * @param armChoice which simulated arm
+ * @param encoderNoiseRad standard deviation of each reading of a joint encoder, rad; 0 for exact
+ * @param scene what stands around the arm and hangs on it
+ * @param safety limits and planes
+ * @param poweredOn whether the arm is powered and its brakes are released at first
  * @param systemTime where the date comes from; without one it starts at {@link
  *     ControlBox#VIRTUAL_START} and goes with the frames, so that runs repeat exactly
  */
@@ -23,6 +30,11 @@ public record BoxSetup(
     Joints startRad,
     long seed,
     Operator operator,
+    ArmChoice armChoice,
+    double encoderNoiseRad,
+    Scene scene,
+    SafetyConfiguration safety,
+    boolean poweredOn,
     Optional<InstantSource> systemTime) {
   /**
    * Where the arm stands when nothing else is said: forearm level, tool down, away from every
@@ -44,12 +56,22 @@ public record BoxSetup(
   }
 
   /**
-   * A box without a screen, in virtual time.
+   * A powered box without a screen, in virtual time, with an ideal arm in an empty world.
    *
    * @param robotId an id of {@link ArmLibrary}
    */
   public static BoxSetup headless(String robotId) {
+    ArmDescription arm = ArmLibrary.load(robotId);
     return new BoxSetup(
-        ArmLibrary.load(robotId), START_RAD, 0, Operator.headless(Map.of()), Optional.empty());
+        arm,
+        START_RAD,
+        0,
+        Operator.headless(Map.of()),
+        ArmChoice.IDEAL,
+        0,
+        Scene.EMPTY,
+        SafetyConfiguration.standard(arm),
+        true,
+        Optional.empty());
   }
 }

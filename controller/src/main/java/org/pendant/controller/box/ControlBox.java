@@ -3,20 +3,30 @@ package org.pendant.controller.box;
 import java.time.Instant;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
+import org.pendant.controller.arm.ArmCommand;
+import org.pendant.controller.arm.DynamicArm;
+import org.pendant.controller.arm.ForceSensor;
 import org.pendant.controller.arm.IdealArm;
 import org.pendant.controller.arm.SimulatedArm;
+import org.pendant.controller.arm.WarmUp;
 import org.pendant.controller.io.DigitalIo;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.message.PopupBoard;
 import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.motion.MotionControl;
+import org.pendant.controller.safety.RobotMode;
+import org.pendant.controller.safety.SafetySystem;
+import org.pendant.controller.safety.SpeedCaps;
 import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.world.ContactWorld;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.Payload;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Wrench;
 
 /**
  * The mutable parts of a controller that built-in functions work on. The frame loop owns all of it;
@@ -29,32 +39,76 @@ public final class ControlBox {
   /** The date at which a box in virtual time is switched on. */
   public static final Instant VIRTUAL_START = Instant.parse("2026-01-01T00:00:00Z");
 
+  private static final ArmCommand BACKDRIVEN = new ArmCommand.Torque(Joints.ZERO, true);
+
   private static final long FRAME_NS = 1_000_000_000L / FrameTime.FRAMES_PER_SECOND;
+
+  /** An arm that a stop leaves farther than this from its target (rad) stays where it is. */
+  private static final double ASIDE_RAD = 2e-3;
+
+  /** What the electronics in the tool flange take, A. */
+  private static final double TOOL_ELECTRONICS_A = 0.08;
 
   private final BoxSetup setup;
   private final ForwardKinematics forward;
   private final InverseKinematics inverse;
   private final Jacobian jacobian;
-  private final MotionControl motion;
+  private final ArmModel model;
+  private final ContactWorld world;
   private final SimulatedArm arm;
+  private final ForceSensor forceSensor = new ForceSensor();
+  private final SpeedCaps speedCaps;
+  private final MotionControl motion;
+  private final DriveTarget driveTarget = new DriveTarget();
+  private final PositionHistory history;
+  private final SafetySystem safety;
   private final DigitalIo io = new DigitalIo();
   private final MessageLog log = new MessageLog();
   private final PopupBoard popups;
   private final RandomGenerator random;
   private ToolCentre tool = ToolCentre.FLANGE;
+  private boolean cogAtTool;
+  private boolean loadKnown;
+  private BaseLight baseLight = BaseLight.STANDARD;
+  private Joints actualRad;
+  private boolean shutDown;
   private long frame;
 
-  /** A box that was just switched on, with an ideal arm. */
+  /** A box that was just switched on. */
   public ControlBox(BoxSetup setup) {
     this.setup = setup;
     forward = new ForwardKinematics(setup.arm().dh());
     inverse = new InverseKinematics(setup.arm());
     jacobian = new Jacobian(setup.arm().dh());
-    motion = new MotionControl(setup.arm(), setup.startRad());
-    arm = new IdealArm(setup.startRad());
+    model = new ArmModel(setup.arm());
+    world = new ContactWorld(setup.scene());
+    arm = newArm();
+    loadKnown = setup.scene().load().isPresent();
+    arm.setLoad(setup.scene().load().orElse(Payload.NONE));
+    safety =
+        new SafetySystem(setup.arm(), model.dynamics(), setup.safety(), log, setup.poweredOn());
+    speedCaps = new SpeedCaps(setup.arm(), model.dynamics(), safety);
+    motion = new MotionControl(setup.arm(), setup.startRad(), speedCaps);
+    actualRad = setup.startRad();
+    history = new PositionHistory(actualRad);
     popups = new PopupBoard(setup.operator());
     // not the service-loaded generators: looking one up costs more than a short program's run
     random = new SplittableRandom(setup.seed());
+  }
+
+  private SimulatedArm newArm() {
+    return switch (setup.armChoice()) {
+      case IDEAL -> new IdealArm(setup.arm(), setup.startRad());
+      case DYNAMIC ->
+          new DynamicArm(
+              new DynamicArm.Setup(
+                  setup.arm(),
+                  setup.startRad(),
+                  model.dynamics(),
+                  world,
+                  setup.encoderNoiseRad(),
+                  setup.seed()));
+    };
   }
 
   /** Number of the frame that is running, from 1; 0 before the first. */
@@ -100,6 +154,31 @@ public final class ControlBox {
     return inverse;
   }
 
+  /** What the controller believes about masses, payload and mounting. */
+  public ArmModel model() {
+    return model;
+  }
+
+  /** What the arm may touch, and what pushes it. */
+  public ContactWorld world() {
+    return world;
+  }
+
+  /** Modes, limits and stops. */
+  public SafetySystem safety() {
+    return safety;
+  }
+
+  /** Where the joints were in the last frames. */
+  public PositionHistory history() {
+    return history;
+  }
+
+  /** The Jacobian of the arm; keeps scratch space, so only for the frame loop. */
+  public Jacobian jacobian() {
+    return jacobian;
+  }
+
   /** The motion under way and its target. */
   public MotionControl motion() {
     return motion;
@@ -135,9 +214,137 @@ public final class ControlBox {
     return tool;
   }
 
-  /** Changes the tool centre point; a move under way keeps the one it began with. */
+  /**
+   * Changes the tool centre point; a move under way keeps the one it began with. A payload that was
+   * declared without a centre of gravity moves with it (manual 16.49).
+   */
   public void setTool(ToolCentre tool) {
     this.tool = tool;
+    arm.setToolCentre(tool.inFlange());
+    speedCaps.setTool(tool.inFlange());
+    if (cogAtTool) {
+      declareAtTool(model.targetPayload().massKg());
+    }
+  }
+
+  /**
+   * Declares the payload; the force sensor is zeroed at once or at the end of the transition.
+   *
+   * @param transitionS how long it takes to change over, s; 0 for at once
+   */
+  public void declarePayload(Payload payload, double transitionS) {
+    cogAtTool = false;
+    declare(payload, transitionS);
+  }
+
+  /** Declares a payload whose centre of gravity stays at the active TCP, also at later ones. */
+  public void declarePayloadAtTool(double massKg) {
+    cogAtTool = true;
+    declareAtTool(massKg);
+  }
+
+  private void declareAtTool(double massKg) {
+    Pose at = tool.inFlange();
+    declare(Payload.of(massKg, at.x(), at.y(), at.z()), 0);
+  }
+
+  private void declare(Payload payload, double transitionS) {
+    model.declare(payload, transitionS);
+    if (!model.changing()) {
+      payloadChanged();
+      zeroForceSensor();
+    }
+  }
+
+  /** Unless somebody has said what truly hangs on the flange, it is what the program declares. */
+  private void payloadChanged() {
+    if (!loadKnown) {
+      arm.setLoad(model.payload());
+    }
+    arm.modelChanged();
+  }
+
+  /** Hangs something on the flange, whatever programs declare. */
+  public void attachLoad(Payload load) {
+    loadKnown = true;
+    arm.setLoad(load);
+  }
+
+  /** From now on what programs declare hangs on the flange. */
+  public void followDeclaredPayload() {
+    loadKnown = false;
+    arm.setLoad(model.payload());
+  }
+
+  /** Sets the acceleration that the resting arm feels, along the axes of the base, m/s². */
+  public void setGravity(double x, double y, double z) {
+    model.setGravity(x, y, z);
+    mount();
+  }
+
+  /** Sets the acceleration of the base, along its axes, m/s². */
+  public void setBaseAcceleration(double x, double y, double z) {
+    model.setBaseAcceleration(x, y, z);
+    mount();
+  }
+
+  private void mount() {
+    arm.setMounting(
+        model.gravityMPerS2(0) + model.baseAccelerationMPerS2(0),
+        model.gravityMPerS2(1) + model.baseAccelerationMPerS2(1),
+        model.gravityMPerS2(2) + model.baseAccelerationMPerS2(2));
+    arm.modelChanged();
+  }
+
+  /** Makes what the force sensor feels now its zero (manual 18.72). */
+  public void zeroForceSensor() {
+    forceSensor.zero(arm, model.payload());
+  }
+
+  /** The external wrench at the flange, along the axes of the base (manual 16.32). */
+  public Wrench flangeWrenchInBase() {
+    return forceSensor.wrenchAtFlangeInBase(arm, model.payload());
+  }
+
+  /** The current that the tool takes, A. */
+  public double toolCurrentA() {
+    return safety.robotMode() == RobotMode.POWER_OFF ? 0 : TOOL_ELECTRONICS_A;
+  }
+
+  /** The temperature inside the control box, degrees Celsius. */
+  public double controllerTemperatureC() {
+    return WarmUp.CONTROL_BOX.temperatureC(timeS());
+  }
+
+  /** The light ring in the base. */
+  public BaseLight baseLight() {
+    return baseLight;
+  }
+
+  /** Changes the light ring in the base. */
+  public void setBaseLight(BaseLight light) {
+    baseLight = light;
+  }
+
+  /** Switches arm and controller off (manual 16.42); whoever drives the frames sees it. */
+  public void shutDown() {
+    shutDown = true;
+    safety.powerOff();
+  }
+
+  /** Whether a program has switched the controller off. */
+  public boolean isShutDown() {
+    return shutDown;
+  }
+
+  /** Where the joints are, as the encoders read them, rad. */
+  public Joints actualPositionRad() {
+    return actualRad;
+  }
+
+  /** Where the servos should hold the joints, rad: on the path, or beside it after a stop. */
+  public Joints drivenPositionRad() {
+    return driveTarget.positionRad(motion);
   }
 
   /** Target pose of the TCP in the base frame. */
@@ -147,7 +354,7 @@ public final class ControlBox {
 
   /** Actual pose of the TCP in the base frame. */
   public Pose actualTcpInBase() {
-    return forward.tcpPose(arm.positionRad(), tool.inFlange());
+    return forward.tcpPose(actualRad, tool.inFlange());
   }
 
   /**
@@ -164,6 +371,58 @@ public final class ControlBox {
     return Pose.of(twist);
   }
 
+  /** Moves the arm by one frame; step 4. */
+  public void stepArm() {
+    if (model.changing()) {
+      model.stepTransition();
+      payloadChanged();
+    }
+    arm.step(command());
+    Joints position = arm.positionRad();
+    if (!position.equals(actualRad)) {
+      actualRad = position;
+    }
+    history.add(actualRad);
+    if (model.transitionEnded()) {
+      zeroForceSensor();
+    }
+  }
+
+  private ArmCommand command() {
+    return switch (safety.robotMode()) {
+      case RUNNING -> {
+        if (driveTarget.beside() && safety.stop().isEmpty()) {
+          driveTarget.stepBack();
+        }
+        yield driveTarget.servo(motion);
+      }
+      case BACKDRIVE -> BACKDRIVEN;
+      default -> ArmCommand.BRAKES_ON;
+    };
+  }
+
+  /** Lets target and arm agree where no path joins them; after the safety functions of a frame. */
+  public void settle() {
+    if (safety.robotMode() != RobotMode.RUNNING) {
+      if (motion.moving() || !motion.positionRad().equals(actualRad)) {
+        motion.adopt(actualRad);
+      }
+      driveTarget.forget();
+      return;
+    }
+    if (safety.stop().isPresent() && motion.speedRadPerS().equals(Joints.ZERO) && pushedAside()) {
+      driveTarget.stayAt(actualRad, motion.positionRad());
+    }
+    if (driveTarget.beside() && !motion.moving()) {
+      motion.adopt(drivenPositionRad());
+      driveTarget.forget();
+    }
+  }
+
+  private boolean pushedAside() {
+    return !driveTarget.beside() && actualRad.maxAbsDifference(motion.positionRad()) > ASIDE_RAD;
+  }
+
   /**
    * Puts the simulated arm elsewhere, at rest (manual 15.46).
    *
@@ -172,6 +431,8 @@ public final class ControlBox {
   public void jumpTo(Joints positionRad) throws ScriptError {
     motion.jumpTo(positionRad);
     arm.jumpTo(positionRad);
+    safety.jumped();
+    actualRad = positionRad;
   }
 
   /** A program starts: clears what belongs to the one before. */

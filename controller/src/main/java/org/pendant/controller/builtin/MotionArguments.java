@@ -37,13 +37,34 @@ final class MotionArguments {
 
   /** A pose of finite numbers. */
   static Pose pose(Call call, int index) throws ScriptError {
-    Pose pose = call.pose(index);
+    return finite(call, index, call.pose(index));
+  }
+
+  /** A pose from argument {@code index}, whose numbers must be finite. */
+  static Pose finite(Call call, int index, Pose pose) throws ScriptError {
     for (int i = 0; i < Pose.SIZE; i++) {
       if (!Double.isFinite(pose.get(i))) {
         throw call.refuse(index, "must be finite");
       }
     }
     return pose;
+  }
+
+  /**
+   * A list of {@code length} numbers, none of them farther from 0 than {@code bound}.
+   *
+   * @param unit of the numbers, for the message
+   */
+  static double[] bounded(Call call, int index, int length, double bound, String unit)
+      throws ScriptError {
+    double[] numbers = call.numbers(index, length);
+    for (double number : numbers) {
+      if (!(Math.abs(number) <= bound)) {
+        String limit = text(bound);
+        throw call.refuse(index, "each must be -" + limit + " to " + limit + " " + unit);
+      }
+    }
+    return numbers;
   }
 
   /** Six finite joint values. */

@@ -1,5 +1,6 @@
 package org.pendant.controller.builtin;
 
+import java.util.List;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
@@ -11,11 +12,13 @@ import org.pendant.controller.motion.MoveLimits;
 import org.pendant.controller.motion.StopJ;
 import org.pendant.controller.motion.StopL;
 import org.pendant.controller.value.Kind;
+import org.pendant.controller.value.NumberList;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.JointLimits;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.kinematics.InverseResult;
@@ -24,6 +27,9 @@ import org.pendant.models.pose.Pose;
 /** Moves and stops (manual 15). */
 final class MotionBuiltins {
   private static final String MODULE = "motion";
+
+  /** Farthest position that the turns of a joint are counted to, rad: positions stay exact. */
+  private static final double FARTHEST_COUNT_RAD = 10_000;
 
   private MotionBuiltins() {}
 
@@ -65,6 +71,14 @@ final class MotionBuiltins {
         .doc("Puts the simulated arm at joint positions at once, without moving there.")
         .needs("q", Type.JOINTS)
         .does(MotionBuiltins::setPos);
+    builtins
+        .declare("reset_revolution_counter")
+        .manual(MODULE, "15.42")
+        .doc(
+            "Counts the turns of a joint without end anew, so that its position is the one nearest"
+                + " to qNear; the arm must be at rest. Other joints stay as they are.")
+        .takes("qNear", Type.JOINTS, NumberList.of(Joints.ZERO.toArray()))
+        .does(MotionBuiltins::resetRevolutions);
   }
 
   private static void declareStops(Builtins builtins) {
@@ -153,11 +167,35 @@ final class MotionBuiltins {
 
   private static Outcome setPos(Call call) throws ScriptError {
     Joints goal = MotionArguments.jointsInRange(call, 0, "q");
+    refuseWhileMoving(call);
+    call.box().jumpTo(goal);
+    return call.answer();
+  }
+
+  private static Outcome resetRevolutions(Call call) throws ScriptError {
+    double[] near = MotionArguments.bounded(call, 0, Joints.COUNT, FARTHEST_COUNT_RAD, "rad");
+    ControlBox box = call.box();
+    Joints target = box.motion().positionRad();
+    Joints reset = target;
+    List<JointLimits> limits = box.armDescription().joints();
+    for (int i = 0; i < Joints.COUNT; i++) {
+      long turns = Math.round((target.get(i) - near[i]) / (2 * Math.PI));
+      if (limits.get(i).unlimited() && turns != 0) {
+        reset = reset.with(i, target.get(i) - 2 * Math.PI * turns);
+      }
+    }
+    if (reset.equals(target)) {
+      return call.answer();
+    }
+    refuseWhileMoving(call);
+    box.jumpTo(reset);
+    return call.answer();
+  }
+
+  private static void refuseWhileMoving(Call call) throws ScriptError {
     if (call.box().motion().moving()) {
       throw call.failure("robot-in-use", "the arm is moving, must be at rest");
     }
-    call.box().jumpTo(goal);
-    return call.answer();
   }
 
   private static Outcome stopj(Call call) throws ScriptError {

@@ -21,6 +21,12 @@ public final class StandardBuiltins {
     MotionBuiltins.declareIn(builtins);
     KinematicsBuiltins.declareIn(builtins);
     StateBuiltins.declareIn(builtins);
+    DynamicsBuiltins.declareIn(builtins);
+    PayloadBuiltins.declareIn(builtins);
+    MountingBuiltins.declareIn(builtins);
+    SensorBuiltins.declareIn(builtins);
+    SafetyBuiltins.declareIn(builtins);
+    BaseLightBuiltins.declareIn(builtins);
     TimeBuiltins.declareIn(builtins);
     LogBuiltins.declareIn(builtins);
     IoBuiltins.declareIn(builtins);

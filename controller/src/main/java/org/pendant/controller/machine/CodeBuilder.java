@@ -8,12 +8,22 @@ final class CodeBuilder {
   private long[] code = new long[32];
   private int[] starts = new int[32];
   private int[] ends = new int[32];
+  private final StatementTable statements = new StatementTable();
   private int size;
   private SourceRange range = new SourceRange(0, 0);
 
   /** The range that the following instructions are compiled from. */
   void at(SourceRange range) {
     this.range = range;
+  }
+
+  /** A statement begins here; {@code head} is it without its blocks. */
+  void beginStatement(SourceRange head) {
+    statements.add(size, head);
+  }
+
+  StatementTable statements() {
+    return statements;
   }
 
   SourceRange range() {

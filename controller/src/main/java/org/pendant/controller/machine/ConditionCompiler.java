@@ -82,6 +82,11 @@ final class ConditionCompiler {
     context.release(mark);
   }
 
+  /** Whether {@link #repeat} decides at the loop's end, without going back to its beginning. */
+  static boolean repeatsInPlace(Expression condition) {
+    return condition instanceof Binary binary && OperatorGroups.isOrder(binary.operator());
+  }
+
   /** The end of a loop: back to {@code body} when the condition still holds. */
   void repeat(Expression condition, int top, int body) {
     int mark = context.mark();

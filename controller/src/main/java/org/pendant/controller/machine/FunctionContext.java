@@ -49,6 +49,7 @@ final class FunctionContext {
         code.code(),
         code.starts(),
         code.ends(),
+        code.statements(),
         parameterCount,
         variables,
         slotCount,

@@ -118,4 +118,7 @@ final class Op {
 
   /** Ends an interpreted statement: back to interpreter mode. */
   static final int INTERPRETED = 51;
+
+  /** Stands in place of a statement's first instruction where a debugger wants to know of it. */
+  static final int TRAP = 52;
 }

@@ -26,7 +26,9 @@ final class Processor {
     HALTED,
     PAUSED,
     /** An interpreted statement was executed to its end. */
-    INTERPRETED
+    INTERPRETED,
+    /** A statement is about to begin that a trap stands before. */
+    TRAPPED
   }
 
   /**

@@ -1,6 +1,7 @@
 package org.pendant.controller.machine;
 
 import java.util.List;
+import java.util.function.IntPredicate;
 import org.pendant.language.check.FunctionScope;
 import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
@@ -13,13 +14,21 @@ import org.pendant.language.source.SourceRange;
 final class ScriptFunction {
   private final String name;
   private final Source source;
+  private final long[] instructions;
+
+  /** What is interpreted: the instructions, with traps among them in a trapped form. */
   private final long[] code;
+
   private final int[] rangeStarts;
   private final int[] rangeEnds;
+  private final StatementTable statements;
   private final int parameterCount;
   private final List<String> variables;
   private final int slotCount;
   private final FunctionScope scope;
+
+  /** What a trapped form was made of; itself for any other. */
+  private final ScriptFunction original;
 
   /** Calls and turns so far, while interpreted; only roughly where several machines count. */
   int heat;
@@ -37,19 +46,63 @@ final class ScriptFunction {
       long[] code,
       int[] rangeStarts,
       int[] rangeEnds,
+      StatementTable statements,
       int parameterCount,
       List<String> variables,
       int slotCount,
       FunctionScope scope) {
     this.name = name;
     this.source = source;
+    this.instructions = code;
     this.code = code;
     this.rangeStarts = rangeStarts;
     this.rangeEnds = rangeEnds;
+    this.statements = statements;
     this.parameterCount = parameterCount;
     this.variables = List.copyOf(variables);
     this.slotCount = slotCount;
     this.scope = scope;
+    original = this;
+  }
+
+  private ScriptFunction(ScriptFunction original) {
+    name = original.name;
+    source = original.source;
+    instructions = original.instructions;
+    code = instructions.clone();
+    rangeStarts = original.rangeStarts;
+    rangeEnds = original.rangeEnds;
+    statements = original.statements;
+    parameterCount = original.parameterCount;
+    variables = original.variables;
+    slotCount = original.slotCount;
+    scope = original.scope;
+    untranslatable = true;
+    this.original = original;
+  }
+
+  /** A form of this function for one run, which is always interpreted and can take traps. */
+  ScriptFunction trappedForm() {
+    return new ScriptFunction(original);
+  }
+
+  /** The function as it was compiled, whose trapped form this may be. */
+  ScriptFunction original() {
+    return original;
+  }
+
+  /** Puts traps before the wanted statements of a trapped form, and before no others. */
+  void trap(IntPredicate statementNumber) {
+    System.arraycopy(instructions, 0, code, 0, code.length);
+    for (int i = 0; i < statements.size(); i++) {
+      if (statementNumber.test(i)) {
+        code[statements.pc(i)] = Instruction.of(Op.TRAP, 0, 0, 0);
+      }
+    }
+  }
+
+  StatementTable statements() {
+    return statements;
   }
 
   String name() {
@@ -69,8 +122,14 @@ final class ScriptFunction {
     translated = translation;
   }
 
+  /** What is interpreted, traps included. */
   long[] code() {
     return code;
+  }
+
+  /** What was compiled. */
+  long[] instructions() {
+    return instructions;
   }
 
   int parameterCount() {

@@ -36,6 +36,9 @@ final class ScriptThread {
   int joinedThread;
   boolean critical;
 
+  /** Stopped at a trap: the instruction pointer stands before the statement that comes next. */
+  boolean trapped;
+
   /** Instruction budget left in this frame. */
   int budget;
 
@@ -104,9 +107,15 @@ final class ScriptThread {
     return state == State.WAITING && wait.abort();
   }
 
+  /** The instruction that the function of call frame {@code index} has reached. */
+  int reached(int index) {
+    // the pointer stands behind the instruction that a thread stopped at, except at a trap
+    boolean before = trapped && index == depth - 1;
+    return before ? pcs[index] : Math.max(0, pcs[index] - 1);
+  }
+
   /** The line the innermost function has reached. */
   int line() {
-    // the pointer stands behind the instruction that the thread stopped at
-    return depth == 0 ? 0 : functions[depth - 1].line(Math.max(0, pcs[depth - 1] - 1));
+    return depth == 0 ? 0 : functions[depth - 1].line(reached(depth - 1));
   }
 }

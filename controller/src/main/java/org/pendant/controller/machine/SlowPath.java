@@ -37,7 +37,7 @@ final class SlowPath {
   Stop run(ScriptThread thread, int base, int pc) throws ScriptError {
     thread.pcs[thread.depth - 1] = pc;
     ScriptFunction function = thread.functions[thread.depth - 1];
-    long w = function.code()[pc - 1];
+    long w = function.instructions()[pc - 1];
     int a = Instruction.a(w);
     int operation = Instruction.operation(w);
     switch (operation) {
@@ -165,7 +165,7 @@ final class SlowPath {
   /** Whether the operands that the instruction before {@code pc} compares are equal. */
   boolean equal(ScriptThread thread, int base, int pc) throws ScriptError {
     thread.pcs[thread.depth - 1] = pc;
-    long w = thread.functions[thread.depth - 1].code()[pc - 1];
+    long w = thread.functions[thread.depth - 1].instructions()[pc - 1];
     boolean jumps = Instruction.operation(w) >= Op.JUMP_IF_EQUAL;
     return general.equal(
         Instruction.slot(jumps ? Instruction.a(w) : Instruction.b(w), base),

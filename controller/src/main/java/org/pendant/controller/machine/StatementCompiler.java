@@ -5,7 +5,9 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import org.pendant.controller.call.Builtins;
+import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.Expression;
+import org.pendant.language.syntax.Node;
 import org.pendant.language.syntax.Statement;
 
 /** Compiles the statements of one function. */
@@ -52,6 +54,9 @@ final class StatementCompiler {
 
   private void statement(Statement statement) {
     code.at(statement.range());
+    if (isSimple(statement)) {
+      code.beginStatement(statement.range());
+    }
     switch (statement) {
       case Statement.Assign assign -> assignments.assign(assign);
       case Statement.Evaluate evaluate -> expressions.effect(evaluate.expression());
@@ -71,6 +76,14 @@ final class StatementCompiler {
     }
   }
 
+  /** Whether it is one step, which has no blocks and does something. */
+  private static boolean isSimple(Statement statement) {
+    return !(statement instanceof Statement.If
+        || statement instanceof Statement.While
+        || statement instanceof Statement.Label
+        || statement instanceof Statement.Definition);
+  }
+
   private void giveBack(Statement.Return leave) {
     if (leave.value().isPresent()) {
       expressions.giveBack(leave.value().get());
@@ -83,6 +96,7 @@ final class StatementCompiler {
     List<Integer> ends = new ArrayList<>();
     for (Statement.Branch branch : choice.branches()) {
       List<Integer> otherwise = new ArrayList<>();
+      code.beginStatement(head(branch, branch.condition()));
       conditions.condition(branch.condition(), false, otherwise);
       statements(branch.body());
       ends.add(code.emitJump(Op.JUMP, 0));
@@ -94,6 +108,7 @@ final class StatementCompiler {
 
   private void loop(Statement.While loop) {
     int top = code.size();
+    code.beginStatement(head(loop, loop.condition()));
     Loop ways = new Loop(new ArrayList<>(), new ArrayList<>());
     conditions.condition(loop.condition(), false, ways.breaks());
     int body = code.size();
@@ -102,7 +117,14 @@ final class StatementCompiler {
     loops.pop();
     ways.continues().forEach(jump -> code.land(jump, code.size()));
     code.at(loop.condition().range());
+    if (ConditionCompiler.repeatsInPlace(loop.condition())) {
+      code.beginStatement(head(loop, loop.condition()));
+    }
     conditions.repeat(loop.condition(), top, body);
     ways.breaks().forEach(jump -> code.land(jump, code.size()));
+  }
+
+  private static SourceRange head(Node whole, Expression condition) {
+    return new SourceRange(whole.range().start(), condition.range().end());
   }
 }

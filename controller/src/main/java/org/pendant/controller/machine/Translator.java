@@ -35,7 +35,7 @@ final class Translator {
 
   private Translator(CodeBuilder code, ScriptFunction function, Program.Tables tables) {
     this.function = function;
-    this.instructions = function.code();
+    this.instructions = function.instructions();
     this.code = code;
     registers = new JvmCode(code, function, tables, uses());
     translator = new InstructionTranslator(registers, instructions.length);
@@ -47,7 +47,7 @@ final class Translator {
    * @param tables what the static slots of its program hold
    */
   static Optional<TranslatedCode> translate(ScriptFunction function, Program.Tables tables) {
-    if (function.code().length > MOST_INSTRUCTIONS) {
+    if (function.instructions().length > MOST_INSTRUCTIONS) {
       return Optional.empty();
     }
     byte[] bytes =

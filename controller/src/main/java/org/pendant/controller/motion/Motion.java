@@ -13,8 +13,8 @@ public interface Motion {
   double durationS();
 
   /**
-   * The point at a time of its own, which never goes back from one call to the next. At {@link
-   * #durationS} it is the goal itself.
+   * The point at a time of its own, which goes on from one call to the next, or back by less than a
+   * frame. At {@link #durationS} it is the goal itself.
    *
    * @param timeS 0 to {@link #durationS}
    * @param sample overwritten

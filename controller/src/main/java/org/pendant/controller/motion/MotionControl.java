@@ -22,12 +22,25 @@ public final class MotionControl {
   /** How fast the arm stops when its path cannot be followed any further, rad/s². */
   public static final double FAULT_DECELERATION_RAD_PER_S2 = 15;
 
+  /** The slowest that time on a path may run; a path that needs it slower cannot be followed. */
+  private static final double SLOWEST_SCALING = 0.02;
+
   /** Frames at rest after which the arm counts as steady: 500 ms (manual 16.39). */
   private static final int STEADY_FRAMES = 250;
 
-  /** Room for rounding in the check against the speed limits. */
+  /** A joint that has to be slowed down turns at this part of its limit. */
+  private static final double LIMITED_SPEED_SHARE = 0.999;
+
+  /** Room for rounding in the speeds of a motion. */
   private static final double SPEED_TOLERANCE = 1 + 1e-9;
 
+  /** Room for the mean speed of a frame, which may exceed the speeds at both of its ends. */
+  private static final double MEAN_SPEED_TOLERANCE = 1.01;
+
+  private static final MotionFailure POWER_LOST =
+      new MotionFailure("power-off", "the arm has no power");
+
+  private final PathLimiter limiter;
   private final double[] maxSpeed = new double[Joints.COUNT];
   private final MotionSample sample = new MotionSample();
   private final double[] previous = new double[Joints.COUNT];
@@ -44,6 +57,7 @@ public final class MotionControl {
 
   private double speedFraction = 1;
   private double scaling = 1;
+  private double scalingRampRadPerS2 = SCALING_ACCELERATION_RAD_PER_S2;
   private boolean paused;
 
   /** The motion is a stop: neither slider nor pause makes it longer. */
@@ -56,8 +70,18 @@ public final class MotionControl {
 
   private record Pending(MotionPlan plan, MotionTicket ticket) {}
 
-  /** At rest at {@code positionRad}. */
+  /** At rest at {@code positionRad}, limited by nothing but the arm's own joint speeds. */
   public MotionControl(ArmDescription arm, Joints positionRad) {
+    this(arm, positionRad, PathLimiter.NONE);
+  }
+
+  /**
+   * At rest at {@code positionRad}.
+   *
+   * @param limiter slows motions down where they would exceed what it knows
+   */
+  public MotionControl(ArmDescription arm, Joints positionRad, PathLimiter limiter) {
+    this.limiter = limiter;
     for (int i = 0; i < Joints.COUNT; i++) {
       maxSpeed[i] = arm.joints().get(i).maxSpeedRadPerS();
     }
@@ -134,14 +158,20 @@ public final class MotionControl {
 
   private void follow(Motion motion) {
     double before = scaling;
+    double framesBefore = motionFrames;
     scaling = nextScaling();
     position.copyTo(previous);
-    motionFrames += 0.5 * (before + scaling);
-    double endFrames = motion.durationS() / FrameTime.FRAME_S;
-    boolean ended = motionFrames >= endFrames - FrameTime.ROUNDING;
-    double timeS = ended ? motion.durationS() : motionFrames * FrameTime.FRAME_S;
-    Optional<MotionFailure> failure = motion.sample(timeS, sample);
-    double change = (scaling - before) / FrameTime.FRAME_S;
+    Optional<MotionFailure> failure = sampleAfter(motion, framesBefore, before);
+    if (failure.isEmpty() && !stopping && scaling > 0) {
+      double largest =
+          Math.min(jointSpeedScaling(), limiter.largestScaling(sample.position, sample.speed));
+      if (!(largest >= SLOWEST_SCALING)) {
+        failure = Optional.of(tooSlow());
+      } else if (largest < scaling) {
+        scaling = largest;
+        failure = sampleAfter(motion, framesBefore, before);
+      }
+    }
     if (failure.isEmpty()) {
       failure = tooFast();
     }
@@ -149,11 +179,33 @@ public final class MotionControl {
       stopBeside(failure.get());
       return;
     }
-    publish(change);
-    if (ended || (scaling == 0 && releasing)) {
+    publish((scaling - before) / FrameTime.FRAME_S);
+    if (atEnd(motion) || (scaling == 0 && releasing)) {
       owner.ifPresent(MotionTicket::finish);
       forget();
     }
+  }
+
+  /** How fast path time may run so that no joint turns faster than the arm's drives can. */
+  private double jointSpeedScaling() {
+    double largestShare = 0;
+    for (int i = 0; i < Joints.COUNT; i++) {
+      largestShare = Math.max(largestShare, Math.abs(sample.speed[i]) / maxSpeed[i]);
+    }
+    return scaling * largestShare <= SPEED_TOLERANCE
+        ? Double.POSITIVE_INFINITY
+        : LIMITED_SPEED_SHARE / largestShare;
+  }
+
+  /** Samples the motion a frame further, its time running evenly from one scaling to the next. */
+  private Optional<MotionFailure> sampleAfter(Motion motion, double framesBefore, double before) {
+    motionFrames = framesBefore + 0.5 * (before + scaling);
+    double timeS = atEnd(motion) ? motion.durationS() : motionFrames * FrameTime.FRAME_S;
+    return motion.sample(timeS, sample);
+  }
+
+  private boolean atEnd(Motion motion) {
+    return motionFrames >= motion.durationS() / FrameTime.FRAME_S - FrameTime.ROUNDING;
   }
 
   private double scalingGoal() {
@@ -173,7 +225,7 @@ public final class MotionControl {
     for (double each : sample.speed) {
       fastest = Math.max(fastest, Math.abs(each));
     }
-    double step = SCALING_ACCELERATION_RAD_PER_S2 * FrameTime.FRAME_S / fastest;
+    double step = scalingRampRadPerS2 * FrameTime.FRAME_S / fastest;
     return goal < scaling ? Math.max(goal, scaling - step) : Math.min(goal, scaling + step);
   }
 
@@ -181,7 +233,7 @@ public final class MotionControl {
     for (int i = 0; i < Joints.COUNT; i++) {
       double moved = Math.abs(sample.position[i] - previous[i]) / FrameTime.FRAME_S;
       double needed = Math.max(moved, Math.abs(sample.speed[i]) * scaling);
-      if (!(needed <= maxSpeed[i] * SPEED_TOLERANCE)) {
+      if (!(needed <= maxSpeed[i] * MEAN_SPEED_TOLERANCE)) {
         return Optional.of(
             new MotionFailure(
                 "joint-speed",
@@ -195,6 +247,22 @@ public final class MotionControl {
       }
     }
     return Optional.empty();
+  }
+
+  private MotionFailure tooSlow() {
+    int fastest = 0;
+    for (int i = 1; i < Joints.COUNT; i++) {
+      if (Math.abs(sample.speed[i]) > Math.abs(sample.speed[fastest])) {
+        fastest = i;
+      }
+    }
+    return new MotionFailure(
+        "singularity",
+        "the path passes too close to a singularity: joint "
+            + fastest
+            + " would turn at "
+            + Value.of(Math.abs(sample.speed[fastest])).text()
+            + " rad/s; a joint move can pass it");
   }
 
   private void publish(double scalingPerS) {
@@ -273,12 +341,34 @@ public final class MotionControl {
 
   /** Comes to rest on the path and keeps the motion for {@link #resume}. */
   public void pause() {
-    paused = true;
+    halt(SCALING_ACCELERATION_RAD_PER_S2);
   }
 
-  /** Goes on after {@link #pause}. */
+  /**
+   * As {@link #pause}, for stops that must be shorter.
+   *
+   * @param decelerationRadPerS2 of the fastest joint, above 0
+   */
+  public void halt(double decelerationRadPerS2) {
+    paused = true;
+    scalingRampRadPerS2 = decelerationRadPerS2;
+  }
+
+  /** Goes on after {@link #pause} or {@link #halt}. */
   public void resume() {
     paused = false;
+    scalingRampRadPerS2 = SCALING_ACCELERATION_RAD_PER_S2;
+  }
+
+  /** Gives up every motion: the arm has been stopped by its brakes and rests elsewhere. */
+  public void adopt(Joints positionRad) {
+    owner.ifPresent(ticket -> ticket.fail(POWER_LOST));
+    pending.ifPresent(next -> next.ticket.fail(POWER_LOST));
+    pending = Optional.empty();
+    forget();
+    position = positionRad;
+    speed = Joints.ZERO;
+    acceleration = Joints.ZERO;
   }
 
   /**

@@ -23,6 +23,8 @@ public record ControllerState(
     long frame,
     double timeS,
     ArmState arm,
+    ArmReadings readings,
+    SafetyStatus safety,
     ProgramStatus program,
     DigitalLevels io,
     List<Popup> openPopups,

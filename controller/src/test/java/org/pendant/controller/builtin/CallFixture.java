@@ -21,8 +21,18 @@ final class CallFixture {
 
   private final ControlBox box;
 
+  /** A ur5e, exactly where it should be. */
   CallFixture() {
-    box = new ControlBox(BoxSetup.headless("ur5e"));
+    this("ur5e");
+  }
+
+  CallFixture(String robotId) {
+    box = new ControlBox(BoxSetup.headless(robotId));
+  }
+
+  /** The box that the functions work on. */
+  ControlBox box() {
+    return box;
   }
 
   /** The result of function {@code name}; arguments may be plain Java values. */

@@ -7,7 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.language.signature.Parameter;
 import org.pendant.language.signature.Signature;
@@ -89,7 +88,7 @@ final class FunctionReference {
     List<String> lines = new ArrayList<>();
     lines.add(call(signature));
     lines.add("");
-    wrap(signature.documentation(), 76).forEach(line -> lines.add("  " + line));
+    Paragraph.wrap(signature.documentation(), 76).forEach(line -> lines.add("  " + line));
     if (!signature.parameters().isEmpty()) {
       lines.add("");
       lines.add("  Parameters:");
@@ -221,21 +220,5 @@ final class FunctionReference {
 
   private static String pad(String text, int width) {
     return text + " ".repeat(Math.max(0, width - text.length()));
-  }
-
-  /** {@code text} in lines of at most {@code width} characters, broken at blanks. */
-  private static List<String> wrap(String text, int width) {
-    List<String> lines = new ArrayList<>();
-    Optional<StringBuilder> line = Optional.empty();
-    for (String word : text.trim().split("\\s+", -1)) {
-      if (line.isPresent() && line.get().length() + 1 + word.length() <= width) {
-        line.get().append(' ').append(word);
-      } else {
-        line.ifPresent(full -> lines.add(full.toString()));
-        line = Optional.of(new StringBuilder(word));
-      }
-    }
-    line.ifPresent(full -> lines.add(full.toString()));
-    return lines;
   }
 }

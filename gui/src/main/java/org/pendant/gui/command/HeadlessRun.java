@@ -1,5 +1,6 @@
 package org.pendant.gui.command;
 
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.pendant.controller.Clock;
@@ -11,6 +12,8 @@ import org.pendant.controller.machine.Program;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
+import org.pendant.controller.motion.MotionFailure;
+import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 
@@ -34,6 +37,8 @@ final class HeadlessRun {
   private final Clock clock;
   private long flushedNs = System.nanoTime();
   private boolean pendingOutput;
+  private Optional<SafetyStop> heldBy = Optional.empty();
+  private int lastLine;
 
   HeadlessRun(
       Source source,
@@ -66,7 +71,7 @@ final class HeadlessRun {
       if (timedOut || interruption.requested() || console.outputClosed() || record.failed()) {
         stop();
       } else if (controller.state().program().state() == ProgramState.PAUSED) {
-        resume();
+        goOnOrStop();
       } else {
         advance();
       }
@@ -86,6 +91,20 @@ final class HeadlessRun {
     if (ask(new Command.StopProgram()) instanceof Reply.Refused refused) {
       throw new IllegalStateException("a running program cannot be stopped: " + refused.reason());
     }
+  }
+
+  /** Nobody is here to end a safety stop: the program ends with it. */
+  private void goOnOrStop() {
+    if (safetyStop().isEmpty()) {
+      resume();
+      return;
+    }
+    heldBy = safetyStop();
+    stop();
+  }
+
+  private Optional<SafetyStop> safetyStop() {
+    return controller.state().safety().stop();
   }
 
   private void resume() {
@@ -132,16 +151,16 @@ final class HeadlessRun {
             : ExitCode.PROGRAM_FAILED;
       }
       case Ending.Stopped stopped -> {
-        controller
-            .state()
-            .arm()
-            .fault()
-            .ifPresent(
-                fault ->
-                    console.complain(Report.error(source, "protective stop: " + fault.message())));
-        yield controller.state().arm().fault().isPresent()
-            ? ExitCode.PROGRAM_FAILED
-            : ExitCode.DONE;
+        Optional<String> why =
+            heldBy
+                .or(this::safetyStop)
+                .map(SafetyStop::message)
+                .or(() -> controller.state().arm().fault().map(MotionFailure::message));
+        why.ifPresent(
+            reason ->
+                console.complain(
+                    Report.error(source, "stopped in line " + lastLine + ": " + reason)));
+        yield why.isPresent() ? ExitCode.PROGRAM_FAILED : ExitCode.DONE;
       }
     };
   }
@@ -155,6 +174,9 @@ final class HeadlessRun {
     }
     controller.advance();
     ControllerState state = controller.state();
+    if (state.program().line() > 0) {
+      lastLine = state.program().line();
+    }
     for (LogEntry entry : state.newEntries()) {
       print(entry);
     }

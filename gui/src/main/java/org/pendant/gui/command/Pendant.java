@@ -21,7 +21,10 @@ public final class Pendant {
     this.console = console;
     subcommands =
         List.of(
-            new RunCommand(), new CheckCommand(), new FunctionsCommand(StandardBuiltins::create));
+            new RunCommand(),
+            new CheckCommand(),
+            new FunctionsCommand(StandardBuiltins::create),
+            new RobotsCommand());
   }
 
   /** Runs the command line {@code words} and ends the process. */

@@ -1,18 +1,20 @@
 package org.pendant.gui.command;
 
 import java.time.InstantSource;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.pendant.controller.Clock;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.VirtualClock;
 import org.pendant.controller.WallClock;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.message.Operator;
+import org.pendant.controller.safety.SafetyInput;
 import org.pendant.language.source.ByteText;
-import org.pendant.models.arm.ArmLibrary;
 
 /**
  * What {@code pendant run} was asked for.
@@ -29,7 +31,7 @@ record RunOptions(
     Optional<Double> timeoutS) {
 
   private static final Option ROBOT =
-      new Option("--robot", "NAME", "the arm: " + String.join(", ", ArmLibrary.ids()));
+      new Option("--robot", "NAME", "the arm, default ur5e; pendant robots lists them");
   private static final Option SPEED =
       new Option("--speed", "max|1|N", "as fast as possible, real time, or N times that");
   private static final Option INPUT =
@@ -42,8 +44,15 @@ record RunOptions(
       new Option("--timeout", "S", "stop after S seconds of robot time");
   private static final Option SEED = new Option("--seed", "N", "start of random(), default 0");
 
+  private static final List<String> SAFETY_INPUTS =
+      Arrays.stream(SafetyInput.values()).map(SafetyInput::word).toList();
+
   /** For the usage text. */
-  static final List<Option> ALL = List.of(ROBOT, SPEED, INPUT, ANSWER, RECORD, TIMEOUT, SEED);
+  static final List<Option> ALL =
+      Stream.concat(
+              Stream.of(ROBOT, SPEED, INPUT, ANSWER, RECORD, TIMEOUT, SEED),
+              Surroundings.ALL.stream())
+          .toList();
 
   static RunOptions of(Arguments arguments) throws UsageException {
     ControllerOptions controller =
@@ -52,6 +61,7 @@ record RunOptions(
             .withSeed(seed(arguments))
             .withInputs(inputs(arguments))
             .withOperator(Operator.headless(answers(arguments)));
+    controller = Surroundings.in(controller, arguments);
     Optional<Double> speedFactor = speedFactor(arguments);
     if (speedFactor.isPresent()) {
       // Nobody expects the same result twice from a run on the wall clock, but the right date.
@@ -66,12 +76,10 @@ record RunOptions(
   }
 
   private static String robot(Arguments arguments) throws UsageException {
-    String robot = arguments.value(ROBOT).orElse(ControllerOptions.DEFAULT_ROBOT);
-    if (!ArmLibrary.ids().contains(robot)) {
-      throw new UsageException(
-          "--robot is " + robot + ", must be one of " + String.join(", ", ArmLibrary.ids()));
-    }
-    return robot;
+    Optional<String> name = arguments.value(ROBOT);
+    return name.isPresent()
+        ? RobotName.idOf(ROBOT.name(), name.get())
+        : ControllerOptions.DEFAULT_ROBOT;
   }
 
   private static long seed(Arguments arguments) throws UsageException {
@@ -107,7 +115,7 @@ record RunOptions(
     return Optional.of(seconds);
   }
 
-  private static double number(String text, String option, String expected) throws UsageException {
+  static double number(String text, String option, String expected) throws UsageException {
     try {
       return Double.parseDouble(text);
     } catch (NumberFormatException e) {
@@ -119,11 +127,14 @@ record RunOptions(
     Map<String, Boolean> inputs = new HashMap<>();
     for (String text : arguments.values(INPUT)) {
       int equals = separator(INPUT, text);
+      String name = text.substring(0, equals);
       String level = text.substring(equals + 1);
       try {
-        inputs.put(Signal.input(text.substring(0, equals)).toString(), level(level));
+        inputs.put(
+            SAFETY_INPUTS.contains(name) ? name : Signal.input(name).toString(), level(level));
       } catch (IllegalArgumentException e) {
-        throw new UsageException("--input " + text + ": " + e.getMessage());
+        throw new UsageException(
+            "--input " + text + ": " + e.getMessage() + ", or " + String.join(", ", SAFETY_INPUTS));
       }
     }
     return inputs;

@@ -1,0 +1,32 @@
+package org.pendant.controller.arm;
+
+import org.pendant.models.arm.Joints;
+
+/** What the controller asks of the arm in one frame. */
+public sealed interface ArmCommand {
+
+  /** Motors off, brakes on. */
+  BrakesOn BRAKES_ON = new BrakesOn();
+
+  /** Motors off, brakes on: a moving arm is stopped by its brakes, beside any path. */
+  record BrakesOn() implements ArmCommand {}
+
+  /**
+   * The joint servos follow a target.
+   *
+   * @param positionRad where the joints should be at the end of the frame, rad
+   * @param speedRadPerS how fast they should turn then, rad/s
+   * @param accelerationRadPerS2 how fast their speeds should change then, rad/s²
+   */
+  record Servo(Joints positionRad, Joints speedRadPerS, Joints accelerationRadPerS2)
+      implements ArmCommand {}
+
+  /**
+   * The motors hold the arm's own weight and that of the declared payload, and add torques; nothing
+   * holds the position.
+   *
+   * @param torqueNm added at each joint, Nm
+   * @param frictionCompensated whether the motors also overcome most of the friction
+   */
+  record Torque(Joints torqueNm, boolean frictionCompensated) implements ArmCommand {}
+}

@@ -1,0 +1,255 @@
+package org.pendant.controller.arm;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.pendant.controller.motion.FrameTime;
+import org.pendant.controller.world.ContactWorld;
+import org.pendant.models.arm.Actuator;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.ArmDynamics;
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Wrench;
+
+/**
+ * An arm with masses, friction, drives with limited torque, brakes, and a tool that touches things.
+ *
+ * <p>The true arm ({@link ArmBody}) is one thing and what the controller believes about it another:
+ * the drives reckon with the controller's model and its declared payload, the arm moves by the true
+ * load. An arm that rests comes to rest for good: from then on its numbers stay as they are, and a
+ * frame costs next to nothing until something changes.
+ *
+ * <p>Belongs to the thread of the frame loop.
+ */
+public final class DynamicArm implements SimulatedArm {
+  /** Steps within a frame while the tool touches something: stiff surfaces need short ones. */
+  private static final int CONTACT_STEPS = 8;
+
+  /** How hard each joint's brake stops it, rad/s². */
+  private static final double BRAKE_RAD_PER_S2 = 30;
+
+  private static final int N = Joints.COUNT;
+
+  /**
+   * What an arm is made with.
+   *
+   * @param arm what it is made of
+   * @param startRad where its joints are at first, rad
+   * @param model the controller's model; whoever owns it keeps payload and mounting up to date and
+   *     tells the arm by {@link #modelChanged}
+   * @param world what the tool may touch
+   * @param encoderNoiseRad standard deviation of each position reading, rad; 0 for exact readings
+   * @param seed of the noise
+   */
+  public record Setup(
+      ArmDescription arm,
+      Joints startRad,
+      ArmDynamics model,
+      ContactWorld world,
+      double encoderNoiseRad,
+      long seed) {
+
+    /**
+     * Checks the noise.
+     *
+     * @throws IllegalArgumentException if it is negative or not finite
+     */
+    public Setup {
+      if (!(encoderNoiseRad >= 0 && encoderNoiseRad < Double.POSITIVE_INFINITY)) {
+        throw new IllegalArgumentException(
+            "encoder noise is " + encoderNoiseRad + " rad, must be at least 0");
+      }
+    }
+  }
+
+  private final Setup setup;
+  private final ArmDynamics truth;
+  private final ArmBody body;
+  private final JointStep step = new JointStep();
+  private final JointServos servos;
+  private final FreeMotors freeMotors;
+  private final Outside outside;
+  private final Flange flange;
+  private final JointHeat heat;
+  private final SplittableRandom noise;
+  private final ArmSensors sensors = new ArmSensors();
+  private final double[] motorSum = new double[N];
+  private ArmCommand last = ArmCommand.BRAKES_ON;
+  private Payload load = Payload.NONE;
+  private boolean resting;
+
+  /** An arm at rest, with nothing on its flange, upright. */
+  public DynamicArm(Setup setup) {
+    this.setup = setup;
+    ArmDescription arm = setup.arm();
+    truth = new ArmDynamics(arm);
+    body = new ArmBody(truth, setup.startRad());
+    servos = new JointServos(arm, setup.model());
+    freeMotors = new FreeMotors(arm, setup.model());
+    outside = new Outside(arm, setup.world());
+    flange = new Flange(arm);
+    heat = new JointHeat(arm, sensors);
+    noise = new SplittableRandom(setup.seed());
+    flange.update(body.q, body.qd, body.qdd);
+    measureMotion();
+  }
+
+  @Override
+  public void step(ArmCommand command) {
+    if (resting && !outside.changed() && command.equals(last)) {
+      readEncoders();
+      heat.step(sensors);
+      return;
+    }
+    body.beginFrame();
+    switch (command) {
+      case ArmCommand.BrakesOn brakes -> brake();
+      case ArmCommand.Servo target -> {
+        servos.follow(target);
+        drive(servos);
+      }
+      case ArmCommand.Torque torques -> {
+        servos.release();
+        freeMotors.add(torques);
+        drive(freeMotors);
+      }
+    }
+    heat.step(sensors);
+    last = command;
+  }
+
+  private void brake() {
+    servos.release();
+    outside.lookAhead(body);
+    body.brake(BRAKE_RAD_PER_S2);
+    body.endFrame();
+    flange.update(body.q, body.qd, body.qdd);
+    Arrays.fill(sensors.torqueNm, 0);
+    Arrays.fill(sensors.modelTorqueNm, 0);
+    Arrays.fill(sensors.targetTorqueNm, 0);
+    measureMotion();
+    measureCurrents();
+    heat.load(sensors, false);
+    resting = body.still();
+  }
+
+  private void drive(Drives drives) {
+    body.weigh(step);
+    outside.lookAhead(body);
+    int steps = outside.inContact() ? CONTACT_STEPS : 1;
+    double stepS = FrameTime.FRAME_S / steps;
+    Arrays.fill(motorSum, 0);
+    for (int left = steps - 1; left >= 0; left--) {
+      if (steps > 1) {
+        outside.feel(body, stepS / 2);
+      }
+      drives.prepare(left * stepS, stepS, body, step);
+      body.advance(stepS, outside.torqueNm, step);
+      drives.stepped(left * stepS, stepS, body, step);
+      for (int i = 0; i < N; i++) {
+        motorSum[i] += step.motorNm[i];
+      }
+    }
+    body.endFrame();
+    flange.update(body.q, body.qd, body.qdd);
+    measureMotion();
+    measureTorques(drives, steps);
+    measureCurrents();
+    heat.load(sensors, true);
+    resting = body.still() && drives.settled();
+  }
+
+  private void measureMotion() {
+    readEncoders();
+    System.arraycopy(body.qd, 0, sensors.speedRadPerS, 0, N);
+    System.arraycopy(body.qdd, 0, sensors.accelerationRadPerS2, 0, N);
+    flange.accelerometer(sensors.toolAccelerationMPerS2);
+  }
+
+  private void readEncoders() {
+    System.arraycopy(body.q, 0, sensors.positionRad, 0, N);
+    if (setup.encoderNoiseRad() > 0) {
+      for (int i = 0; i < N; i++) {
+        sensors.positionRad[i] += setup.encoderNoiseRad() * noise.nextGaussian();
+      }
+    }
+  }
+
+  private void measureTorques(Drives drives, int steps) {
+    setup.model().inverse(body.middleQ, body.middleQd, body.qdd, sensors.modelTorqueNm);
+    for (int i = 0; i < N; i++) {
+      Actuator actuator = setup.arm().actuators().get(i);
+      sensors.torqueNm[i] = motorSum[i] / steps;
+      sensors.targetTorqueNm[i] = drives.targetNm(i);
+      sensors.modelTorqueNm[i] +=
+          actuator.rotorInertiaKgM2() * body.qdd[i]
+              + actuator.coulombNm() * Math.signum(body.middleQd[i])
+              + actuator.viscousNmSPerRad() * body.middleQd[i];
+    }
+  }
+
+  private void measureCurrents() {
+    for (int i = 0; i < N; i++) {
+      double constant = setup.arm().actuators().get(i).torqueConstantNmPerA();
+      sensors.currentA[i] = sensors.torqueNm[i] / constant;
+      sensors.targetCurrentA[i] = sensors.targetTorqueNm[i] / constant;
+    }
+  }
+
+  @Override
+  public void jumpTo(Joints positionRad) {
+    body.jumpTo(positionRad);
+    servos.release();
+    flange.update(body.q, body.qd, body.qdd);
+    measureMotion();
+    resting = false;
+  }
+
+  @Override
+  public ArmSensors sensors() {
+    return sensors;
+  }
+
+  @Override
+  public Wrench loadOnFlange() {
+    return flange.loadOf(load, outside.wrench6);
+  }
+
+  @Override
+  public Wrench weightOf(Payload payload) {
+    return flange.weightOf(payload);
+  }
+
+  @Override
+  public void copyFlangeInBase(double[] flange12) {
+    flange.copyInBase(flange12);
+  }
+
+  @Override
+  public void setLoad(Payload load) {
+    this.load = load;
+    truth.setPayload(load);
+    resting = false;
+  }
+
+  @Override
+  public void setMounting(double x, double y, double z) {
+    truth.setGravity(x, y, z);
+    flange.mount(x, y, z);
+    flange.update(body.q, body.qd, body.qdd);
+    flange.accelerometer(sensors.toolAccelerationMPerS2);
+    resting = false;
+  }
+
+  @Override
+  public void setToolCentre(Pose tcpInFlange) {
+    outside.setToolCentre(tcpInFlange);
+    resting = false;
+  }
+
+  @Override
+  public void modelChanged() {
+    resting = false;
+  }
+}

@@ -1,0 +1,56 @@
+package org.pendant.controller.arm;
+
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.pose.Transforms;
+import org.pendant.models.pose.Wrench;
+
+/**
+ * The force/torque sensor in the flange, rid of the declared payload and of its zero: what is left
+ * is what pushes the tool from outside. A payload that is declared wrongly shows.
+ *
+ * <p>Force and torque are those <b>on</b> the tool: pressing down on a table reads a force upwards.
+ * The zero is kept along the axes of the flange, as a sensor's offset is.
+ *
+ * <p>Belongs to the thread of the frame loop.
+ */
+public final class ForceSensor {
+  private final double[] flange12 = new double[Transforms.SIZE];
+  private Wrench zero = Wrench.ZERO;
+
+  /** Makes what {@code arm} feels now beyond the declared payload the zero (manual 18.72). */
+  public void zero(SimulatedArm arm, Payload declared) {
+    zero = less(arm.loadOnFlange(), arm.weightOf(declared));
+  }
+
+  /** The reading at the flange's origin, along the flange's axes. */
+  public Wrench reading(SimulatedArm arm, Payload declared) {
+    return less(less(arm.loadOnFlange(), arm.weightOf(declared)), zero);
+  }
+
+  /** The reading at the flange's origin, along the axes of the base (manual 16.32). */
+  public Wrench wrenchAtFlangeInBase(SimulatedArm arm, Payload declared) {
+    Wrench w = reading(arm, declared);
+    arm.copyFlangeInBase(flange12);
+    return new Wrench(
+        alongBase(0, w.fx(), w.fy(), w.fz()),
+        alongBase(1, w.fx(), w.fy(), w.fz()),
+        alongBase(2, w.fx(), w.fy(), w.fz()),
+        alongBase(0, w.mx(), w.my(), w.mz()),
+        alongBase(1, w.mx(), w.my(), w.mz()),
+        alongBase(2, w.mx(), w.my(), w.mz()));
+  }
+
+  private double alongBase(int axis, double x, double y, double z) {
+    return flange12[3 * axis] * x + flange12[3 * axis + 1] * y + flange12[3 * axis + 2] * z;
+  }
+
+  private static Wrench less(Wrench a, Wrench b) {
+    return new Wrench(
+        a.fx() - b.fx(),
+        a.fy() - b.fy(),
+        a.fz() - b.fz(),
+        a.mx() - b.mx(),
+        a.my() - b.my(),
+        a.mz() - b.mz());
+  }
+}

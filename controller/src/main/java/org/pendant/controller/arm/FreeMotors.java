@@ -1,0 +1,72 @@
+package org.pendant.controller.arm;
+
+import java.util.List;
+import org.pendant.models.arm.Actuator;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.ArmDynamics;
+
+/**
+ * Motors that hold the weight of arm and declared payload by the controller's model and add the
+ * torques of a command; if wanted they take over most of the friction, at rest too, as a drive can
+ * that measures the torque behind its gear.
+ */
+final class FreeMotors implements Drives {
+  /** Share of the friction that is taken over: not all, or the arm would drift. */
+  private static final double COMPENSATED = 0.8;
+
+  private static final int N = Joints.COUNT;
+
+  private final ArmDynamics model;
+  private final ArmDescription arm;
+  private final double[] weightNm = new double[N];
+  private ArmCommand.Torque command = new ArmCommand.Torque(Joints.ZERO, false);
+
+  FreeMotors(ArmDescription arm, ArmDynamics model) {
+    this.arm = arm;
+    this.model = model;
+  }
+
+  /** Takes the torques of a frame. */
+  void add(ArmCommand.Torque command) {
+    this.command = command;
+  }
+
+  @Override
+  public void prepare(double remainingS, double stepS, ArmBody body, JointStep step) {
+    model.gravity(body.middleQ, weightNm);
+    double left = command.frictionCompensated() ? 1 - COMPENSATED : 1;
+    List<Actuator> actuators = arm.actuators();
+    for (int i = 0; i < N; i++) {
+      Actuator actuator = actuators.get(i);
+      step.driveNm[i] = command.torqueNm().get(i) + weightNm[i];
+      step.slopeNmSPerRad[i] = 0;
+      step.limitNm[i] = arm.joints().get(i).maxTorqueNm();
+      step.coulombNm[i] = left * actuator.coulombNm();
+      step.viscousNmSPerRad[i] = left * actuator.viscousNmSPerRad();
+    }
+  }
+
+  @Override
+  public void stepped(double remainingS, double stepS, ArmBody body, JointStep step) {
+    if (!command.frictionCompensated()) {
+      return;
+    }
+    for (int i = 0; i < N; i++) {
+      Actuator actuator = arm.actuators().get(i);
+      double friction =
+          actuator.coulombNm() * Math.signum(body.qd[i]) + actuator.viscousNmSPerRad() * body.qd[i];
+      step.motorNm[i] += COMPENSATED * friction;
+    }
+  }
+
+  @Override
+  public double targetNm(int joint) {
+    return command.torqueNm().get(joint) + weightNm[joint];
+  }
+
+  @Override
+  public boolean settled() {
+    return true;
+  }
+}

@@ -1,0 +1,69 @@
+package org.pendant.controller.box;
+
+import org.pendant.controller.arm.ArmCommand;
+import org.pendant.controller.motion.FrameTime;
+import org.pendant.controller.motion.MotionControl;
+import org.pendant.models.arm.Joints;
+
+/**
+ * What the servos follow: the motion's target, or beside it, where a protective stop has left the
+ * arm. An arm that was stopped by an obstacle rests where it is instead of pressing on; when the
+ * program goes on, it returns to its path slowly.
+ */
+final class DriveTarget {
+  /** How fast the arm returns to its path, rad/s. */
+  private static final double RETURN_RAD_PER_S = 0.1;
+
+  private Joints besideRad = Joints.ZERO;
+
+  /** From now on the arm stays at {@code actualRad} while the motion rests at {@code targetRad}. */
+  void stayAt(Joints actualRad, Joints targetRad) {
+    double[] beside = new double[Joints.COUNT];
+    for (int i = 0; i < Joints.COUNT; i++) {
+      beside[i] = actualRad.get(i) - targetRad.get(i);
+    }
+    besideRad = Joints.of(beside);
+  }
+
+  /** The motion itself has moved to where the arm is. */
+  void forget() {
+    besideRad = Joints.ZERO;
+  }
+
+  /** Whether the arm is held beside its path. */
+  boolean beside() {
+    return !besideRad.equals(Joints.ZERO);
+  }
+
+  /** Comes one frame nearer to the path. */
+  void stepBack() {
+    double largest = besideRad.maxAbsDifference(Joints.ZERO);
+    double left = largest - RETURN_RAD_PER_S * FrameTime.FRAME_S;
+    besideRad = left > 0 ? scaled(left / largest) : Joints.ZERO;
+  }
+
+  private Joints scaled(double factor) {
+    double[] scaled = new double[Joints.COUNT];
+    for (int i = 0; i < Joints.COUNT; i++) {
+      scaled[i] = factor * besideRad.get(i);
+    }
+    return Joints.of(scaled);
+  }
+
+  /** Where the joints should be at the end of the frame, rad. */
+  Joints positionRad(MotionControl motion) {
+    if (!beside()) {
+      return motion.positionRad();
+    }
+    double[] sum = new double[Joints.COUNT];
+    for (int i = 0; i < Joints.COUNT; i++) {
+      sum[i] = motion.positionRad().get(i) + besideRad.get(i);
+    }
+    return Joints.of(sum);
+  }
+
+  ArmCommand servo(MotionControl motion) {
+    return new ArmCommand.Servo(
+        positionRad(motion), motion.speedRadPerS(), motion.accelerationRadPerS2());
+  }
+}

@@ -1,0 +1,121 @@
+package org.pendant.controller.builtin;
+
+import org.ejml.data.DMatrixRMaj;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Declaration;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.value.MatrixValue;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.Jacobian;
+
+/**
+ * The matrices and torques of the equations of motion (manual 16.12, 16.17, 16.18, 16.21). What a
+ * call leaves out is as it actually is now.
+ */
+final class DynamicsBuiltins {
+  private static final String MODULE = "internals";
+
+  private DynamicsBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    withSpeeds(
+            withPositions(
+                builtins
+                    .declare("get_coriolis_and_centrifugal_torques")
+                    .manual(MODULE, "16.12")
+                    .doc(
+                        "The torques, in Nm, that keep the joints at their speeds against Coriolis"
+                            + " and centrifugal forces. The declared payload counts.")))
+        .returns(Type.JOINTS)
+        .does(DynamicsBuiltins::coriolis);
+    withTcp(
+            withPositions(
+                builtins
+                    .declare("get_jacobian")
+                    .manual(MODULE, "16.17")
+                    .doc(
+                        "The 6 by 6 matrix that turns joint speeds into the velocity of the TCP, in"
+                            + " m/s and rad/s along the axes of the base.")))
+        .returns(Type.MATRIX)
+        .does(DynamicsBuiltins::jacobian);
+    withTcp(
+            withSpeeds(
+                withPositions(
+                    builtins
+                        .declare("get_jacobian_time_derivative")
+                        .manual(MODULE, "16.18")
+                        .doc("How fast the elements of the Jacobian change, per second."))))
+        .returns(Type.MATRIX)
+        .does(DynamicsBuiltins::jacobianDerivative);
+    withPositions(
+            builtins
+                .declare("get_mass_matrix")
+                .manual(MODULE, "16.21")
+                .doc(
+                    "The 6 by 6 matrix that turns joint accelerations into torques, in kg m\u00b2."
+                        + " The declared payload counts; the rotors of the motors if asked for."))
+        .takes("include_rotors_inertia", Type.BOOL, Value.of(false))
+        .returns(Type.MATRIX)
+        .does(DynamicsBuiltins::massMatrix);
+  }
+
+  private static Declaration withPositions(Declaration declaration) {
+    return declaration.mayTake("q", Type.JOINTS, Unit.RADIAN, "current joint positions");
+  }
+
+  private static Declaration withSpeeds(Declaration declaration) {
+    return declaration.mayTake("qd", Type.JOINTS, Unit.RADIAN_PER_SECOND, "current joint speeds");
+  }
+
+  private static Declaration withTcp(Declaration declaration) {
+    return declaration.mayTake("tcp", Type.POSE, Unit.NONE, "active tcp");
+  }
+
+  private static Outcome coriolis(Call call) throws ScriptError {
+    double[] torqueNm = new double[Joints.COUNT];
+    call.box().model().dynamics().coriolis(positions(call, 0), speeds(call, 1), torqueNm);
+    return call.answer(Joints.of(torqueNm));
+  }
+
+  private static Outcome jacobian(Call call) throws ScriptError {
+    double[] jacobian = new double[Jacobian.SIZE];
+    call.box().jacobian().at(positions(call, 0), MotionArguments.tcpOffset(call, 1), jacobian);
+    return call.answer(square(jacobian));
+  }
+
+  private static Outcome jacobianDerivative(Call call) throws ScriptError {
+    double[] derivative = new double[Jacobian.SIZE];
+    call.box()
+        .jacobian()
+        .derivative(
+            positions(call, 0), speeds(call, 1), MotionArguments.tcpOffset(call, 2), derivative);
+    return call.answer(square(derivative));
+  }
+
+  private static Outcome massMatrix(Call call) throws ScriptError {
+    DMatrixRMaj mass = new DMatrixRMaj(Joints.COUNT, Joints.COUNT);
+    call.box().model().dynamics().mass(positions(call, 0), call.bool(1), mass);
+    return call.answer(square(mass.data));
+  }
+
+  private static double[] positions(Call call, int index) throws ScriptError {
+    Joints q =
+        call.given(index) ? MotionArguments.joints(call, index) : call.box().actualPositionRad();
+    return q.toArray();
+  }
+
+  private static double[] speeds(Call call, int index) throws ScriptError {
+    Joints qd =
+        call.given(index) ? MotionArguments.joints(call, index) : call.box().arm().speedRadPerS();
+    return qd.toArray();
+  }
+
+  private static MatrixValue square(double[] rows) {
+    return MatrixValue.owning(Joints.COUNT, Joints.COUNT, rows, false);
+  }
+}

@@ -1,0 +1,139 @@
+package org.pendant.controller.builtin;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.value.Kind;
+import org.pendant.controller.value.ListValue;
+import org.pendant.controller.value.PoseValue;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.kinematics.InverseKinematics;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Wrench;
+
+/** Checks of what programs say about payloads. */
+final class PayloadArguments {
+  /** How often the rated payload a program may declare; beyond, it likely means grams. */
+  private static final double MOST_RATED_PAYLOADS = 4;
+
+  /** Farthest centre of gravity along each axis of the flange, m. */
+  private static final double FARTHEST_COG_M = 4;
+
+  /** Largest component of an inertia, kg m² (manual 16.52). */
+  private static final double LARGEST_INERTIA_KG_M2 = 133;
+
+  /** What rounding may do to an inertia, relative to its largest component. */
+  private static final double ROUNDING = 1e-9;
+
+  private PayloadArguments() {}
+
+  /**
+   * A mass that the arm can be thought to hold; one beyond its rated payload is worth a warning.
+   */
+  static double massKg(Call call, int index) throws ScriptError {
+    double massKg = call.number(index);
+    ArmDescription arm = call.box().armDescription();
+    double most = MOST_RATED_PAYLOADS * arm.payloadKg();
+    if (!(massKg >= 0 && massKg <= most)) {
+      throw call.refuse(
+          index,
+          "must be 0 to "
+              + text(most)
+              + " kg, "
+              + text(MOST_RATED_PAYLOADS)
+              + " times what "
+              + arm.id()
+              + " is made for");
+    }
+    if (massKg > arm.payloadKg()) {
+      call.box()
+          .log()
+          .warnOnce(
+              "the payload is "
+                  + text(massKg)
+                  + " kg, "
+                  + arm.id()
+                  + " is made for "
+                  + text(arm.payloadKg())
+                  + " kg");
+    }
+    return massKg;
+  }
+
+  /** A centre of gravity in the flange frame, m. */
+  static double[] cogM(Call call, int index) throws ScriptError {
+    return MotionArguments.bounded(call, index, 3, FARTHEST_COG_M, "m");
+  }
+
+  /** An inertia [Ixx, Iyy, Izz, Ixy, Ixz, Iyz] that a body can have, kg m². */
+  static double[] inertiaKgM2(Call call, int index) throws ScriptError {
+    double[] i = MotionArguments.bounded(call, index, 6, LARGEST_INERTIA_KG_M2, "kg m\u00b2");
+    if (i[0] < 0 || i[1] < 0 || i[2] < 0) {
+      throw call.refuse(index, "the first three must not be negative");
+    }
+    if (!turnsWithEnergy(i)) {
+      throw call.refuse(
+          index, "no body has it: Ixy, Ixz and Iyz are too large beside Ixx, Iyy and Izz");
+    }
+    return i;
+  }
+
+  /**
+   * Whether a turn about any axis has an energy of 0 or more: no principal minor is negative. With
+   * other inertias the equations of motion have no solution.
+   */
+  private static boolean turnsWithEnergy(double[] i) {
+    double largest = 0;
+    for (double each : i) {
+      largest = Math.max(largest, Math.abs(each));
+    }
+    double room = ROUNDING * largest * largest;
+    double determinant =
+        i[0] * (i[1] * i[2] - i[5] * i[5])
+            - i[3] * (i[3] * i[2] - i[5] * i[4])
+            + i[4] * (i[3] * i[5] - i[1] * i[4]);
+    return i[0] * i[1] - i[3] * i[3] >= -room
+        && i[0] * i[2] - i[4] * i[4] >= -room
+        && i[1] * i[2] - i[5] * i[5] >= -room
+        && determinant >= -room * largest;
+  }
+
+  /** Poses of the flange, from a list of poses of the active TCP. */
+  static List<Pose> flangesInBase(Call call, int index) throws ScriptError {
+    Pose tcpInFlange = call.box().tool().inFlange();
+    List<Pose> flanges = new ArrayList<>();
+    for (Pose tcpInBase : poses(call, index)) {
+      flanges.add(InverseKinematics.flangeOf(tcpInBase, tcpInFlange));
+    }
+    return flanges;
+  }
+
+  /** Wrenches, from a list of such poses as get_tcp_force answers. */
+  static List<Wrench> wrenches(Call call, int index) throws ScriptError {
+    List<Wrench> wrenches = new ArrayList<>();
+    for (Pose p : poses(call, index)) {
+      wrenches.add(new Wrench(p.x(), p.y(), p.z(), p.rx(), p.ry(), p.rz()));
+    }
+    return wrenches;
+  }
+
+  private static List<Pose> poses(Call call, int index) throws ScriptError {
+    ListValue list = call.list(index);
+    if (list.length() > 0 && list.elementKind() != Kind.POSE) {
+      throw call.wrongKind(index, "a list of poses");
+    }
+    List<Pose> poses = new ArrayList<>();
+    for (int i = 0; i < list.length(); i++) {
+      if (list.get(i) instanceof PoseValue element) {
+        poses.add(MotionArguments.finite(call, index, element.pose()));
+      }
+    }
+    return poses;
+  }
+
+  private static String text(double number) {
+    return Value.of(number).text();
+  }
+}

@@ -1,0 +1,157 @@
+package org.pendant.controller.builtin;
+
+import org.pendant.controller.arm.ArmSensors;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.box.PositionHistory;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.value.NumberList;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Wrench;
+
+/** What the sensors read (manual 16.1, 16.3, 16.5, 16.11, 16.19, 16.20, 16.32 to 16.36, 18.72). */
+final class SensorBuiltins {
+  private static final String MODULE = "internals";
+
+  private SensorBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    declareForce(builtins);
+    declareJoints(builtins);
+    declareTool(builtins);
+    builtins
+        .declare("get_controller_temp")
+        .manual(MODULE, "16.11")
+        .doc("The temperature in the control box.")
+        .returns(Unit.CELSIUS)
+        .does(call -> call.answer(call.box().controllerTemperatureC()));
+  }
+
+  private static void declareForce(Builtins builtins) {
+    builtins
+        .declare("force")
+        .manual(MODULE, "16.1")
+        .doc(
+            "How strongly something pushes or pulls the tool: the length of get_tcp_force's force.")
+        .returns(Unit.NEWTON)
+        .does(SensorBuiltins::force);
+    builtins
+        .declare("get_tcp_force")
+        .manual(MODULE, "16.32")
+        .doc(
+            "Force in N and torque in Nm that act on the tool from outside, at the flange along the"
+                + " axes of the base. Weight and inertia of the declared payload do not count.")
+        .returns(Type.POSE)
+        .does(SensorBuiltins::tcpForce);
+    builtins
+        .declare("zero_ftsensor")
+        .manual("interfaces", "18.72")
+        .doc("Makes what the force sensor feels now its zero.")
+        .does(
+            call -> {
+              call.box().zeroForceSensor();
+              return call.answer();
+            });
+  }
+
+  private static void declareJoints(Builtins builtins) {
+    builtins
+        .declare("get_actual_joint_accelerations")
+        .manual(MODULE, "16.3")
+        .doc("How fast the speeds of the joints change, from the encoders, in rad/s\u00b2.")
+        .returns(Type.JOINTS)
+        .does(call -> call.answer(sensors(call).accelerationRadPerS2()));
+    builtins
+        .declare("get_actual_joint_positions_history")
+        .manual(MODULE, "16.5")
+        .doc("Where the joints were some frames ago, in rad; the last 1000 frames are kept.")
+        .takes("steps", Type.INT, Value.of(0))
+        .returns(Type.JOINTS)
+        .does(SensorBuiltins::history);
+    builtins
+        .declare("get_joint_temp")
+        .manual(MODULE, "16.19")
+        .doc("The temperature of a joint, 0 for the base to 5 for wrist 3.")
+        .needs("j", Type.INT)
+        .returns(Unit.CELSIUS)
+        .does(
+            call ->
+                call.answer(
+                    sensors(call).temperatureC().get(call.integer(0, 0, Joints.COUNT - 1))));
+    builtins
+        .declare("get_joint_torques")
+        .manual(MODULE, "16.20")
+        .doc(
+            "What the torques of the joints, in Nm, have beyond those that arm and declared payload"
+                + " need themselves.")
+        .returns(Type.JOINTS)
+        .does(SensorBuiltins::externalTorques);
+  }
+
+  private static void declareTool(Builtins builtins) {
+    builtins
+        .declare("get_tool_accelerometer_reading")
+        .manual(MODULE, "16.34")
+        .doc(
+            "What the accelerometer in the flange reads along the flange's axes, in m/s\u00b2; at"
+                + " rest an axis that points up reads gravity.")
+        .returns(Type.LIST)
+        .does(SensorBuiltins::accelerometer);
+    builtins
+        .declare("get_tool_current")
+        .manual(MODULE, "16.35")
+        .doc("The current that the tool takes.")
+        .returns(Unit.AMPERE)
+        .does(call -> call.answer(call.box().toolCurrentA()));
+    builtins
+        .declare("get_tool_temp")
+        .manual(MODULE, "16.36")
+        .doc("The temperature in the tool flange.")
+        .returns(Unit.CELSIUS)
+        .does(call -> call.answer(sensors(call).toolTemperatureC()));
+  }
+
+  private static ArmSensors sensors(Call call) {
+    return call.box().arm().sensors();
+  }
+
+  private static Outcome force(Call call) {
+    Wrench w = call.box().flangeWrenchInBase();
+    return call.answer(Math.sqrt(w.fx() * w.fx() + w.fy() * w.fy() + w.fz() * w.fz()));
+  }
+
+  private static Outcome tcpForce(Call call) {
+    Wrench w = call.box().flangeWrenchInBase();
+    return call.answer(new Pose(w.fx(), w.fy(), w.fz(), w.mx(), w.my(), w.mz()));
+  }
+
+  private static Outcome history(Call call) throws ScriptError {
+    int steps = call.integer(0, 0, PositionHistory.FRAMES - 1);
+    ControlBox box = call.box();
+    // not from the history: set_pos may have put the arm elsewhere in this frame
+    return call.answer(steps == 0 ? box.actualPositionRad() : box.history().ago(steps));
+  }
+
+  private static Outcome externalTorques(Call call) {
+    double[] torqueNm = new double[Joints.COUNT];
+    for (int i = 0; i < Joints.COUNT; i++) {
+      torqueNm[i] = sensors(call).externalTorqueNm(i);
+    }
+    return call.answer(Joints.of(torqueNm));
+  }
+
+  private static Outcome accelerometer(Call call) {
+    ArmSensors sensors = sensors(call);
+    return call.answer(
+        NumberList.of(
+            sensors.toolAccelerationMPerS2(0),
+            sensors.toolAccelerationMPerS2(1),
+            sensors.toolAccelerationMPerS2(2)));
+  }
+}

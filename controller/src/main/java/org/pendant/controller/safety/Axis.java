@@ -1,0 +1,36 @@
+package org.pendant.controller.safety;
+
+/** A direction: three numbers of length 1 along the axes of a frame that the user names. */
+public record Axis(double x, double y, double z) {
+  /** A shorter vector has no direction worth the name. */
+  static final double SHORTEST = 1e-3;
+
+  /**
+   * Makes the length 1.
+   *
+   * @throws IllegalArgumentException if the length is below 0.001 or not finite
+   */
+  public Axis {
+    double length = Math.sqrt(x * x + y * y + z * z);
+    if (!(length >= SHORTEST && length < Double.POSITIVE_INFINITY)) {
+      throw new IllegalArgumentException(
+          "direction is ["
+              + x
+              + ", "
+              + y
+              + ", "
+              + z
+              + "], must be finite and at least "
+              + SHORTEST
+              + " long");
+    }
+    x /= length;
+    y /= length;
+    z /= length;
+  }
+
+  /** Length of a vector's component along this direction, in the vector's unit. */
+  double dot(double vx, double vy, double vz) {
+    return x * vx + y * vy + z * vz;
+  }
+}

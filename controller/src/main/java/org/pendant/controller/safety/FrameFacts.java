@@ -1,0 +1,31 @@
+package org.pendant.controller.safety;
+
+import org.pendant.controller.arm.ArmSensors;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Wrench;
+
+/**
+ * What the safety functions look at in one frame.
+ *
+ * @param timeS controller time, s
+ * @param targetPositionRad where the joints should be, rad
+ * @param targetSpeedRadPerS how fast they should turn, rad/s
+ * @param sensors what the arm reports; read within the frame only
+ * @param tcpInFlange the active tool centre point
+ * @param externalWrenchAtFlangeInBase what pushes the tool, at the flange's origin along the axes
+ *     of the base, N and Nm
+ * @param steady whether the target has rested for 500 ms (manual 16.39)
+ * @param moving whether a motion is under way, a paused one included
+ * @param programRunning whether a program runs and is not paused
+ */
+public record FrameFacts(
+    double timeS,
+    Joints targetPositionRad,
+    Joints targetSpeedRadPerS,
+    ArmSensors sensors,
+    Pose tcpInFlange,
+    Wrench externalWrenchAtFlangeInBase,
+    boolean steady,
+    boolean moving,
+    boolean programRunning) {}

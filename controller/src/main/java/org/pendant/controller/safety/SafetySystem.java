@@ -1,0 +1,406 @@
+package org.pendant.controller.safety;
+
+import java.util.EnumSet;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Set;
+import org.pendant.controller.message.MessageLog;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.ArmDynamics;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Power, safety modes, limits and stops of one arm. The frame loop alone uses it: requests and
+ * settings before {@link #step} of a frame take effect in it.
+ */
+public final class SafetySystem {
+  private final ActiveLimits limits;
+  private final ArmPower power;
+  private final StopRecord stops;
+  private final FrameChecks checks;
+  private final ViolationCheck positions;
+  private final ArmPoints asked;
+  private final MessageLog log;
+  private final ErrorPauses pauses = new ErrorPauses();
+  private final Set<SafetyInput> inputs = EnumSet.noneOf(SafetyInput.class);
+  private final double[] askedQ = new double[Joints.COUNT];
+  private final double[] atRest = new double[Joints.COUNT];
+  private boolean holdingTorque = true;
+  private boolean stopAsked;
+  private boolean jumped;
+  private boolean wasRunning;
+  private boolean wasReduced;
+
+  /**
+   * A system that knows no payload; {@link #SafetySystem(ArmDescription, ArmDynamics,
+   * SafetyConfiguration, MessageLog, boolean)} is for a robot that carries things.
+   */
+  public SafetySystem(
+      ArmDescription arm, SafetyConfiguration configuration, MessageLog log, boolean running) {
+    this(arm, new ArmDynamics(arm), configuration, log, running);
+  }
+
+  /**
+   * A system that was just switched on.
+   *
+   * @param dynamics masses of arm and declared payload, kept up to date by the caller
+   * @param log gets every stop and change of mode
+   * @param running whether the arm is powered and its brakes are released already
+   */
+  public SafetySystem(
+      ArmDescription arm,
+      ArmDynamics dynamics,
+      SafetyConfiguration configuration,
+      MessageLog log,
+      boolean running) {
+    limits = new ActiveLimits(arm, configuration);
+    power = new ArmPower(running);
+    stops = new StopRecord(log);
+    checks = new FrameChecks(arm, dynamics, configuration);
+    positions = new ViolationCheck(configuration);
+    asked = new ArmPoints(arm);
+    this.log = log;
+  }
+
+  /** How far the arm is switched on. */
+  public RobotMode robotMode() {
+    return power.mode();
+  }
+
+  /** What the safety functions do. */
+  public SafetyMode safetyMode() {
+    if (stop().isPresent()) {
+      return stop().get().mode();
+    }
+    if (limits.recovery()) {
+      return SafetyMode.RECOVERY;
+    }
+    return limits.reduced() ? SafetyMode.REDUCED : SafetyMode.NORMAL;
+  }
+
+  /** Why the arm is stopped, as long as it is. */
+  public Optional<SafetyStop> stop() {
+    return stops.present();
+  }
+
+  /** The limits that hold now. */
+  public SafetyLimits limits() {
+    return limits.active();
+  }
+
+  /** Which limits hold, for those who must keep them. */
+  ActiveLimits activeLimits() {
+    return limits;
+  }
+
+  /** Whether the reduced limits hold. */
+  public boolean reduced() {
+    return limits.reduced();
+  }
+
+  /**
+   * The mode of joint {@code joint} (0 to 5) as interfaces report it: 253 running, 255 idle, 247
+   * booting, 239 off, 238 backdrive, 251 violation, 252 fault.
+   */
+  public int jointMode(int joint) {
+    if (stops.is(SafetyMode.VIOLATION) && stops.concerns(joint)) {
+      return 251;
+    }
+    if (stops.is(SafetyMode.FAULT) && stops.concerns(joint)) {
+      return 252;
+    }
+    return switch (power.mode()) {
+      case RUNNING -> 253;
+      case IDLE -> 255;
+      case BOOTING, POWER_ON -> 247;
+      case BACKDRIVE -> 238;
+      case POWER_OFF, NO_CONTROLLER, DISCONNECTED, CONFIRM_SAFETY, UPDATING_FIRMWARE -> 239;
+    };
+  }
+
+  /** Powers the arm on; it gets to IDLE within 2 s. Answers why not, empty if it does. */
+  public Optional<String> powerOn() {
+    Optional<String> refusal = stops.powerRefusal(inputs);
+    if (refusal.isEmpty()) {
+      power.on();
+    }
+    return refusal;
+  }
+
+  /** Powers the arm off, which ends a protective stop. Never refused. */
+  public Optional<String> powerOff() {
+    power.off();
+    stops.poweredOff();
+    return Optional.empty();
+  }
+
+  /**
+   * Releases the brakes, within a second from IDLE; an arm that is off is powered on before.
+   * Answers why not, empty if it does.
+   */
+  public Optional<String> releaseBrakes() {
+    if (power.mode() == RobotMode.BACKDRIVE) {
+      return Optional.of("the arm is in BACKDRIVE, which must be ended first");
+    }
+    Optional<String> refusal = stops.powerRefusal(inputs);
+    if (refusal.isEmpty()) {
+      power.releaseBrakes();
+    }
+    return refusal;
+  }
+
+  /** Ends a protective stop, at the earliest 5 s after it. Answers why not, empty if it does. */
+  public Optional<String> unlockProtectiveStop() {
+    return stops.unlock();
+  }
+
+  /**
+   * Starts the safety functions again after a violation or a fault; the arm is off then. Answers
+   * why not, empty if it does.
+   */
+  public Optional<String> restartSafety() {
+    Optional<String> refusal = stops.restart();
+    if (refusal.isEmpty()) {
+      power.off();
+    }
+    return refusal;
+  }
+
+  /** Lets a powered arm on its brakes be pushed about. Answers why not, empty if it does. */
+  public Optional<String> startBackdrive() {
+    if (power.mode() != RobotMode.IDLE) {
+      return Optional.of("the arm is " + power.mode() + ", must be IDLE for backdrive");
+    }
+    Optional<String> refusal = stops.powerRefusal(inputs);
+    if (refusal.isEmpty()) {
+      power.startBackdrive();
+    }
+    return refusal;
+  }
+
+  /** Closes the brakes after {@link #startBackdrive}. Answers why not, empty if it does. */
+  public Optional<String> endBackdrive() {
+    if (power.mode() != RobotMode.BACKDRIVE) {
+      return Optional.of("the arm is " + power.mode() + ", must be in BACKDRIVE");
+    }
+    power.endBackdrive();
+    return Optional.empty();
+  }
+
+  /** Why no program may start or go on now; empty if one may. */
+  public Optional<String> programRefusal() {
+    if (stop().isPresent()) {
+      return Optional.of(stops.refusal());
+    }
+    if (!power.running()) {
+      return Optional.of(
+          "the arm is "
+              + power.mode()
+              + ", must be RUNNING: power it on and release its brakes first");
+    }
+    return limits.recovery()
+        ? Optional.of(
+            "the arm is beyond a safety limit, must be brought back by hand first (RECOVERY)")
+        : Optional.empty();
+  }
+
+  /** Demands a safety function, or no longer does. */
+  public void setInput(SafetyInput input, boolean active) {
+    if (active) {
+      inputs.add(input);
+    } else {
+      inputs.remove(input);
+    }
+  }
+
+  /** Whether an input demands its safety function. */
+  public boolean active(SafetyInput input) {
+    return inputs.contains(input);
+  }
+
+  /** A program asks for a protective stop (manual 16.43). */
+  public void protectiveStop() {
+    stopAsked = true;
+  }
+
+  /**
+   * How the arm changes to reduced limits and to a safeguard stop (manual 15.47). Lasts until
+   * changed.
+   *
+   * @param type 0 for as hard as possible, which is the default, 1 for softly
+   * @throws IllegalArgumentException for other types
+   */
+  public void setTransitionHardness(int type) {
+    if (type != 0 && type != 1) {
+      throw new IllegalArgumentException("type is " + type + ", must be 0 (hard) or 1 (soft)");
+    }
+    limits.setSoft(type == 1);
+  }
+
+  /**
+   * Pauses the program when the log gets an error with this code (manual 15.40), until the program
+   * stops. A stop stays a stop.
+   *
+   * @param argument of the error; empty for any
+   */
+  public void pauseOnErrorCode(int code, OptionalInt argument) {
+    pauses.add(code, argument);
+  }
+
+  /**
+   * Warns when a joint is away from its target (manual 15.41). Lasts until changed.
+   *
+   * @param threshold share of the deviation that stops the arm, 0 to 1
+   * @throws IllegalArgumentException for other thresholds
+   */
+  public void positionDeviationWarning(boolean enabled, double threshold) {
+    if (!(threshold >= 0 && threshold <= 1)) {
+      throw new IllegalArgumentException("threshold is " + threshold + ", must be 0 to 1");
+    }
+    checks.warnings().set(enabled, threshold);
+  }
+
+  /** Whether a resting arm resists with all its might (manual 16.37), as it does at first. */
+  public void setHighHoldingTorque(boolean enabled) {
+    holdingTorque = enabled;
+  }
+
+  /** A program has stopped: what it asked for no longer holds (manual 15.40). */
+  public void programStopped() {
+    pauses.clear();
+  }
+
+  /** The arm was put elsewhere: its target jumps in this frame, and rightly (manual 15.46). */
+  public void jumped() {
+    jumped = true;
+  }
+
+  /** How fast the fastest joint slows down in the present stop, rad/s². */
+  public double stopDecelerationRadPerS2() {
+    return limits.soft() && stops.isSafeguard()
+        ? Stopping.SOFT_RAD_PER_S2
+        : Stopping.HARD_RAD_PER_S2;
+  }
+
+  /**
+   * Whether joint ranges, planes and tool direction that hold now allow a position (manual 16.40).
+   */
+  public boolean within(Joints positionRad, Pose tcpInFlange) {
+    positionRad.copyTo(askedQ);
+    asked.at(askedQ, atRest, tcpInFlange);
+    return positions.position(0, askedQ, asked, limits.configuredActive(), reduced(), 0).isEmpty();
+  }
+
+  /** Looks at a frame, step 5 of it, and answers what has to be done. */
+  public SafetyAction step(FrameFacts facts) {
+    power.step();
+    checks.take(facts);
+    stops.setTime(facts.timeS());
+    Optional<SafetyStop> demanded = demanded(facts);
+    stopAsked = false;
+    jumped = false;
+    if (demanded.isPresent() && stops.begin(demanded.get(), facts.programRunning())) {
+      checks.restart();
+      return begun(demanded.get().category());
+    }
+    return goOn(facts);
+  }
+
+  private SafetyAction begun(StopCategory category) {
+    return switch (category) {
+      case ZERO -> {
+        power.off();
+        yield SafetyAction.OFF_NOW;
+      }
+      case ONE -> SafetyAction.STOP_ON_PATH_THEN_OFF;
+      case TWO -> SafetyAction.STOP_ON_PATH;
+    };
+  }
+
+  private SafetyAction goOn(FrameFacts facts) {
+    if (stop().isPresent()) {
+      if (stops.powerMayGo(facts.targetSpeedRadPerS()) && power.mode() != RobotMode.POWER_OFF) {
+        power.off();
+      }
+      return stops.endWithInput(inputs, power.mode());
+    }
+    Optional<SafetyStop> warning =
+        power.running() ? checks.warning(facts, holding(facts)) : Optional.empty();
+    if (warning.isEmpty()) {
+      return SafetyAction.NONE;
+    }
+    log.warning(warning.get().message());
+    return facts.programRunning() && pauses.contains(warning.get())
+        ? SafetyAction.PAUSE
+        : SafetyAction.NONE;
+  }
+
+  /** The worst that calls for a stop in this frame. */
+  private Optional<SafetyStop> demanded(FrameFacts facts) {
+    Optional<SafetyStop> found = checks.fault(facts);
+    if (found.isPresent()) {
+      return found;
+    }
+    limits.update(facts.timeS(), active(SafetyInput.REDUCED_MODE), checks.actual());
+    reportReduced();
+    if (power.running()) {
+      followRecovery(facts);
+      found = checks.violation(facts, limits, stop().isPresent());
+    } else {
+      limits.setRecovery(false);
+    }
+    wasRunning = power.running();
+    if (found.isEmpty()) {
+      found = stops.emergency(inputs);
+    }
+    if (found.isEmpty() && power.running()) {
+      found = protective(facts);
+    }
+    return found.isEmpty() ? stops.safeguard(inputs) : found;
+  }
+
+  private void followRecovery(FrameFacts facts) {
+    if (!wasRunning) {
+      checks.forget();
+      enterRecovery(facts);
+    } else if (limits.recovery() && checks.beyond(facts.timeS(), limits, 0).isEmpty()) {
+      limits.setRecovery(false);
+      log.info("the arm is within its safety limits again");
+    }
+  }
+
+  private void enterRecovery(FrameFacts facts) {
+    Optional<SafetyStop> beyond = checks.beyond(facts.timeS(), limits, 1);
+    if (beyond.isPresent() && !facts.programRunning()) {
+      limits.setRecovery(true);
+      log.warning("recovery mode: " + beyond.get().message());
+    }
+  }
+
+  private void reportReduced() {
+    if (limits.reduced() != wasReduced) {
+      wasReduced = limits.reduced();
+      log.info(wasReduced ? "the reduced safety limits hold" : "the normal safety limits hold");
+    }
+  }
+
+  private Optional<SafetyStop> protective(FrameFacts facts) {
+    if (stopAsked) {
+      checks.acceptTarget();
+      return Optional.of(StopReason.PROGRAM.of("the program", facts.timeS()));
+    }
+    if (stop().isPresent() && !stops.isSafeguard()) {
+      checks.acceptTarget();
+      return Optional.empty();
+    }
+    if (jumped) {
+      checks.forget();
+    }
+    return checks.protective(facts, limits, holding(facts));
+  }
+
+  private boolean holding(FrameFacts facts) {
+    return facts.steady() && holdingTorque;
+  }
+}

@@ -1,0 +1,243 @@
+package org.pendant.controller.safety;
+
+import java.util.Optional;
+import java.util.Set;
+import org.pendant.controller.message.MessageLog;
+import org.pendant.models.arm.Joints;
+
+/** The present stop: how it begins, what replaces it, and what ends it. */
+final class StopRecord {
+  /** Shortest time between a protective stop and its end, s. */
+  static final double UNLOCK_S = 5;
+
+  /** Longest time until an emergency stop cuts the power, s. */
+  static final double POWER_S = 0.5;
+
+  /** Share of a frame that sums of frame times may be off. */
+  private static final double ROUNDING_S = 1e-6;
+
+  private final MessageLog log;
+  private Optional<SafetyStop> present = Optional.empty();
+  private boolean programGoesOn;
+  private double nowS;
+
+  StopRecord(MessageLog log) {
+    this.log = log;
+  }
+
+  void setTime(double timeS) {
+    nowS = timeS;
+  }
+
+  Optional<SafetyStop> present() {
+    return present;
+  }
+
+  boolean is(SafetyMode mode) {
+    return present.isPresent() && present.get().mode() == mode;
+  }
+
+  boolean isSafeguard() {
+    return is(SafetyMode.SAFEGUARD_STOP) || is(SafetyMode.AUTOMATIC_MODE_SAFEGUARD_STOP);
+  }
+
+  private boolean isEmergency() {
+    return is(SafetyMode.ROBOT_EMERGENCY_STOP) || is(SafetyMode.SYSTEM_EMERGENCY_STOP);
+  }
+
+  private boolean needsRestart() {
+    return is(SafetyMode.VIOLATION) || is(SafetyMode.FAULT);
+  }
+
+  /** Whether the stop is about a joint: about that one, or about none in particular. */
+  boolean concerns(int joint) {
+    return present.isPresent() && present.get().joint().orElse(joint) == joint;
+  }
+
+  /** Makes a stop the present one, unless there is one that is as bad; returns whether it did. */
+  boolean begin(SafetyStop stop, boolean programRunning) {
+    if (!outranks(stop.mode())) {
+      return false;
+    }
+    present = Optional.of(stop);
+    programGoesOn = isSafeguard() && programRunning;
+    if (isSafeguard() || stop.code() == StopReason.PROGRAM.code()) {
+      log.warning(stop.message());
+    } else {
+      log.error(stop.message());
+    }
+    return true;
+  }
+
+  /** Whether a stop with this mode would replace what is present. */
+  private boolean outranks(SafetyMode mode) {
+    return present.isEmpty() || rank(mode) > rank(present.get().mode());
+  }
+
+  private static int rank(SafetyMode mode) {
+    return switch (mode) {
+      case FAULT, VIOLATION -> 5;
+      case ROBOT_EMERGENCY_STOP -> 4;
+      case SYSTEM_EMERGENCY_STOP -> 3;
+      case PROTECTIVE_STOP -> 2;
+      case SAFEGUARD_STOP, AUTOMATIC_MODE_SAFEGUARD_STOP -> 1;
+      case NORMAL,
+          REDUCED,
+          RECOVERY,
+          VALIDATE_JOINT_ID,
+          UNDEFINED,
+          SYSTEM_THREE_POSITION_ENABLING_STOP,
+          TEACH_PENDANT_THREE_POSITION_ENABLING_STOP ->
+          0;
+    };
+  }
+
+  /** The emergency stop that an input demands. */
+  Optional<SafetyStop> emergency(Set<SafetyInput> inputs) {
+    Optional<SafetyStop> robot =
+        demanded(inputs, SafetyInput.EMERGENCY_STOP, StopReason.ROBOT_EMERGENCY_STOP);
+    return robot.isPresent()
+        ? robot
+        : demanded(inputs, SafetyInput.SYSTEM_EMERGENCY_STOP, StopReason.SYSTEM_EMERGENCY_STOP);
+  }
+
+  /** The safeguard stop that an input demands. */
+  Optional<SafetyStop> safeguard(Set<SafetyInput> inputs) {
+    Optional<SafetyStop> any =
+        demanded(inputs, SafetyInput.SAFEGUARD_STOP, StopReason.SAFEGUARD_STOP);
+    return any.isPresent()
+        ? any
+        : demanded(
+            inputs,
+            SafetyInput.AUTOMATIC_MODE_SAFEGUARD_STOP,
+            StopReason.AUTOMATIC_MODE_SAFEGUARD_STOP);
+  }
+
+  private Optional<SafetyStop> demanded(
+      Set<SafetyInput> inputs, SafetyInput input, StopReason reason) {
+    return inputs.contains(input) && outranks(reason.mode())
+        ? Optional.of(reason.of("input " + input.word(), nowS))
+        : Optional.empty();
+  }
+
+  /** Whether a stop of category 1 has come to its end: the power may go. */
+  boolean powerMayGo(Joints targetSpeedRadPerS) {
+    return present.isPresent()
+        && present.get().category() == StopCategory.ONE
+        && (targetSpeedRadPerS.equals(Joints.ZERO)
+            || nowS - present.get().timeS() > POWER_S - ROUNDING_S);
+  }
+
+  /** Ends a stop whose input is gone; the answer is RESUME if a program may go on by itself. */
+  SafetyAction endWithInput(Set<SafetyInput> inputs, RobotMode robotMode) {
+    Optional<SafetyInput> input = input();
+    if (input.isEmpty()
+        || (isSafeguard() ? safeguarded(inputs) : inputs.contains(input.get()))
+        || (isEmergency() && robotMode != RobotMode.POWER_OFF)) {
+      return SafetyAction.NONE;
+    }
+    boolean resume = programGoesOn;
+    end();
+    log.info("input " + input.get().word() + " is no longer active");
+    return resume ? SafetyAction.RESUME : SafetyAction.NONE;
+  }
+
+  private static boolean safeguarded(Set<SafetyInput> inputs) {
+    return inputs.contains(SafetyInput.SAFEGUARD_STOP)
+        || inputs.contains(SafetyInput.AUTOMATIC_MODE_SAFEGUARD_STOP);
+  }
+
+  private void end() {
+    present = Optional.empty();
+    programGoesOn = false;
+  }
+
+  /** The input that demands the present stop. */
+  private Optional<SafetyInput> input() {
+    if (present.isEmpty()) {
+      return Optional.empty();
+    }
+    return switch (present.get().mode()) {
+      case ROBOT_EMERGENCY_STOP -> Optional.of(SafetyInput.EMERGENCY_STOP);
+      case SYSTEM_EMERGENCY_STOP -> Optional.of(SafetyInput.SYSTEM_EMERGENCY_STOP);
+      case SAFEGUARD_STOP -> Optional.of(SafetyInput.SAFEGUARD_STOP);
+      case AUTOMATIC_MODE_SAFEGUARD_STOP -> Optional.of(SafetyInput.AUTOMATIC_MODE_SAFEGUARD_STOP);
+      case PROTECTIVE_STOP,
+          VIOLATION,
+          FAULT,
+          NORMAL,
+          REDUCED,
+          RECOVERY,
+          VALIDATE_JOINT_ID,
+          UNDEFINED,
+          SYSTEM_THREE_POSITION_ENABLING_STOP,
+          TEACH_PENDANT_THREE_POSITION_ENABLING_STOP ->
+          Optional.empty();
+    };
+  }
+
+  /** The arm has no power: nothing has to be protected from it. */
+  void poweredOff() {
+    if (is(SafetyMode.PROTECTIVE_STOP)) {
+      end();
+    }
+  }
+
+  /** Ends a protective stop, or says why not. */
+  Optional<String> unlock() {
+    if (!is(SafetyMode.PROTECTIVE_STOP)) {
+      return Optional.of("there is no protective stop to unlock");
+    }
+    double leftS = present.get().timeS() + UNLOCK_S - nowS;
+    if (leftS > ROUNDING_S) {
+      return Optional.of(
+          "the protective stop can be unlocked "
+              + Math.round(UNLOCK_S)
+              + " s after it happened, "
+              + Math.ceil(leftS * 10) / 10
+              + " s are left");
+    }
+    end();
+    log.info("the protective stop is unlocked");
+    return Optional.empty();
+  }
+
+  /** Ends a violation or a fault, or says why not. */
+  Optional<String> restart() {
+    if (!needsRestart()) {
+      return Optional.of("there is no violation or fault, nothing has to be restarted");
+    }
+    end();
+    log.info("the safety functions have been restarted");
+    return Optional.empty();
+  }
+
+  /** Why the arm may not be powered or its brakes released now. */
+  Optional<String> powerRefusal(Set<SafetyInput> inputs) {
+    if (needsRestart()) {
+      return Optional.of(refusal());
+    }
+    for (SafetyInput each : inputs) {
+      if (each == SafetyInput.EMERGENCY_STOP || each == SafetyInput.SYSTEM_EMERGENCY_STOP) {
+        return Optional.of("input " + each.word() + " is active, must be released first");
+      }
+    }
+    return isEmergency() ? Optional.of(refusal()) : Optional.empty();
+  }
+
+  /** What the present stop forbids, and what ends it. */
+  String refusal() {
+    SafetyStop stop = present.orElseThrow();
+    return stop.message() + "; " + remedy();
+  }
+
+  private String remedy() {
+    if (needsRestart()) {
+      return "restart the safety functions, then power the arm on";
+    }
+    if (isEmergency()) {
+      return "release the input, then power the arm on";
+    }
+    return isSafeguard() ? "wait until the input is released" : "unlock the protective stop first";
+  }
+}

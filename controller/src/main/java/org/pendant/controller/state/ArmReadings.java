@@ -1,0 +1,71 @@
+package org.pendant.controller.state;
+
+import org.pendant.controller.arm.ArmSensors;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.pose.Wrench;
+
+/**
+ * What sensors and drives report, and what the controller believes about the payload.
+ *
+ * @param accelerationRadPerS2 accelerations derived from the joint encoders, rad/s²
+ * @param torqueNm torques of the drives at the joints, Nm
+ * @param externalTorqueNm what they have beyond the controller's model of arm and payload, Nm
+ * @param targetTorqueNm torques that the target motion needs by that model, Nm
+ * @param currentA motor currents, A
+ * @param targetCurrentA motor currents that the target motion needs, A
+ * @param temperatureC of the joints, degrees Celsius
+ * @param toolTemperatureC of the tool flange, degrees Celsius
+ * @param controllerTemperatureC of the control box, degrees Celsius
+ * @param toolCurrentA what the tool takes, A
+ * @param toolAcceleration reading of the accelerometer in the tool flange
+ * @param flangeWrenchInBase external wrench at the flange, along the axes of the base
+ * @param payload what programs have declared
+ */
+public record ArmReadings(
+    Joints accelerationRadPerS2,
+    Joints torqueNm,
+    Joints externalTorqueNm,
+    Joints targetTorqueNm,
+    Joints currentA,
+    Joints targetCurrentA,
+    Joints temperatureC,
+    double toolTemperatureC,
+    double controllerTemperatureC,
+    double toolCurrentA,
+    Acceleration toolAcceleration,
+    Wrench flangeWrenchInBase,
+    Payload payload) {
+
+  /**
+   * An acceleration along the axes of the flange.
+   *
+   * @param xMPerS2 along x, m/s²
+   * @param yMPerS2 along y, m/s²
+   * @param zMPerS2 along z, m/s²
+   */
+  public record Acceleration(double xMPerS2, double yMPerS2, double zMPerS2) {}
+
+  /** The readings of this frame. */
+  public static ArmReadings of(ControlBox box) {
+    ArmSensors sensors = box.arm().sensors();
+    return new ArmReadings(
+        sensors.accelerationRadPerS2(),
+        sensors.torqueNm(),
+        sensors.externalTorqueNm(),
+        sensors.targetTorqueNm(),
+        sensors.currentA(),
+        sensors.targetCurrentA(),
+        sensors.temperatureC(),
+        sensors.toolTemperatureC(),
+        box.controllerTemperatureC(),
+        box.toolCurrentA(),
+        new Acceleration(
+            sensors.toolAccelerationMPerS2(0),
+            sensors.toolAccelerationMPerS2(1),
+            sensors.toolAccelerationMPerS2(2)),
+        box.flangeWrenchInBase(),
+        box.model().payload());
+  }
+}

@@ -1,0 +1,38 @@
+package org.pendant.controller.state;
+
+import java.util.Optional;
+import org.pendant.controller.box.BaseLight;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.safety.RobotMode;
+import org.pendant.controller.safety.SafetyMode;
+import org.pendant.controller.safety.SafetyStop;
+
+/**
+ * Power, modes and stops.
+ *
+ * @param robotMode power and brakes
+ * @param safetyMode what the safety functions do
+ * @param stop why the arm may not move, while that is so
+ * @param reduced whether the reduced limits hold
+ * @param baseLight the light ring in the base
+ * @param shutDown whether a program has switched the controller off
+ */
+public record SafetyStatus(
+    RobotMode robotMode,
+    SafetyMode safetyMode,
+    Optional<SafetyStop> stop,
+    boolean reduced,
+    BaseLight baseLight,
+    boolean shutDown) {
+
+  /** The status of this frame. */
+  public static SafetyStatus of(ControlBox box) {
+    return new SafetyStatus(
+        box.safety().robotMode(),
+        box.safety().safetyMode(),
+        box.safety().stop(),
+        box.safety().reduced(),
+        box.baseLight(),
+        box.isShutDown());
+  }
+}

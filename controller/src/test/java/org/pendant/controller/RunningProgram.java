@@ -1,0 +1,94 @@
+package org.pendant.controller;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import org.pendant.controller.machine.Loaded;
+import org.pendant.controller.machine.Program;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.language.source.Source;
+
+/** A controller whose arm has mass, with a program on it and all that the log said. */
+final class RunningProgram {
+  private static final int MOST_FRAMES = 60_000;
+
+  private final Controller controller = new Controller(ControllerOptions.headless());
+  private final List<LogEntry> entries = new ArrayList<>();
+
+  ControllerState state() {
+    return controller.state();
+  }
+
+  ProgramState programState() {
+    return state().program().state();
+  }
+
+  /** What the program wrote to the log. */
+  List<String> said() {
+    return entries.stream()
+        .filter(entry -> entry.origin() == LogEntry.Origin.SCRIPT)
+        .map(LogEntry::text)
+        .toList();
+  }
+
+  /** What the program wrote to the log, as numbers. */
+  List<Double> numbers() {
+    return said().stream().map(Double::valueOf).toList();
+  }
+
+  /** What the controller wrote to the log. */
+  List<String> reported() {
+    return entries.stream()
+        .filter(entry -> entry.origin() != LogEntry.Origin.SCRIPT)
+        .map(LogEntry::text)
+        .toList();
+  }
+
+  void advance(int frames) {
+    for (int i = 0; i < frames; i++) {
+      controller.advance();
+      entries.addAll(state().newEntries());
+    }
+  }
+
+  Reply ask(Command command) {
+    CompletableFuture<Reply> reply = controller.submit(command);
+    advance(1);
+    return reply.getNow(new Reply.Refused("no reply"));
+  }
+
+  void done(Command command) {
+    assertEquals(new Reply.Done(), ask(command));
+  }
+
+  Program program(String text) {
+    Loaded loaded =
+        controller.load(Source.of("test.script", text.getBytes(StandardCharsets.ISO_8859_1)));
+    assertTrue(loaded.program().isPresent(), () -> loaded.diagnostics().toString());
+    return loaded.program().get();
+  }
+
+  void start(String text) {
+    done(new Command.StartProgram(program(text)));
+  }
+
+  /** Goes on until the program has stopped or waits to be resumed. */
+  void finish() {
+    for (int i = 0; i < MOST_FRAMES && programState() == ProgramState.RUNNING; i++) {
+      advance(1);
+    }
+    assertTrue(programState() != ProgramState.RUNNING, () -> "still running, said " + said());
+  }
+
+  void run(String text) {
+    start(text);
+    finish();
+    assertEquals(ProgramState.STOPPED, programState(), () -> reported().toString());
+  }
+}
