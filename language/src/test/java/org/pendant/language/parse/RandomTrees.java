@@ -14,18 +14,20 @@ import org.pendant.language.syntax.ParameterDeclaration;
 import org.pendant.language.syntax.Statement;
 
 /** Makes random trees of every kind of node, with empty ranges. */
-final class RandomTrees {
+public final class RandomTrees {
   private static final SourceRange NOWHERE = new SourceRange(0, 0);
   private static final List<String> NAMES =
       List.of("a", "b", "p", "x1", "_t", "movej", "endless", "iffy", "Name_2", "e5", "P");
 
   private final RandomGenerator random;
 
-  RandomTrees(RandomGenerator random) {
+  /** Trees drawn from {@code random}. */
+  public RandomTrees(RandomGenerator random) {
     this.random = random;
   }
 
-  List<Statement> statements(int depth) {
+  /** Up to four statements with blocks inside each other {@code depth} deep. */
+  public List<Statement> statements(int depth) {
     return some(5, () -> statement(depth));
   }
 

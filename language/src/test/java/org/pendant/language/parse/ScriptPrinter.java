@@ -14,16 +14,18 @@ import org.pendant.language.syntax.Statement;
  * Writes a tree as script text, with random layout: brackets only where precedence needs them or by
  * chance, statements on one line or several.
  */
-final class ScriptPrinter {
+public final class ScriptPrinter {
   private static final int POSTFIX = 8;
 
   private final RandomGenerator random;
 
-  ScriptPrinter(RandomGenerator random) {
+  /** A printer whose layout is drawn from {@code random}. */
+  public ScriptPrinter(RandomGenerator random) {
     this.random = random;
   }
 
-  String print(List<Statement> statements) {
+  /** The text of {@code statements}. */
+  public String print(List<Statement> statements) {
     StringBuilder text = new StringBuilder();
     for (Statement statement : statements) {
       boolean line = statement instanceof Statement.Label;

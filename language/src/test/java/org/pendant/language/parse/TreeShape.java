@@ -9,10 +9,11 @@ import org.pendant.language.syntax.Script;
 import org.pendant.language.syntax.Statement;
 
 /** A tree as text that shows its whole structure and no ranges, for comparing trees. */
-final class TreeShape {
+public final class TreeShape {
   private TreeShape() {}
 
-  static String of(Script script) {
+  /** The shape of a whole script. */
+  public static String of(Script script) {
     return statements(script.statements());
   }
 

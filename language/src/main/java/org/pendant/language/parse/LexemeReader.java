@@ -1,0 +1,115 @@
+package org.pendant.language.parse;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.antlr.v4.runtime.Token;
+import org.pendant.language.parse.Lexeme.Kind;
+import org.pendant.language.source.Source;
+
+/**
+ * Cuts any text, right or wrong, into lexemes by the rules of the grammar. Unlike the parser's
+ * tokens they include comments; between two of them stand only blanks and line ends.
+ */
+public final class LexemeReader {
+  private final String text;
+  private final List<Lexeme> lexemes;
+  private int end;
+  private boolean lineBegins = true;
+
+  private LexemeReader(Source source) {
+    text = source.text();
+    lexemes = new ArrayList<>(16 + text.length() / 4);
+  }
+
+  /** All lexemes of {@code source} in order. */
+  public static List<Lexeme> lexemes(Source source) {
+    return new LexemeReader(source).read(source);
+  }
+
+  private List<Lexeme> read(Source source) {
+    ByteStream bytes = new ByteStream(source);
+    end = bytes.index();
+    UrScriptLexer lexer = new UrScriptLexer(bytes);
+    lexer.setTokenFactory(ScriptToken.FACTORY);
+    lexer.removeErrorListeners();
+    while (true) {
+      ScriptToken token = (ScriptToken) lexer.nextToken();
+      boolean atEnd = token.is(Token.EOF);
+      addComments(atEnd ? text.length() : token.startOffset());
+      if (atEnd) {
+        return lexemes;
+      }
+      add(kind(token.getType()), token.startOffset(), token.endOffset());
+    }
+  }
+
+  /** The grammar skips blanks and comments alike: a number sign tells them apart. */
+  private void addComments(int next) {
+    int at = end;
+    while (at < next) {
+      char found = text.charAt(at);
+      if (found == '#') {
+        int start = at;
+        at = endOfComment(start, next);
+        add(Kind.COMMENT, start, at);
+      } else {
+        lineBegins |= found == '\n';
+        at++;
+      }
+    }
+  }
+
+  private int endOfComment(int start, int next) {
+    int at = start;
+    while (at < next && text.charAt(at) != '\n' && text.charAt(at) != '\r') {
+      at++;
+    }
+    return at;
+  }
+
+  private void add(Kind kind, int start, int stop) {
+    boolean member =
+        !lineBegins && kind.compareTo(Kind.CONSTANT) <= 0 && lexemes.getLast().kind() == Kind.DOT;
+    lexemes.add(new Lexeme(member ? Kind.NAME : kind, start, stop, lineBegins));
+    lineBegins = false;
+    end = stop;
+  }
+
+  private static Kind kind(int type) {
+    return switch (type) {
+      case UrScriptLexer.DEF,
+          UrScriptLexer.SEC,
+          UrScriptLexer.THREAD,
+          UrScriptLexer.IF,
+          UrScriptLexer.WHILE ->
+          Kind.OPENER;
+      case UrScriptLexer.ELIF, UrScriptLexer.ELSE -> Kind.ALTERNATIVE;
+      case UrScriptLexer.END -> Kind.END;
+      case UrScriptLexer.AND, UrScriptLexer.OR, UrScriptLexer.XOR, UrScriptLexer.NOT ->
+          Kind.OPERATOR_WORD;
+      case UrScriptLexer.TRUE, UrScriptLexer.FALSE, UrScriptLexer.NONE -> Kind.CONSTANT;
+      case UrScriptLexer.NAME -> Kind.NAME;
+      case UrScriptLexer.INT, UrScriptLexer.FLOAT -> Kind.NUMBER;
+      case UrScriptLexer.STRING -> Kind.STRING;
+      case UrScriptLexer.LABEL -> Kind.LABEL;
+      case UrScriptLexer.LPAREN, UrScriptLexer.LBRACK -> Kind.OPEN;
+      case UrScriptLexer.RPAREN, UrScriptLexer.RBRACK -> Kind.CLOSE;
+      case UrScriptLexer.COMMA -> Kind.COMMA;
+      case UrScriptLexer.COLON -> Kind.COLON;
+      case UrScriptLexer.DOT -> Kind.DOT;
+      case UrScriptLexer.ASSIGN -> Kind.ASSIGN;
+      case UrScriptLexer.OPEN_STRING,
+          UrScriptLexer.SINGLE_QUOTED,
+          UrScriptLexer.SEMICOLON,
+          UrScriptLexer.ARITHMETIC_ASSIGN,
+          UrScriptLexer.COLON_ASSIGN,
+          UrScriptLexer.DOUBLE_AMPERSAND,
+          UrScriptLexer.DOUBLE_BAR,
+          UrScriptLexer.ANGLES,
+          UrScriptLexer.SLASH_COMMENT,
+          UrScriptLexer.STRANGE ->
+          Kind.FOREIGN;
+      default -> TokenKinds.isReservedWord(type) ? Kind.STATEMENT_WORD : Kind.OPERATOR;
+    };
+  }
+}

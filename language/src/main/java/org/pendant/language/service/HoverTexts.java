@@ -1,0 +1,155 @@
+package org.pendant.language.service;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.language.check.Binding;
+import org.pendant.language.check.FunctionScope;
+import org.pendant.language.check.ValueTypes;
+import org.pendant.language.signature.Parameter;
+import org.pendant.language.signature.Signature;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+import org.pendant.language.syntax.Statement.Definition;
+
+/** Writes what a hover shows about each kind of symbol. */
+final class HoverTexts {
+  private final ScriptAnalysis analysis;
+
+  HoverTexts(ScriptAnalysis analysis) {
+    this.analysis = analysis;
+  }
+
+  Hover of(Occurrence occurrence) {
+    Symbol symbol = occurrence.symbol();
+    return switch (symbol) {
+      case Symbol.Global global -> variable(occurrence, "global " + global.name());
+      case Symbol.Local local -> variable(occurrence, "local " + local.name());
+      case Symbol.Parameter parameter -> parameter(occurrence, parameter);
+      case Symbol.Function function -> function(occurrence, function);
+      case Symbol.Builtin builtin ->
+          analysis
+              .signatures()
+              .builtin(builtin.name())
+              .map(signature -> builtin(occurrence, signature))
+              .orElseGet(() -> bare(occurrence));
+      case Symbol.Method method ->
+          analysis
+              .signatures()
+              .method(method.name())
+              .map(signature -> builtin(occurrence, signature))
+              .orElseGet(() -> bare(occurrence));
+      case Symbol.NamedArgument argument -> argument(occurrence, argument);
+      case Symbol.Member member -> hover(occurrence, "member " + member.name(), List.of());
+      case Symbol.Unknown unknown ->
+          hover(occurrence, unknown.name(), List.of("Nothing defines or assigns this name."));
+    };
+  }
+
+  private Hover bare(Occurrence occurrence) {
+    return hover(occurrence, occurrence.symbol().name(), List.of());
+  }
+
+  private Hover builtin(Occurrence occurrence, Signature signature) {
+    List<String> lines = new ArrayList<>();
+    lines.add(signature.documentation());
+    signature.parameters().forEach(parameter -> lines.add(described(parameter)));
+    if (signature.result() != Type.NONE) {
+      lines.add("Result: " + measured(signature.result(), signature.resultUnit()));
+    }
+    if (!signature.deprecated().isEmpty()) {
+      lines.add("Deprecated: use " + signature.deprecated() + ".");
+    }
+    if (!signature.section().isEmpty()) {
+      lines.add("Manual " + signature.section());
+    }
+    return hover(occurrence, head(signature), lines);
+  }
+
+  private static String head(Signature signature) {
+    return signature.receiver().map(type -> type.text() + ".").orElse("") + signature.head();
+  }
+
+  private Hover argument(Occurrence occurrence, Symbol.NamedArgument argument) {
+    Optional<Parameter> parameter =
+        analysis.signatures().builtin(argument.function()).stream()
+            .flatMap(signature -> signature.parameters().stream())
+            .filter(other -> other.name().equals(argument.name()))
+            .findFirst();
+    return hover(
+        occurrence,
+        "parameter " + argument.name() + " of " + argument.function(),
+        parameter.map(HoverTexts::described).stream().toList());
+  }
+
+  /** One line about a parameter: {@code v: number in rad/s, default 1.05}. */
+  static String described(Parameter parameter) {
+    return parameter.name()
+        + ": "
+        + measured(parameter.type(), parameter.unit())
+        + (parameter.required() ? "" : ", default " + parameter.defaultText());
+  }
+
+  private static String measured(Type type, Unit unit) {
+    return type.text() + (unit == Unit.NONE ? "" : " in " + unit.symbol());
+  }
+
+  private Hover function(Occurrence occurrence, Symbol.Function function) {
+    Definition definition = analysis.definitionAt(function.definedAt());
+    Signature signature = analysis.signatures().of(definition);
+    List<String> lines = new ArrayList<>();
+    if (!signature.documentation().isEmpty()) {
+      lines.add(signature.documentation());
+    }
+    lines.add("Defined on line " + analysis.source().line(function.definedAt()) + ".");
+    return hover(occurrence, word(definition) + " " + signature.head(), lines);
+  }
+
+  private static String word(Definition definition) {
+    return switch (definition.kind()) {
+      case FUNCTION -> "def";
+      case SECONDARY -> "sec";
+      case THREAD -> "thread";
+    };
+  }
+
+  private Hover parameter(Occurrence occurrence, Symbol.Parameter parameter) {
+    Definition definition = analysis.definitionAt(parameter.owner());
+    List<String> lines =
+        analysis.signatures().of(definition).parameters().stream()
+            .filter(other -> other.name().equals(parameter.name()))
+            .filter(other -> !other.required())
+            .map(other -> "Default " + other.defaultText() + ".")
+            .toList();
+    return hover(occurrence, "parameter " + parameter.name() + " of " + definition.name(), lines);
+  }
+
+  private Hover variable(Occurrence occurrence, String head) {
+    List<String> lines = new ArrayList<>();
+    Type type = type(occurrence);
+    if (type != Type.ANY) {
+      lines.add("Holds " + (type == Type.INT ? "an " : "a ") + type.text() + ".");
+    }
+    analysis
+        .index()
+        .origin(occurrence.symbol())
+        .map(origin -> analysis.source().line(origin.range().start()))
+        .ifPresent(line -> lines.add("First assigned on line " + line + "."));
+    return hover(occurrence, head, lines);
+  }
+
+  private Type type(Occurrence occurrence) {
+    ValueTypes types = analysis.types();
+    String name = occurrence.symbol().name();
+    FunctionScope scope = analysis.scopeAt(occurrence.range().start());
+    Binding binding =
+        occurrence.symbol() instanceof Symbol.Global
+            ? new Binding.Global(name)
+            : new Binding.Local(name);
+    return types.variable(scope, binding);
+  }
+
+  private static Hover hover(Occurrence occurrence, String head, List<String> lines) {
+    return new Hover(occurrence.range(), head, String.join("\n", lines));
+  }
+}
