@@ -33,7 +33,8 @@ public final class JsonFile {
 
   /** What the parser's messages say about the parser itself. */
   private static final Pattern PARSER_TALK =
-      Pattern.compile(": enable .*|:? \\((start marker|for |not recognized).*|, from `[^`]*`");
+      Pattern.compile(
+          ": (enable|hexa).*|:? \\((start marker|for |not recognized|consider).*|, from `[^`]*`");
 
   private final String file;
 

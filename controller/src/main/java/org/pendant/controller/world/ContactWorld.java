@@ -22,7 +22,7 @@ import org.pendant.models.pose.Wrench;
  */
 public final class ContactWorld {
   /** Largest component of an applied wrench, N and Nm; no arm withstands a tenth of it. */
-  private static final Range APPLIED = new Range(-10_000, 10_000, "");
+  static final Range APPLIED = new Range(-10_000, 10_000, "");
 
   private final List<SceneObject> objects;
   private final Surface[] surfaces;
@@ -38,7 +38,7 @@ public final class ContactWorld {
   private final double[] normal = new double[3];
   private double clearanceM = Double.POSITIVE_INFINITY;
 
-  /** The forces of {@code scene}, nothing applied. */
+  /** The forces of {@code scene}. */
   public ContactWorld(Scene scene) {
     objects = scene.objects();
     toolPoints = scene.toolPoints();
@@ -48,6 +48,7 @@ public final class ContactWorld {
     }
     depthM = new double[surfaces.length];
     forceN = new double[3 * surfaces.length];
+    apply(scene.pushAtTcpInBase());
   }
 
   /**

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.pendant.controller.json.Json;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.models.pose.Wrench;
 
 /**
  * What is around the arm; {@link SceneReader} reads it from a file.
@@ -15,8 +16,14 @@ import org.pendant.models.dynamics.Payload;
  *     known beyond that
  * @param toolPoints where the tool touches things, at most {@value #MOST_TOOL_POINTS}; empty for
  *     the active tool centre point alone
+ * @param pushAtTcpInBase what pushes the tool from the start: at the tool centre point, along the
+ *     axes of the base
  */
-public record Scene(List<SceneObject> objects, Optional<Payload> load, List<ToolPoint> toolPoints) {
+public record Scene(
+    List<SceneObject> objects,
+    Optional<Payload> load,
+    List<ToolPoint> toolPoints,
+    Wrench pushAtTcpInBase) {
   /** Objects in a scene at most; each of them is looked at for every tool point in every step. */
   public static final int MOST_OBJECTS = 1000;
 
@@ -24,7 +31,7 @@ public record Scene(List<SceneObject> objects, Optional<Payload> load, List<Tool
   public static final int MOST_TOOL_POINTS = 16;
 
   /** Nothing around the arm. */
-  public static final Scene EMPTY = new Scene(List.of(), Optional.empty(), List.of());
+  public static final Scene EMPTY = new Scene(List.of(), Optional.empty(), List.of(), Wrench.ZERO);
 
   /**
    * Checks the counts and names.
@@ -44,6 +51,11 @@ public record Scene(List<SceneObject> objects, Optional<Payload> load, List<Tool
             "name is " + Json.quoted(object.name()) + " again, must be another for each object");
       }
     }
+  }
+
+  /** A scene in which nothing pushes. */
+  public Scene(List<SceneObject> objects, Optional<Payload> load, List<ToolPoint> toolPoints) {
+    this(objects, load, toolPoints, Wrench.ZERO);
   }
 
   private static void requireCount(String what, int count, int most) {

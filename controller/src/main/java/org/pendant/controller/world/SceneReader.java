@@ -12,6 +12,7 @@ import org.pendant.controller.json.JsonException;
 import org.pendant.controller.json.JsonFile;
 import org.pendant.controller.json.Place;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Wrench;
 
 /** Reads a scene from JSON; docs/scene.md describes the file. */
 public final class SceneReader {
@@ -33,7 +34,7 @@ public final class SceneReader {
 
   private Scene scene(Json root) throws JsonException {
     Fields fields = new Fields(root, "a scene");
-    fields.allow("objects", "load", "tool");
+    fields.allow("objects", "load", "tool", "push");
     for (Json each : fields.array("objects", Scene.MOST_OBJECTS)) {
       add(each);
     }
@@ -45,7 +46,26 @@ public final class SceneReader {
     return new Scene(
         objects,
         load.isPresent() ? Optional.of(LoadReader.load(load.get())) : Optional.empty(),
-        toolPoints);
+        toolPoints,
+        push(fields));
+  }
+
+  private static Wrench push(Fields scene) throws JsonException {
+    Optional<Json> value = scene.optional("push");
+    if (value.isEmpty()) {
+      return Wrench.ZERO;
+    }
+    Fields fields = new Fields(value.get(), "a push");
+    fields.allow("force", "torque");
+    Vector3 force = vectorOrZero(fields, "force");
+    Vector3 torque = vectorOrZero(fields, "torque");
+    return new Wrench(force.x(), force.y(), force.z(), torque.x(), torque.y(), torque.z());
+  }
+
+  private static Vector3 vectorOrZero(Fields fields, String key) throws JsonException {
+    return fields.optional(key).isPresent()
+        ? Vector3.read(fields, key, ContactWorld.APPLIED)
+        : new Vector3(0, 0, 0);
   }
 
   private void add(Json each) throws JsonException {

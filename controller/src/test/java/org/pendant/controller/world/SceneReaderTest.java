@@ -1,6 +1,7 @@
 package org.pendant.controller.world;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
@@ -14,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.json.JsonException;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Wrench;
 
 final class SceneReaderTest {
   /** Tests run in the folder of their module. */
@@ -88,5 +90,23 @@ final class SceneReaderTest {
     assertEquals(
         -0.1,
         read("{\"load\": {\"mass\": 1, \"inertia\": " + rod + "}}").load().orElseThrow().ixy());
+  }
+
+  @Test
+  void aPushActsFromTheStart() throws Exception {
+    Scene scene = read("{\"push\": {\"force\": [0, 0, -20], \"torque\": [1, 2, 3]}}");
+    assertEquals(new Wrench(0, 0, -20, 1, 2, 3), scene.pushAtTcpInBase());
+    assertEquals(new Wrench(0, 0, -20, 1, 2, 3), new ContactWorld(scene).applied());
+    assertEquals(Wrench.ZERO, read("{}").pushAtTcpInBase());
+    assertEquals(
+        new Wrench(0, 5, 0, 0, 0, 0), read("{\"push\": {\"force\": [0, 5, 0]}}").pushAtTcpInBase());
+  }
+
+  @Test
+  void aPushThatNoArmCouldFeelIsRefusedWithItsPlace() {
+    JsonException refused =
+        assertThrows(JsonException.class, () -> read("{\"push\": {\"force\": [0, 0, 20000]}}"));
+    assertTrue(refused.getMessage().startsWith("scene.json:1:"), refused.getMessage());
+    assertTrue(refused.getMessage().contains("-10000 to 10000"), refused.getMessage());
   }
 }
