@@ -3,6 +3,7 @@ package org.pendant.controller;
 import java.time.InstantSource;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.message.Operator;
@@ -13,225 +14,125 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 
 /**
- * How a controller is switched on.
- *
- * @param robotId the arm, an id of {@link ArmLibrary}
- * @param startRad where the joints are at first, rad
- * @param seed of the random numbers that programs ask for
- * @param operator who answers popups and questions
- * @param inputs levels of digital inputs by name, such as {@code digital_in[0]}; the others are low
- * @param armChoice which simulated arm
- * @param encoderNoiseRad standard deviation of each reading of a joint encoder, rad; 0 for exact
- * @param scene what stands around the arm and hangs on it
- * @param safety limits and planes; without them those that are standard for the arm
- * @param poweredOn whether the arm is powered and its brakes are released at first
- * @param systemTime where the date comes from; without one it starts at a fixed instant and goes
- *     with the frames, so that runs repeat exactly
+ * How a controller is switched on. Immutable: each {@code with} method answers changed options and
+ * leaves these as they are.
  */
-public record ControllerOptions(
-    String robotId,
-    Joints startRad,
-    long seed,
-    Operator operator,
-    Map<String, Boolean> inputs,
-    ArmChoice armChoice,
-    double encoderNoiseRad,
-    Scene scene,
-    Optional<SafetyConfiguration> safety,
-    boolean poweredOn,
-    Optional<InstantSource> systemTime) {
+public final class ControllerOptions {
   /** The arm when nothing else is said. */
   public static final String DEFAULT_ROBOT = "ur5e";
 
-  /** Copies the map. */
-  public ControllerOptions {
-    inputs = Map.copyOf(inputs);
-  }
+  private String robotId = DEFAULT_ROBOT;
+  private Joints startRad = BoxSetup.START_RAD;
+  private long seed;
+  private Operator operator = Operator.headless(Map.of());
+  private Map<String, Boolean> inputs = Map.of();
+  private ArmChoice armChoice = ArmChoice.DYNAMIC;
+  private double encoderNoiseRad;
+  private Scene scene = Scene.EMPTY;
+  private Optional<SafetyConfiguration> safety = Optional.empty();
+  private boolean poweredOn = true;
+  private Optional<InstantSource> systemTime = Optional.empty();
+
+  private ControllerOptions() {}
 
   /**
    * A UR5e in virtual time, powered on, in an empty world and without a screen: popups go on by
    * themselves.
    */
   public static ControllerOptions headless() {
-    return new ControllerOptions(
-        DEFAULT_ROBOT,
-        BoxSetup.START_RAD,
-        0,
-        Operator.headless(Map.of()),
-        Map.of(),
-        ArmChoice.DYNAMIC,
-        0,
-        Scene.EMPTY,
-        Optional.empty(),
-        true,
-        Optional.empty());
+    return new ControllerOptions();
   }
 
+  private ControllerOptions changed(Consumer<ControllerOptions> change) {
+    ControllerOptions copy = new ControllerOptions();
+    copy.robotId = robotId;
+    copy.startRad = startRad;
+    copy.seed = seed;
+    copy.operator = operator;
+    copy.inputs = inputs;
+    copy.armChoice = armChoice;
+    copy.encoderNoiseRad = encoderNoiseRad;
+    copy.scene = scene;
+    copy.safety = safety;
+    copy.poweredOn = poweredOn;
+    copy.systemTime = systemTime;
+    change.accept(copy);
+    return copy;
+  }
+
+  /** With another arm, an id of {@link ArmLibrary}. */
   public ControllerOptions withRobot(String id) {
-    return new ControllerOptions(
-        id,
-        startRad,
-        seed,
-        operator,
-        inputs,
-        armChoice,
-        encoderNoiseRad,
-        scene,
-        safety,
-        poweredOn,
-        systemTime);
+    return changed(copy -> copy.robotId = id);
   }
 
+  /** With the joints somewhere else at first, rad. */
   public ControllerOptions withStart(Joints positionRad) {
-    return new ControllerOptions(
-        robotId,
-        positionRad,
-        seed,
-        operator,
-        inputs,
-        armChoice,
-        encoderNoiseRad,
-        scene,
-        safety,
-        poweredOn,
-        systemTime);
+    return changed(copy -> copy.startRad = positionRad);
   }
 
+  /** With another seed of random numbers and noise. */
   public ControllerOptions withSeed(long number) {
-    return new ControllerOptions(
-        robotId,
-        startRad,
-        number,
-        operator,
-        inputs,
-        armChoice,
-        encoderNoiseRad,
-        scene,
-        safety,
-        poweredOn,
-        systemTime);
+    return changed(copy -> copy.seed = number);
   }
 
+  /** With somebody else who answers popups and questions. */
   public ControllerOptions withOperator(Operator person) {
-    return new ControllerOptions(
-        robotId,
-        startRad,
-        seed,
-        person,
-        inputs,
-        armChoice,
-        encoderNoiseRad,
-        scene,
-        safety,
-        poweredOn,
-        systemTime);
+    return changed(copy -> copy.operator = person);
   }
 
+  /**
+   * With levels of inputs by name, such as {@code digital_in[0]} or {@code safeguard_stop}; the
+   * others are low.
+   */
   public ControllerOptions withInputs(Map<String, Boolean> levels) {
-    return new ControllerOptions(
-        robotId,
-        startRad,
-        seed,
-        operator,
-        levels,
-        armChoice,
-        encoderNoiseRad,
-        scene,
-        safety,
-        poweredOn,
-        systemTime);
+    return changed(copy -> copy.inputs = Map.copyOf(levels));
   }
 
+  /** With another simulation of the arm. */
   public ControllerOptions withArm(ArmChoice choice) {
-    return new ControllerOptions(
-        robotId,
-        startRad,
-        seed,
-        operator,
-        inputs,
-        choice,
-        encoderNoiseRad,
-        scene,
-        safety,
-        poweredOn,
-        systemTime);
+    return changed(copy -> copy.armChoice = choice);
   }
 
+  /** With noise on each reading of a joint encoder, its standard deviation in rad; 0 for none. */
   public ControllerOptions withEncoderNoise(double standardDeviationRad) {
-    return new ControllerOptions(
-        robotId,
-        startRad,
-        seed,
-        operator,
-        inputs,
-        armChoice,
-        standardDeviationRad,
-        scene,
-        safety,
-        poweredOn,
-        systemTime);
+    return changed(copy -> copy.encoderNoiseRad = standardDeviationRad);
   }
 
+  /** With something around the arm and on its flange. */
   public ControllerOptions withScene(Scene surroundings) {
-    return new ControllerOptions(
-        robotId,
-        startRad,
-        seed,
-        operator,
-        inputs,
-        armChoice,
-        encoderNoiseRad,
-        surroundings,
-        safety,
-        poweredOn,
-        systemTime);
+    return changed(copy -> copy.scene = surroundings);
   }
 
+  /** With other limits and planes than those that are standard for the arm. */
   public ControllerOptions withSafety(SafetyConfiguration limits) {
-    return new ControllerOptions(
-        robotId,
-        startRad,
-        seed,
-        operator,
-        inputs,
-        armChoice,
-        encoderNoiseRad,
-        scene,
-        Optional.of(limits),
-        poweredOn,
-        systemTime);
+    return changed(copy -> copy.safety = Optional.of(limits));
   }
 
   /** Whether the arm is powered and its brakes are released at first. */
   public ControllerOptions withPower(boolean on) {
-    return new ControllerOptions(
-        robotId,
-        startRad,
-        seed,
-        operator,
-        inputs,
-        armChoice,
-        encoderNoiseRad,
-        scene,
-        safety,
-        on,
-        systemTime);
+    return changed(copy -> copy.poweredOn = on);
   }
 
-  /** The date is the one of {@code source}. */
+  /**
+   * With the date of {@code source}; without one it starts at a fixed instant and goes with the
+   * frames, so that runs repeat exactly.
+   */
   public ControllerOptions withSystemTime(InstantSource source) {
-    return new ControllerOptions(
-        robotId,
-        startRad,
-        seed,
-        operator,
-        inputs,
-        armChoice,
-        encoderNoiseRad,
-        scene,
-        safety,
-        poweredOn,
-        Optional.of(source));
+    return changed(copy -> copy.systemTime = Optional.of(source));
+  }
+
+  /** Id of the arm. */
+  public String robotId() {
+    return robotId;
+  }
+
+  /** What is around the arm and on its flange. */
+  public Scene scene() {
+    return scene;
+  }
+
+  Map<String, Boolean> inputs() {
+    return inputs;
   }
 
   BoxSetup boxSetup() {
