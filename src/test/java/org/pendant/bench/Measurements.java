@@ -51,6 +51,7 @@ final class Measurements {
   private void runAll() throws RunnerException, IOException {
     runInterpreter();
     runLanguage();
+    runModels();
     runFrames();
     runVirtualTime();
   }
@@ -89,6 +90,24 @@ final class Measurements {
           1_000 / median(launcher, i),
           1_000 / median(first, i),
           allocatedKb(jvm, i));
+    }
+  }
+
+  private void runModels() throws RunnerException {
+    heading(
+        "Kinematics, dynamics and the simulated arm, ns",
+        "what | default flags | launcher's flags | allocated, bytes");
+    for (String name : List.of("KinematicsBenchmark", "DynamicsBenchmark", "ArmBenchmark")) {
+      List<RunResult> jvm = run(name, warm());
+      List<RunResult> launcher = run(name, warm().jvmArgsAppend(launcherFlags));
+      for (int i = 0; i < jvm.size(); i++) {
+        String arm = jvm.get(i).getParams().getParam("does");
+        row(
+            arm == null ? method(jvm.get(i)) : "a frame of the arm: " + arm,
+            median(jvm, i),
+            median(launcher, i),
+            allocatedKb(jvm, i) * 1_000);
+      }
     }
   }
 
