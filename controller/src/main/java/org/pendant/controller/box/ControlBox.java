@@ -71,6 +71,11 @@ public final class ControlBox {
   private boolean loadKnown;
   private BaseLight baseLight = BaseLight.STANDARD;
   private Joints actualRad;
+  private Wrench flangeWrench = Wrench.ZERO;
+
+  /** Whether {@link #flangeWrench} is of the arm as it stands now. */
+  private boolean wrenchKnown;
+
   private boolean shutDown;
   private long frame;
 
@@ -262,18 +267,21 @@ public final class ControlBox {
       arm.setLoad(model.payload());
     }
     arm.modelChanged();
+    wrenchKnown = false;
   }
 
   /** Hangs something on the flange, whatever programs declare. */
   public void attachLoad(Payload load) {
     loadKnown = true;
     arm.setLoad(load);
+    wrenchKnown = false;
   }
 
   /** From now on what programs declare hangs on the flange. */
   public void followDeclaredPayload() {
     loadKnown = false;
     arm.setLoad(model.payload());
+    wrenchKnown = false;
   }
 
   /** Sets the acceleration that the resting arm feels, along the axes of the base, m/s². */
@@ -294,16 +302,22 @@ public final class ControlBox {
         model.gravityMPerS2(1) + model.baseAccelerationMPerS2(1),
         model.gravityMPerS2(2) + model.baseAccelerationMPerS2(2));
     arm.modelChanged();
+    wrenchKnown = false;
   }
 
   /** Makes what the force sensor feels now its zero (manual 18.72). */
   public void zeroForceSensor() {
     forceSensor.zero(arm, model.payload());
+    wrenchKnown = false;
   }
 
   /** The external wrench at the flange, along the axes of the base (manual 16.32). */
   public Wrench flangeWrenchInBase() {
-    return forceSensor.wrenchAtFlangeInBase(arm, model.payload());
+    if (!wrenchKnown) {
+      flangeWrench = forceSensor.wrenchAtFlangeInBase(arm, model.payload());
+      wrenchKnown = true;
+    }
+    return flangeWrench;
   }
 
   /** The current that the tool takes, A. */
@@ -378,6 +392,7 @@ public final class ControlBox {
       payloadChanged();
     }
     arm.step(command());
+    wrenchKnown = false;
     Joints position = arm.positionRad();
     if (!position.equals(actualRad)) {
       actualRad = position;
@@ -433,6 +448,7 @@ public final class ControlBox {
     arm.jumpTo(positionRad);
     safety.jumped();
     actualRad = positionRad;
+    wrenchKnown = false;
   }
 
   /** A program starts: clears what belongs to the one before. */
