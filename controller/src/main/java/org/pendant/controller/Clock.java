@@ -1,7 +1,7 @@
 package org.pendant.controller;
 
 /** Paces the frames. */
-public sealed interface Clock permits VirtualClock, WallClock {
+public sealed interface Clock permits SteerableClock, VirtualClock, WallClock {
   /**
    * Waits until the next frame is due.
    *

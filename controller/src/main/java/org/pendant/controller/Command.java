@@ -1,8 +1,14 @@
 package org.pendant.controller;
 
 import java.util.Optional;
+import java.util.function.Consumer;
+import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.debug.Debugger;
+import org.pendant.controller.jog.JogMove;
+import org.pendant.controller.jog.Jogging;
 import org.pendant.controller.machine.Program;
 import org.pendant.controller.safety.SafetyInput;
+import org.pendant.controller.world.Vector3;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
 
@@ -93,4 +99,38 @@ public sealed interface Command {
    * @param load what it is; empty for what programs declare
    */
   record AttachLoad(Optional<Payload> load) implements Command {}
+
+  /**
+   * Moves the arm by hand as long as this is repeated: at the latest every {@link
+   * Jogging#DEAD_MAN_S} of robot time, or the arm comes to rest on its path. Refused while a
+   * program runs or is paused, and while the arm is stopped or off; the reply to a repetition tells
+   * why the arm goes no further.
+   *
+   * @param speedFraction above 0 and at most 1: of 0.6 rad/s for the fastest joint, or of 0.25 m/s
+   *     and 1 rad/s for the tool
+   */
+  record Jog(JogMove move, double speedFraction) implements Command {}
+
+  /**
+   * Asks something of the debugger, in the frame loop: sets breakpoints, steps, looks at variables
+   * and changes them. Refused with the message when the request throws an {@link
+   * IllegalArgumentException}; what it finds out it hands over itself, for instance through a
+   * future.
+   */
+  record Debug(Consumer<Debugger> request) implements Command {}
+
+  /** Ends {@link Jog}: the arm comes to rest on its path. */
+  record StopJog() implements Command {}
+
+  /** Changes the active TCP; refused while the arm moves or a program runs or is paused. */
+  record SetTool(ToolCentre tool) implements Command {}
+
+  /**
+   * Declares the payload, a point mass; refused while the arm moves or a program runs or is paused.
+   * The force sensor is zeroed.
+   *
+   * @param massKg 0 to four times what the arm is made for, kg
+   * @param cogInFlangeM its centre of gravity in the flange frame, m
+   */
+  record DeclarePayload(double massKg, Vector3 cogInFlangeM) implements Command {}
 }

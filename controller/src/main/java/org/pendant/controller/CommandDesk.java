@@ -7,6 +7,7 @@ import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.Program;
 import org.pendant.controller.machine.ProgramState;
@@ -25,15 +26,19 @@ final class CommandDesk {
 
   private final ControlBox box;
   private final Machine machine;
+  private final Debugger debugger;
+  private final HandDesk hand;
   private final BlockingQueue<Submitted> arrived = new ArrayBlockingQueue<>(CAPACITY);
   private final List<Submitted> secondaries = new ArrayList<>();
   private final List<Answered> answered = new ArrayList<>();
 
   private record Answered(Submitted command, Reply reply) {}
 
-  CommandDesk(ControlBox box, Machine machine) {
+  CommandDesk(ControlBox box, Machine machine, Debugger debugger, HandDesk hand) {
     this.box = box;
     this.machine = machine;
+    this.debugger = debugger;
+    this.hand = hand;
   }
 
   /** Any thread: leaves a command for the next frame. */
@@ -103,6 +108,12 @@ final class CommandDesk {
             done(() -> box.safety().setInput(set.input(), set.active()));
         case Command.PushTool push -> done(() -> box.world().apply(push.wrenchAtTcpInBase()));
         case Command.AttachLoad attach -> done(() -> attach(attach.load()));
+        case Command.Debug debug -> done(() -> debug.request().accept(debugger));
+        case Command.Jog jog -> granted(hand.jog(jog.move(), jog.speedFraction()));
+        case Command.StopJog stop -> done(hand::stop);
+        case Command.SetTool set -> granted(hand.setTool(set.tool()));
+        case Command.DeclarePayload declare ->
+            granted(hand.declarePayload(declare.massKg(), declare.cogInFlangeM()));
       };
     } catch (IllegalArgumentException e) {
       return new Reply.Refused(e.getMessage());
@@ -138,6 +149,7 @@ final class CommandDesk {
     if (machine.state() != ProgramState.STOPPED) {
       return new Reply.Refused("program " + machine.programName() + " runs already");
     }
+    hand.stop();
     box.programStarted();
     machine.start(program);
     return DONE;

@@ -9,6 +9,7 @@ import java.util.function.BooleanSupplier;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.call.Builtins;
+import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.machine.Loaded;
 import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.ProgramLoader;
@@ -46,8 +47,10 @@ public final class Controller {
     box = new ControlBox(options.boxSetup());
     options.inputs().forEach(this::setInput);
     machine = new Machine(builtins, box);
-    desk = new CommandDesk(box, machine);
-    frame = new Frame(box, machine, desk);
+    Debugger debugger = new Debugger(machine);
+    HandDesk hand = new HandDesk(box, machine);
+    desk = new CommandDesk(box, machine, debugger, hand);
+    frame = new Frame(box, machine, debugger, desk, hand);
   }
 
   private void setInput(String name, boolean level) {

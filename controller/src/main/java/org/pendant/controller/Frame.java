@@ -3,6 +3,7 @@ package org.pendant.controller;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.machine.Ending;
 import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.ProgramState;
@@ -21,28 +22,42 @@ final class Frame {
   private final ControlBox box;
   private final Machine machine;
   private final CommandDesk desk;
+  private final Debugger debugger;
+  private final HandDesk hand;
 
   private ProgramState followed = ProgramState.STOPPED;
   private ProgramStatus program = ProgramStatus.NONE;
   private Optional<Ending> internalEnding = Optional.empty();
   private long faultFrame;
 
+  /** A debugger holds the frame that has begun. */
+  private boolean held;
+
   /** The program is paused because a safety function stopped the arm. */
   private boolean heldBySafety;
 
   private volatile ControllerState state;
 
-  Frame(ControlBox box, Machine machine, CommandDesk desk) {
+  Frame(ControlBox box, Machine machine, Debugger debugger, CommandDesk desk, HandDesk hand) {
     this.box = box;
     this.machine = machine;
+    this.debugger = debugger;
     this.desk = desk;
+    this.hand = hand;
     state = snapshot();
   }
 
   void advance() {
-    box.beginFrame();
+    if (!held) {
+      box.beginFrame();
+    }
     applyCommands();
-    runScripts();
+    held = runScripts();
+    if (held) {
+      // a debugger holds the frame: time stands still, and the next call goes on with it
+      publish();
+      return;
+    }
     stepMotion();
     stepArm();
     checkSafety();
@@ -59,9 +74,12 @@ final class Frame {
     followProgram();
   }
 
-  private void runScripts() {
+  /** Whether a debugger holds the scripts in the middle of this frame. */
+  private boolean runScripts() {
     try {
-      machine.advance();
+      if (machine.advance()) {
+        return true;
+      }
     } catch (RuntimeException | StackOverflowError e) {
       endAfter(e);
     }
@@ -70,10 +88,12 @@ final class Frame {
     }
     desk.runSecondaries();
     followProgram();
+    return false;
   }
 
   private void stepMotion() {
     box.motion().step();
+    hand.step();
   }
 
   private void stepArm() {
@@ -220,6 +240,7 @@ final class Frame {
         ArmReadings.of(box),
         SafetyStatus.of(box),
         programStatus(),
+        debugger.state(),
         box.io().levels(),
         box.popups().open(),
         box.log().takeNew(),

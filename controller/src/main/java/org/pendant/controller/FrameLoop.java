@@ -4,21 +4,35 @@ import java.util.Optional;
 
 /** A thread that drives a controller at the pace of a clock until it is closed. */
 public final class FrameLoop implements AutoCloseable {
+  /** How often a held frame looks for commands, ms. */
+  private static final long HELD_MS = 2;
+
   private final Controller controller;
   private final Clock clock;
+  private final Runnable afterEach;
   private final Thread thread;
   private volatile boolean closing;
   private volatile Optional<Throwable> failure = Optional.empty();
 
-  private FrameLoop(Controller controller, Clock clock) {
+  private FrameLoop(Controller controller, Clock clock, Runnable afterEach) {
     this.controller = controller;
     this.clock = clock;
+    this.afterEach = afterEach;
     thread = Thread.ofPlatform().daemon().name("frame loop").unstarted(this::run);
   }
 
   /** Starts driving; nobody else may from now on. */
   public static FrameLoop start(Controller controller, Clock clock) {
-    FrameLoop loop = new FrameLoop(controller, clock);
+    return start(controller, clock, () -> {});
+  }
+
+  /**
+   * As {@link #start(Controller, Clock)}.
+   *
+   * @param afterEach runs in the loop's thread after each frame, and must be short
+   */
+  public static FrameLoop start(Controller controller, Clock clock, Runnable afterEach) {
+    FrameLoop loop = new FrameLoop(controller, clock, afterEach);
     loop.thread.start();
     return loop;
   }
@@ -28,6 +42,11 @@ public final class FrameLoop implements AutoCloseable {
       while (!closing) {
         clock.awaitFrame();
         controller.advance();
+        afterEach.run();
+        if (controller.state().debug().held()) {
+          // time stands still; only commands are waited for
+          Thread.sleep(HELD_MS);
+        }
       }
     } catch (InterruptedException e) {
       // close() asked for it

@@ -33,7 +33,7 @@ final class AssignmentCompiler {
   void assign(Statement.Assign assign) {
     int mark = context.mark();
     switch (assign.target()) {
-      case Name name -> assignVariable(assign, context.variable(context.scope().target(assign)));
+      case Name name -> assignVariable(assign, context.variable(context.target(assign)));
       case Index index -> {
         int value = expressions.owned(assign.value());
         setIndex(assign, index, value);
@@ -93,7 +93,7 @@ final class AssignmentCompiler {
   /** The operand of the container that an assignment changes: a variable, or a part of one. */
   private int place(Statement.Assign assign, Expression container) {
     return container instanceof Name
-        ? context.variable(context.scope().target(assign))
+        ? context.variable(context.target(assign))
         : expressions.part(container, true);
   }
 

@@ -3,11 +3,16 @@ package org.pendant.controller.machine;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import org.pendant.controller.value.Value;
 import org.pendant.language.check.Binding;
 import org.pendant.language.check.FunctionScope;
 import org.pendant.language.source.Source;
+import org.pendant.language.syntax.Expression;
+import org.pendant.language.syntax.Expression.Index;
+import org.pendant.language.syntax.Expression.Member;
 import org.pendant.language.syntax.Expression.Name;
+import org.pendant.language.syntax.Statement.Assign;
 
 /**
  * One function while it is compiled: its code so far, what its names mean, and its slots.
@@ -19,6 +24,7 @@ final class FunctionContext {
   private final FunctionScope scope;
   private final Linkage linkage;
   private final List<String> variables;
+  private final OptionalInt place;
   private final Map<String, Integer> variableSlots = new HashMap<>();
   private int nextTemporary;
   private int slotCount;
@@ -27,6 +33,20 @@ final class FunctionContext {
    * @param variables parameters and local variables in the order of their slots
    */
   FunctionContext(Source source, FunctionScope scope, Linkage linkage, List<String> variables) {
+    this(source, scope, linkage, variables, OptionalInt.empty());
+  }
+
+  /**
+   * @param place the offset in the text of {@code scope} where names are to mean what they mean
+   *     there; empty when the source itself is that text
+   */
+  FunctionContext(
+      Source source,
+      FunctionScope scope,
+      Linkage linkage,
+      List<String> variables,
+      OptionalInt place) {
+    this.place = place;
     this.source = source;
     this.scope = scope;
     this.linkage = linkage;
@@ -98,7 +118,29 @@ final class FunctionContext {
   }
 
   Binding binding(Name name) {
-    return scope.resolve(name.name(), name.range().start());
+    return scope.resolve(name.name(), place.orElse(name.range().start()));
+  }
+
+  /** The variable that {@code assign} sets, or whose element or member it sets. */
+  Binding target(Assign assign) {
+    return place.isEmpty() ? scope.target(assign) : binding(root(assign.target()));
+  }
+
+  private static Name root(Expression target) {
+    return switch (target) {
+      case Name name -> name;
+      case Index index -> root(index.receiver());
+      case Member member -> root(member.receiver());
+      default -> throw new IllegalArgumentException(target + " is no variable");
+    };
+  }
+
+  /** Whether there is such a variable. */
+  boolean knows(Binding variable) {
+    return switch (variable) {
+      case Binding.Global global -> scope.globals().contains(global.name());
+      case Binding.Local local -> variableSlots.containsKey(local.name());
+    };
   }
 
   int variable(Binding binding) {

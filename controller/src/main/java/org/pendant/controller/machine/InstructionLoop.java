@@ -47,9 +47,11 @@ final class InstructionLoop {
     int base = thread.bases[thread.depth - 1];
     int pc = thread.pcs[thread.depth - 1];
     int budget = thread.budget;
+    // a thread that goes on from a trap executes what the trap stands in place of
+    long w = thread.trapped ? function.instructions()[pc++] : code[pc++];
+    thread.trapped = false;
     try {
       while (true) {
-        long w = code[pc++];
         int a = Instruction.a(w);
         switch (Instruction.operation(w)) {
           case Op.MOVE -> {
@@ -389,6 +391,10 @@ final class InstructionLoop {
               slow.run(thread, base, pc);
             }
           }
+          case Op.TRAP -> {
+            thread.trapped = true;
+            return Processor.stop(thread, pc - 1, Stop.TRAPPED);
+          }
           default -> {
             Stop stop = slow.run(thread, base, pc);
             if (stop != Stop.GOES_ON) {
@@ -400,6 +406,7 @@ final class InstructionLoop {
             ref = registers.objects();
           }
         }
+        w = code[pc++];
       }
     } finally {
       thread.budget = Math.max(0, budget);

@@ -108,6 +108,18 @@ public final class Interpreter {
     run = Optional.empty();
   }
 
+  /** The numbers of the functions that the program has by now. */
+  IdentityHashMap<Definition, Integer> functionNumbers() {
+    return functionNumbers;
+  }
+
+  /** The first static slot that neither the program nor interpreted lines use. */
+  int firstFreeStatic() {
+    return firstStatic < 0
+        ? run.orElseThrow().program().tables().staticNames().size()
+        : firstStatic + STATIC_SLOTS;
+  }
+
   /** Whether {@code interpreter_mode()} is active. */
   public boolean active() {
     return mode.isPresent();

@@ -23,6 +23,9 @@ public final class Machine {
   private ProgramState state = ProgramState.STOPPED;
   private Optional<Ending> ending = Optional.empty();
   private String programName = "";
+  private Sentry sentry = Sentry.NONE;
+  private boolean held;
+  private Optional<ScriptFailure> failure = Optional.empty();
 
   public Machine(Builtins builtins, ControlBox box) {
     this(builtins, box, Translation.WHEN_HOT);
@@ -46,12 +49,14 @@ public final class Machine {
       throw new IllegalStateException("program " + programName + " is " + state);
     }
     ProgramRun started =
-        new ProgramRun(program, builtins, box, new Control(), interpreter::next, translation);
+        new ProgramRun(
+            program, builtins, box, new Control(), interpreter::next, translation, sentry);
     run = Optional.of(started);
     interpreter.programStarted(started);
     programName = program.name();
     ending = Optional.empty();
     state = ProgramState.RUNNING;
+    sentry.programStarted();
   }
 
   /**
@@ -62,10 +67,15 @@ public final class Machine {
   public Optional<ScriptFailure> runSecondary(Program program) {
     ProgramRun secondary =
         new ProgramRun(
-            program, builtins, box, new SecondaryControl(), thread -> false, translation);
+            program,
+            builtins,
+            box,
+            new SecondaryControl(),
+            thread -> false,
+            translation,
+            Sentry.NONE);
     try {
-      ProgramRun.FrameResult result = secondary.advance();
-      if (result == ProgramRun.FrameResult.RUNNING) {
+      if (secondary.advance() == Scheduler.FrameResult.RUNNING) {
         ScriptThread main = secondary.main();
         return Optional.of(
             ProgramFailure.of(
@@ -75,37 +85,94 @@ public final class Machine {
                     "Runtime is too much behind: a secondary program must end within one frame")));
       }
       return Optional.empty();
-    } catch (ProgramRun.ThreadFailure failure) {
-      return Optional.of(ProgramFailure.of(failure.thread(), failure.error()));
+    } catch (ThreadFailure thrown) {
+      return Optional.of(ProgramFailure.of(thrown.thread(), thrown.error()));
     } finally {
       secondary.endAll();
     }
   }
 
-  /** Runs all script threads for one frame; nothing while stopped or paused. */
-  public void advance() {
-    if (state != ProgramState.RUNNING) {
-      return;
+  /**
+   * Runs all script threads for one frame; nothing while stopped or paused.
+   *
+   * @return whether a debugger holds the program: the frame is not over then, time must not pass,
+   *     and the next call goes on with this frame
+   */
+  public boolean advance() {
+    if (held || state != ProgramState.RUNNING) {
+      return held;
     }
     ProgramRun running = run.orElseThrow();
     try {
-      interpreter.feed(running.main());
+      if (!running.heldInFrame()) {
+        interpreter.feed(running.main());
+      }
       switch (running.advance()) {
         case RUNNING -> {}
+        case HELD -> held = true;
         case PAUSED -> state = ProgramState.PAUSED;
         case HALTED -> end(new Ending.Halted());
         case FINISHED -> end(new Ending.Finished());
       }
-    } catch (ProgramRun.ThreadFailure failure) {
-      end(new Ending.Failed(ProgramFailure.of(failure.thread(), failure.error())));
+    } catch (ThreadFailure thrown) {
+      fail(thrown.thread(), ProgramFailure.of(thrown.thread(), thrown.error()));
+    }
+    return held;
+  }
+
+  private void fail(ScriptThread thread, ScriptFailure why) {
+    if (sentry.stopsAtFailure(thread.id(), why)) {
+      failure = Optional.of(why);
+      held = true;
+    } else {
+      end(new Ending.Failed(why));
     }
   }
 
   private void end(Ending how) {
+    held = false;
+    failure = Optional.empty();
     run.orElseThrow().endAll();
     interpreter.programEnded();
     state = ProgramState.STOPPED;
     ending = Optional.of(how);
+    sentry.programEnded();
+  }
+
+  /** Whether a debugger holds the program: neither scripts nor time go on. */
+  public boolean held() {
+    return held;
+  }
+
+  /** Has {@code sentry} asked from the next program on; it takes the place of any before. */
+  public void attach(Sentry sentry) {
+    this.sentry = sentry;
+  }
+
+  /** What a debugger may see of the primary program and do to it. */
+  public ProgramProbe probe() {
+    return new ProgramProbe(this, new Evaluator(builtins, box, interpreter));
+  }
+
+  /** Holds a running program between two frames. */
+  void hold() {
+    held |= state == ProgramState.RUNNING;
+  }
+
+  /** Goes on after a hold; a program that has failed ends. */
+  void release() {
+    held = false;
+    failure.ifPresent(why -> end(new Ending.Failed(why)));
+  }
+
+  /** The program that runs or is paused. */
+  Optional<ProgramRun> run() {
+    return state == ProgramState.STOPPED ? Optional.empty() : run;
+  }
+
+  /** Why the program that is held will end. */
+  Optional<ScriptFailure> failure() {
+    return failure;
   }
 
   /** Stops script time where it stands. */

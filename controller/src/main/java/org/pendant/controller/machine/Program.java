@@ -3,6 +3,7 @@ package org.pendant.controller.machine;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.pendant.controller.call.Builtin;
 import org.pendant.controller.value.Value;
 import org.pendant.language.check.Scopes;
@@ -82,6 +83,26 @@ public final class Program {
   /** Whether it is a secondary program (manual 12). */
   public boolean secondary() {
     return secondary;
+  }
+
+  /**
+   * The first offset of the statement that a breakpoint on {@code line} means: the first that
+   * begins there, or on the nearest line after it where one does; empty behind the last.
+   *
+   * @param line 1-based
+   */
+  public OptionalInt statementFrom(int line) {
+    int best = Integer.MAX_VALUE;
+    for (ScriptFunction function : tables.functions()) {
+      StatementTable statements = function.statements();
+      for (int i = 0; i < statements.size(); i++) {
+        int start = statements.start(i);
+        if (start < best && source.line(start) >= line) {
+          best = start;
+        }
+      }
+    }
+    return best == Integer.MAX_VALUE ? OptionalInt.empty() : OptionalInt.of(best);
   }
 
   Scopes scopes() {

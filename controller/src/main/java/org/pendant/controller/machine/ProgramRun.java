@@ -2,7 +2,7 @@ package org.pendant.controller.machine;
 
 import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.Comparator;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,27 +27,21 @@ final class ProgramRun {
   /** Most threads alive at once; one more is a runtime error. */
   static final int MAX_THREADS = 200;
 
-  /**
-   * Turns and calls that one thread may make in a frame: the computing time of its slice. It is
-   * counted, not measured, so that every machine schedules alike.
-   */
-  static final int BUDGET = 50_000;
-
   private final Program program;
-  private final Predicate<ScriptThread> nextLine;
   private final Registers registers;
   private final RegisterSegments segments;
   private final Methods methods;
   private final Processor processor;
+  private final Scheduler scheduler;
+  private final Sentry sentry;
+  private final Traps traps;
   private final List<ScriptThread> threads = new ArrayList<>();
-  private final List<ScriptThread> order = new ArrayList<>();
   private final BitSet killed = new BitSet();
   private Program.Tables tables;
   private ScriptFunction[] functions;
   private Builtin[] builtins;
+  private int links;
   private int newestThread;
-  private ScriptThread running;
-  private long frame;
   private boolean haltRequested;
   private boolean pauseRequested;
 
@@ -57,9 +51,11 @@ final class ProgramRun {
       ControlBox box,
       ProgramControl control,
       Predicate<ScriptThread> nextLine,
-      Translation translation) {
+      Translation translation,
+      Sentry sentry) {
     this.program = program;
-    this.nextLine = nextLine;
+    this.sentry = sentry;
+    traps = new Traps(program.source());
     int statics = program.tables().staticNames().size();
     registers = new Registers(statics);
     segments = new RegisterSegments(registers, statics);
@@ -71,8 +67,44 @@ final class ProgramRun {
             this,
             new Call(box, control, registers),
             new HotFunctions(translation, program.tables()));
+    scheduler = new Scheduler(this, processor, nextLine, sentry);
     ScriptThread main = newThread(-1);
     main.push(functions[0], main.segmentStart, 0);
+  }
+
+  /** The same program with the same values, for {@link #onTheSide}. */
+  private ProgramRun(
+      ProgramRun original, Program.Tables linked, ControlBox box, ProgramControl control) {
+    program = original.program;
+    sentry = Sentry.NONE;
+    traps = new Traps(program.source());
+    registers = copyOf(original.registers);
+    segments = new RegisterSegments(registers, registers.size());
+    methods = original.methods;
+    link(linked);
+    processor =
+        new Processor(
+            this, new Call(box, control, registers), new HotFunctions(Translation.NEVER, linked));
+    scheduler = new Scheduler(this, processor, thread -> false, sentry);
+  }
+
+  private static Registers copyOf(Registers registers) {
+    int size = registers.size();
+    Registers copy = new Registers(size);
+    System.arraycopy(registers.numbers(), 0, copy.numbers(), 0, size);
+    System.arraycopy(registers.tags(), 0, copy.tags(), 0, size);
+    System.arraycopy(registers.objects(), 0, copy.objects(), 0, size);
+    return copy;
+  }
+
+  /**
+   * A run without threads to compute something on the side: its variables have the values that they
+   * have here, lists and the like not copied.
+   *
+   * @param linked tables that begin with the present ones
+   */
+  ProgramRun onTheSide(Program.Tables linked, ControlBox box, ProgramControl control) {
+    return new ProgramRun(this, linked, box, control);
   }
 
   // --- what instructions refer to
@@ -80,7 +112,9 @@ final class ProgramRun {
   /** Takes over tables that begin with the present ones. */
   void link(Program.Tables linked) {
     tables = linked;
+    links++;
     functions = linked.functions().toArray(ScriptFunction[]::new);
+    traps.replaceIn(functions);
     builtins = linked.builtins().toArray(Builtin[]::new);
   }
 
@@ -103,6 +137,20 @@ final class ProgramRun {
 
   Program.Tables tables() {
     return tables;
+  }
+
+  /** How often tables were taken over. */
+  int links() {
+    return links;
+  }
+
+  /** Sets the traps anew, at once; no code may be running. */
+  void trap(Traps.Plan plan) {
+    traps.set(plan, functions, threads);
+  }
+
+  Processor processor() {
+    return processor;
   }
 
   Registers registers() {
@@ -161,9 +209,8 @@ final class ProgramRun {
     ScriptThread thread = new ScriptThread(newestThread++, parent);
     thread.segmentStart = segments.take(functions[0].slotCount());
     thread.segmentEnd = thread.segmentStart + RegisterSegments.sizeFor(functions[0].slotCount());
-    thread.budget = BUDGET;
     threads.add(thread);
-    order.add(thread);
+    scheduler.add(thread);
     return thread;
   }
 
@@ -186,7 +233,7 @@ final class ProgramRun {
 
   /** Whether the thread that runs just now is the main thread. */
   boolean runningMain() {
-    return running == main();
+    return scheduler.isRunning(main());
   }
 
   /** The static slot of each global variable. */
@@ -215,7 +262,7 @@ final class ProgramRun {
     for (int i = knownVariables; i < line.variableCount(); i++) {
       registers.clear(base + i);
     }
-    main.push(line, base, 0);
+    main.push(traps.entered(line), base, 0);
     main.state = ScriptThread.State.RUNNABLE;
   }
 
@@ -223,13 +270,19 @@ final class ProgramRun {
     return newestThread - 1;
   }
 
-  private Optional<ScriptThread> thread(int id) {
+  /** The thread with handle {@code id}, unless it has ended. */
+  Optional<ScriptThread> thread(int id) {
     for (ScriptThread thread : threads) {
       if (thread.id() == id) {
         return Optional.of(thread);
       }
     }
     return Optional.empty();
+  }
+
+  /** The threads that have not ended, the main thread first. */
+  List<ScriptThread> threads() {
+    return Collections.unmodifiableList(threads);
   }
 
   private void checkHandle(String statement, int id) throws ScriptError {
@@ -264,7 +317,8 @@ final class ProgramRun {
     killed.set(id);
   }
 
-  private void killTree(ScriptThread thread) {
+  /** Ends {@code thread} and the threads it started. */
+  void killTree(ScriptThread thread) {
     end(thread);
     killed.set(thread.id());
     for (ScriptThread child : List.copyOf(threads)) {
@@ -274,7 +328,7 @@ final class ProgramRun {
     }
   }
 
-  private void end(ScriptThread thread) {
+  void end(ScriptThread thread) {
     if (thread.ended()) {
       return;
     }
@@ -286,6 +340,7 @@ final class ProgramRun {
     if (threads.size() > 1 && thread != main()) {
       threads.remove(thread);
       segments.give(thread.segmentStart, thread.segmentEnd - thread.segmentStart);
+      sentry.threadEnded(thread.id());
     }
   }
 
@@ -323,155 +378,26 @@ final class ProgramRun {
     return pauseRequested;
   }
 
-  /** How a frame left the program. */
-  enum FrameResult {
-    RUNNING,
-    PAUSED,
-    HALTED,
-    FINISHED
+  /** A pause that a built-in asked for has come about. */
+  void pauseIsUnderWay() {
+    pauseRequested = false;
   }
 
   /** Frames that this program has been running, pauses not counted. */
   long frame() {
-    return frame;
+    return scheduler.frame();
   }
 
-  /** A thread failed; {@code thread} tells where. */
-  static final class ThreadFailure extends Exception {
-    private static final long serialVersionUID = 1L;
-    private final transient ScriptThread thread;
-    private final ScriptError error;
-
-    ThreadFailure(ScriptThread thread, ScriptError error) {
-      super(error.getMessage(), error, false, false);
-      this.thread = thread;
-      this.error = error;
-    }
-
-    ScriptThread thread() {
-      return thread;
-    }
-
-    ScriptError error() {
-      return error;
-    }
+  /** Whether a frame has begun and is not over. */
+  boolean heldInFrame() {
+    return scheduler.held();
   }
 
-  /**
-   * Runs every runnable thread until it waits, ends or has used its slice. Those with the largest
-   * slice left over go first.
-   */
-  FrameResult advance() throws ThreadFailure {
-    frame++;
-    if (order.size() > 1) {
-      order.removeIf(ScriptThread::ended);
-      order.sort(
-          Comparator.comparing((ScriptThread t) -> !t.critical)
-              .thenComparing(Comparator.comparingInt((ScriptThread t) -> t.budget).reversed())
-              .thenComparingInt(ScriptThread::id));
+  /** Runs all threads for one frame, or goes on with the one that was held. */
+  Scheduler.FrameResult advance() throws ThreadFailure {
+    if (!scheduler.held()) {
+      traps.settle(threads);
     }
-    for (int i = 0; i < order.size(); i++) {
-      order.get(i).budget = BUDGET;
-    }
-    return rounds();
-  }
-
-  /** Goes round the threads until none can do more in this frame. */
-  private FrameResult rounds() throws ThreadFailure {
-    boolean progress = true;
-    while (progress) {
-      progress = false;
-      // threads started meanwhile stand at the end and get their turn too
-      for (int i = 0; i < order.size(); i++) {
-        ScriptThread thread = order.get(i);
-        if (!ready(thread)) {
-          continue;
-        }
-        progress = true;
-        FrameResult result = turn(thread);
-        if (result != FrameResult.RUNNING) {
-          return result;
-        }
-        if (thread.critical && thread.state == ScriptThread.State.RUNNABLE) {
-          // out of its slice inside a critical section: nobody runs until it goes on
-          return FrameResult.RUNNING;
-        }
-      }
-    }
-    return FrameResult.RUNNING;
-  }
-
-  private FrameResult turn(ScriptThread thread) throws ThreadFailure {
-    Processor.Stop stop;
-    running = thread;
-    try {
-      stop = processor.execute(thread);
-    } catch (ScriptError e) {
-      throw new ThreadFailure(thread, e);
-    }
-    switch (stop) {
-      case WAITING -> {
-        thread.state = ScriptThread.State.WAITING;
-        thread.polledFrame = frame;
-        thread.budget = 0;
-      }
-      case EXHAUSTED -> thread.budget = 0;
-      case INTERPRETED -> {
-        if (!nextLine.test(thread)) {
-          thread.state = ScriptThread.State.WAITING;
-          thread.polledFrame = frame;
-          thread.budget = 0;
-        }
-      }
-      case ENDED -> {
-        boolean finished = thread == main();
-        end(thread);
-        if (finished) {
-          return FrameResult.FINISHED;
-        }
-      }
-      case HALTED -> {
-        return FrameResult.HALTED;
-      }
-      case PAUSED -> {
-        pauseRequested = false;
-        return FrameResult.PAUSED;
-      }
-      case JOINING -> {}
-      default -> throw new IllegalStateException("stopped: " + stop);
-    }
-    return FrameResult.RUNNING;
-  }
-
-  /** Whether {@code thread} can run now; looks at what it waits for, once a frame. */
-  private boolean ready(ScriptThread thread) throws ThreadFailure {
-    return switch (thread.state) {
-      case RUNNABLE -> thread.budget > 0;
-      case JOINING -> thread(thread.joinedThread).isEmpty() && released(thread);
-      case WAITING -> thread.polledFrame != frame && waitOver(thread);
-      case ENDED -> false;
-    };
-  }
-
-  private static boolean released(ScriptThread thread) {
-    thread.state = ScriptThread.State.RUNNABLE;
-    return thread.budget > 0;
-  }
-
-  private boolean waitOver(ScriptThread thread) throws ThreadFailure {
-    thread.polledFrame = frame;
-    Optional<Value> result;
-    try {
-      result = thread.wait.poll(frame);
-    } catch (ScriptError e) {
-      throw new ThreadFailure(thread, e);
-    }
-    if (result.isEmpty()) {
-      thread.budget = 0;
-      return false;
-    }
-    registers.set(thread.bases[thread.depth - 1] + thread.waitResult, result.get());
-    thread.state = ScriptThread.State.RUNNABLE;
-    return true;
+    return scheduler.advance();
   }
 }

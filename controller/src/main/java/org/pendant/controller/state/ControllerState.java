@@ -1,6 +1,7 @@
 package org.pendant.controller.state;
 
 import java.util.List;
+import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.io.DigitalLevels;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
@@ -13,6 +14,8 @@ import org.pendant.controller.message.Popup;
  *
  * @param frame number of the frame, 0 before the first
  * @param timeS controller time at its end, s
+ * @param debug whether a debugger holds the frame, and where its threads are then; snapshots of a
+ *     held frame repeat its number
  * @param io levels of the digital signals
  * @param openPopups on the screen, oldest first
  * @param newEntries log lines of this frame
@@ -26,6 +29,7 @@ public record ControllerState(
     ArmReadings readings,
     SafetyStatus safety,
     ProgramStatus program,
+    DebugState debug,
     DigitalLevels io,
     List<Popup> openPopups,
     List<LogEntry> newEntries,

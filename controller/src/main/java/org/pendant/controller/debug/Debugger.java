@@ -1,0 +1,224 @@
+package org.pendant.controller.debug;
+
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.machine.Machine;
+import org.pendant.controller.machine.Program;
+import org.pendant.controller.machine.ProgramProbe;
+import org.pendant.controller.machine.ThreadSnapshot;
+import org.pendant.controller.value.ScriptError;
+
+/**
+ * Holds the primary program of one machine at breakpoints, after steps, on request and before it
+ * fails. While it is held no thread runs and no time passes, so the program does what it would have
+ * done without.
+ *
+ * <p>Only the thread that drives the frames may call this, between two frames or at their begin.
+ * What cannot be done is refused with an {@link IllegalArgumentException}. Calls of functions are
+ * named by their thread and their depth, 1 for the outermost; {@link #MAIN} and {@link #OUTERMOST}
+ * name the one where all global variables can be seen.
+ */
+public final class Debugger {
+  /** The main thread. */
+  public static final int MAIN = 0;
+
+  /** The depth of the call that a thread began with. */
+  public static final int OUTERMOST = 1;
+
+  private final ProgramProbe probe;
+  private final Breakpoints breakpoints = new Breakpoints();
+  private final Stops stops;
+
+  /** A debugger of what {@code machine} will run; there can be one at a time. */
+  public Debugger(Machine machine) {
+    probe = machine.probe();
+    stops = new Stops(probe, breakpoints);
+    machine.attach(stops);
+  }
+
+  // --- breakpoints
+
+  /** Sets a breakpoint, in place of the one on its line, and tells where it is. */
+  public BreakpointState set(Breakpoint breakpoint) {
+    BreakpointState set = breakpoints.set(breakpoint);
+    stops.setTraps();
+    return set;
+  }
+
+  /** Removes the breakpoint that was set on {@code line}; whether there was one. */
+  public boolean remove(int line) {
+    boolean removed = breakpoints.remove(line);
+    stops.setTraps();
+    return removed;
+  }
+
+  /** Removes every breakpoint. */
+  public void removeBreakpoints() {
+    breakpoints.removeAll();
+    stops.setTraps();
+  }
+
+  /** All breakpoints in the order of their lines. */
+  public List<BreakpointState> breakpoints() {
+    return breakpoints.states();
+  }
+
+  /** Whether a program that fails is held before it ends; not so at first. */
+  public void stopOnErrors(boolean wanted) {
+    stops.onErrors(wanted);
+  }
+
+  // --- holding and going on
+
+  /** Holds the running program before anything of the next frame has run. */
+  public void pause() {
+    refuseHeld();
+    probe.hold();
+    if (!probe.held()) {
+      throw new IllegalArgumentException("no program is running");
+    }
+    stops.stop(new StopReason.PauseRequested(), MAIN);
+  }
+
+  /** Lets the program go on; one that has failed ends now. */
+  public void resume() {
+    refuseUnlessHeld();
+    go(Optional.empty());
+  }
+
+  /** Lets the program go on until {@code thread} comes to its next statement in any function. */
+  public void stepInto(int thread) {
+    refuseUnlessSteppable();
+    probe.mark(thread);
+    go(Optional.of(new Step.Into(thread)));
+  }
+
+  /**
+   * Lets the program go on until {@code thread} comes to its next statement in the function that it
+   * is in, or in the caller if that returns.
+   */
+  public void stepOver(int thread) {
+    refuseUnlessSteppable();
+    go(Optional.of(new Step.Over(thread, probe.mark(thread))));
+  }
+
+  /**
+   * Lets the program go on until {@code thread} has left its function and comes to the next
+   * statement of a caller.
+   */
+  public void stepOut(int thread) {
+    refuseUnlessSteppable();
+    go(Optional.of(new Step.Out(thread, probe.mark(thread))));
+  }
+
+  /**
+   * Lets the program go on until {@code thread} comes to the statement that a breakpoint on {@code
+   * line} would mean.
+   */
+  public void runTo(int thread, int line) {
+    refuseUnlessSteppable();
+    probe.mark(thread);
+    int start =
+        program()
+            .statementFrom(line)
+            .orElseThrow(
+                () ->
+                    new IllegalArgumentException(
+                        "line is " + line + ", no statement begins there or after it"));
+    go(Optional.of(new Step.To(thread, start)));
+  }
+
+  private Program program() {
+    return probe.program().orElseThrow(() -> new IllegalArgumentException("no program is running"));
+  }
+
+  /** Ends a thread of a held program, and those that it started. */
+  public void kill(int thread) {
+    refuseUnlessSteppable();
+    probe.kill(thread);
+    stops.threadKilled();
+  }
+
+  private void go(Optional<Step> step) {
+    stops.go(step);
+    probe.release();
+  }
+
+  private void refuseHeld() {
+    if (probe.held()) {
+      throw new IllegalArgumentException("the program is held already");
+    }
+  }
+
+  private void refuseUnlessHeld() {
+    if (!probe.held()) {
+      throw new IllegalArgumentException("the program is not held");
+    }
+  }
+
+  private void refuseUnlessSteppable() {
+    refuseUnlessHeld();
+    if (probe.failure().isPresent()) {
+      throw new IllegalArgumentException("the program has failed, it can only be ended");
+    }
+  }
+
+  // --- looking
+
+  /** Whether the program is held, and where; the same object while nothing changes. */
+  public DebugState state() {
+    return stops.state();
+  }
+
+  /** Where the threads of the program are now, also while it is not held. */
+  public List<ThreadSnapshot> threads() {
+    return probe.threads();
+  }
+
+  /** Parameters and local variables of a call. */
+  public List<Variable> variables(int thread, int depth) {
+    return Variables.of(probe.variables(thread, depth));
+  }
+
+  /** The global variables. */
+  public List<Variable> globals() {
+    return Variables.of(probe.globals());
+  }
+
+  /**
+   * Elements or members of a value.
+   *
+   * @param expression what yields it in the call, see {@link Variable#expression}
+   * @param from index of the first that is wanted
+   * @param count how many are wanted, 1 to 1000
+   * @throws ScriptError as for {@link #evaluate}
+   */
+  public List<Variable> children(int thread, int depth, String expression, int from, int count)
+      throws ScriptError {
+    return Variables.children(expression, probe.evaluate(thread, depth, expression), from, count);
+  }
+
+  /**
+   * The value of an expression in the scope of a call. Variables stay as they are whatever it does.
+   *
+   * @throws ScriptError when it is no expression, fails, or would take robot time
+   */
+  public Variable evaluate(int thread, int depth, String expression) throws ScriptError {
+    return Variables.of(expression, expression, probe.evaluate(thread, depth, expression));
+  }
+
+  /**
+   * Changes a variable of a held program, or an element or member of one, by the rules of an
+   * assignment in the call.
+   *
+   * @param expression a literal or any other expression
+   * @return what it is now
+   * @throws ScriptError when the rules refuse it, or as for {@link #evaluate}; nothing has changed
+   */
+  public Variable assign(int thread, int depth, String target, String expression)
+      throws ScriptError {
+    refuseUnlessHeld();
+    probe.assign(thread, depth, target, expression);
+    return evaluate(thread, depth, target);
+  }
+}

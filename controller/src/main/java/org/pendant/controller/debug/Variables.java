@@ -1,0 +1,98 @@
+package org.pendant.controller.debug;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.pendant.controller.machine.NamedValue;
+import org.pendant.controller.value.ListValue;
+import org.pendant.controller.value.MatrixValue;
+import org.pendant.controller.value.PoseValue;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.StructValue;
+import org.pendant.controller.value.Value;
+import org.pendant.models.pose.Pose;
+
+/** Makes {@link Variable}s of values. */
+final class Variables {
+  /** Most elements of a value that are made at once. */
+  static final int MOST_CHILDREN = 1000;
+
+  /** An operand that an index or a member may follow without brackets around it. */
+  private static final Pattern OPERAND = Pattern.compile("[A-Za-z_]\\w*(\\.\\w+|\\[[\\w, ]+])*");
+
+  private Variables() {}
+
+  static List<Variable> of(List<NamedValue> values) {
+    return values.stream()
+        .map(
+            each ->
+                each.value()
+                    .map(value -> of(each.name(), each.name(), value))
+                    .orElse(new Variable(each.name(), each.name(), Optional.empty(), "", 0)))
+        .toList();
+  }
+
+  static Variable of(String name, String expression, Value value) {
+    return new Variable(
+        name, expression, Optional.of(value.kind()), ShortText.of(value), childCount(value));
+  }
+
+  private static int childCount(Value value) {
+    return switch (value) {
+      case ListValue list -> list.length();
+      case PoseValue pose -> Pose.SIZE;
+      case MatrixValue matrix -> matrix.rows() * matrix.columns();
+      case StructValue struct -> struct.length();
+      default -> 0;
+    };
+  }
+
+  /**
+   * The elements or members of {@code value}.
+   *
+   * @param expression what yields the value
+   * @param from index of the first wanted
+   * @param count how many are wanted; fewer come at the end
+   */
+  static List<Variable> children(String expression, Value value, int from, int count)
+      throws ScriptError {
+    if (from < 0) {
+      throw new IllegalArgumentException("from is " + from + ", must be at least 0");
+    }
+    if (count < 1 || count > MOST_CHILDREN) {
+      throw new IllegalArgumentException("count is " + count + ", must be 1 to " + MOST_CHILDREN);
+    }
+    String operand = OPERAND.matcher(expression).matches() ? expression : "(" + expression + ")";
+    List<Variable> children = new ArrayList<>();
+    for (int i = from; i < childCount(value) && i - from < count; i++) {
+      children.add(child(operand, value, i));
+    }
+    return children;
+  }
+
+  private static Variable child(String operand, Value value, int index) throws ScriptError {
+    return switch (value) {
+      case ListValue list -> element(operand, "[" + index + "]", list.get(index));
+      case PoseValue pose -> element(operand, "[" + index + "]", Value.of(pose.pose().get(index)));
+      case MatrixValue matrix -> {
+        int row = index / matrix.columns();
+        int column = index % matrix.columns();
+        double number = matrix.get(row, column);
+        yield element(
+            operand,
+            "[" + row + ", " + column + "]",
+            matrix.integers() ? Value.of((int) number) : Value.of(number));
+      }
+      case StructValue struct -> {
+        String name = struct.names().get(index);
+        yield of(name, operand + "." + name, struct.memberAt(index));
+      }
+      default -> throw new IllegalStateException(value.kind() + " has no children");
+    };
+  }
+
+  private static Variable element(String operand, String place, Value value) {
+    return of(place, operand + place, value);
+  }
+}
