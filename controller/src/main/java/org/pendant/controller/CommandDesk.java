@@ -149,7 +149,7 @@ final class CommandDesk {
     if (machine.state() != ProgramState.STOPPED) {
       return new Reply.Refused("program " + machine.programName() + " runs already");
     }
-    hand.stop();
+    hand.giveUp();
     box.programStarted();
     machine.start(program);
     return DONE;

@@ -45,6 +45,11 @@ final class HandDesk {
     jogging.release();
   }
 
+  /** A program takes the arm over. */
+  void giveUp() {
+    jogging.giveUp();
+  }
+
   Optional<String> setTool(ToolCentre tool) {
     Optional<String> refusal = settingRefusal("the TCP is changed");
     if (refusal.isEmpty()) {

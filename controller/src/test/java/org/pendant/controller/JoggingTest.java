@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
+import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.BoxSetup;
@@ -225,9 +226,51 @@ final class JoggingTest {
   }
 
   @Test
+  void whereverTheToolIsHeldToGoItComesToRestWithoutASafetyStop() {
+    SplittableRandom random = new SplittableRandom(11);
+    for (int i = 0; i < 60; i++) {
+      Joints start =
+          new Joints(
+              random.nextDouble(-1, 1),
+              random.nextDouble(-2.2, -0.8),
+              random.nextDouble(-2.2, -0.4),
+              random.nextDouble(-2, 0),
+              random.nextDouble(0.4, 2.5),
+              0);
+      controller = new Controller(ControllerOptions.headless().withStart(start));
+      double[] axis = random.doubles(3, -1, 1).toArray();
+      JogDirection direction =
+          i % 2 == 0
+              ? JogDirection.along(axis[0], axis[1], axis[2])
+              : JogDirection.around(axis[0], axis[1], axis[2]);
+      JogMove move = new JogMove.MoveTool(direction, JogFrame.BASE);
+      String reason = heldUntilRefused(move);
+      frames(500);
+      String where = move + " from " + start + ": " + reason;
+      assertEquals(Joints.ZERO, arm().targetSpeedRadPerS(), where);
+      assertEquals(
+          SafetyMode.NORMAL, controller.state().safety().safetyMode(), () -> where + said());
+      assertEquals(1, jogLines(), where);
+    }
+  }
+
+  @Test
+  void anArmThatIsLetGoCloseToALimitRestsBeforeItToo() {
+    for (int held = 400; held < 1500; held += 50) {
+      controller = new Controller(ControllerOptions.headless());
+      hold(along(1, 0.2, 0.1, JogFrame.BASE), 1, held * 0.002);
+      done(new Command.StopJog());
+      rest();
+      frames(200);
+      assertEquals(SafetyMode.NORMAL, controller.state().safety().safetyMode());
+      assertTrue(said().stream().noneMatch(each -> each.contains("protective")));
+      assertTrue(arm().targetPositionRad().get(2) < 0, "the elbow has not passed its singularity");
+    }
+  }
+
+  @Test
   void theToolStopsBeforeASafetyPlane() {
-    SafetyPlane floor =
-        new SafetyPlane("floor", 0, 0, 0.3, new Axis(0, 0, 1), Applies.BOTH, false);
+    SafetyPlane floor = new SafetyPlane("floor", 0, 0, 0.3, new Axis(0, 0, 1), Applies.BOTH, false);
     controller =
         new Controller(
             ControllerOptions.headless()
@@ -297,11 +340,31 @@ final class JoggingTest {
     done(
         new Command.StartProgram(
             program("def p():\n movej([0, -1.57, -1.57, -1.57, 1.57, 0])\nend\n")));
-    assertTrue(
-        controller.runUntil(() -> controller.state().program().ending().isPresent(), LONG));
-    assertInstanceOf(
-        Ending.Finished.class, controller.state().program().ending().orElseThrow());
+    assertTrue(controller.runUntil(() -> controller.state().program().ending().isPresent(), LONG));
+    assertInstanceOf(Ending.Finished.class, controller.state().program().ending().orElseThrow());
     assertEquals(0, arm().targetPositionRad().get(0));
+  }
+
+  @Test
+  void whatHoldsForHandsDoesNotHoldForTheProgramThatFollows() {
+    hold(along(0, 0, 1, JogFrame.BASE), 1, 0.5);
+    done(
+        new Command.StartProgram(
+            program("def p():\n movej([0, -1.57, 0.5, -1.57, 1.57, 0], a=3, v=2)\nend\n")));
+    assertTrue(controller.runUntil(() -> controller.state().program().ending().isPresent(), LONG));
+    assertEquals(0.5, arm().targetPositionRad().get(2), "beyond the elbow singularity");
+    assertEquals(0, jogLines());
+  }
+
+  @Test
+  void anEmergencyStopIsNotSoftenedByALimitAhead() {
+    hold(along(1, 0, 0, JogFrame.BASE), 1, 1);
+    done(new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
+    assertTrue(
+        controller.runUntil(() -> arm().targetSpeedRadPerS().equals(Joints.ZERO), 250),
+        "rests within 0.5 s");
+    assertEquals(SafetyMode.ROBOT_EMERGENCY_STOP, controller.state().safety().safetyMode());
+    assertEquals(0, jogLines());
   }
 
   @Test

@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.motion.MotionTicket;
+import org.pendant.controller.motion.StopJ;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.value.ScriptError;
 
@@ -23,8 +24,8 @@ public final class Jogging {
   private final Outlook outlook;
   private Optional<Hold> hold = Optional.empty();
 
-  /** The motion is of this class, so its failures are, too; true until the arm rests. */
-  private boolean moving;
+  /** What the arm does by hand, until it rests or its joints stop: its failures are of jogging. */
+  private Optional<JogMove> underway = Optional.empty();
 
   /** What somebody holds, and how it goes. */
   private static final class Hold {
@@ -75,7 +76,7 @@ public final class Jogging {
       box.motion().clearFault();
       MotionTicket ticket = box.motion().start(planner.plan(move, speedFraction));
       hold = Optional.of(new Hold(move, ticket, box.frame() + DEAD_MAN_FRAMES));
-      moving = true;
+      underway = Optional.of(move);
       return Optional.empty();
     } catch (ScriptError e) {
       return Optional.of(e.getMessage());
@@ -95,18 +96,29 @@ public final class Jogging {
     hold = Optional.empty();
   }
 
+  /** As {@link #release}; the next motion is none of this class, even if it begins before rest. */
+  public void giveUp() {
+    release();
+    underway = Optional.empty();
+  }
+
   /** Looks at how the move goes; after the step of the motion in each frame. */
   public void step() {
     if (hold.isPresent() && box.frame() > hold.get().lastFrame) {
       release();
     }
-    if (moving) {
+    if (underway.isPresent()) {
       endAfterFault();
+      if (box.safety().stop().isEmpty()) {
+        lookAhead(straight(underway.get()));
+      }
     }
     if (hold.isPresent() && !hold.get().over) {
       watch(hold.get());
     }
-    moving = moving && box.motion().moving();
+    if (!box.motion().moving()) {
+      underway = Optional.empty();
+    }
   }
 
   /** The path led nowhere: the arm stops by itself, which is nothing that a program did. */
@@ -131,9 +143,38 @@ public final class Jogging {
       present.ticket.cancel();
     } else if (present.ticket.finished()) {
       finish(present);
-    } else {
-      outlook.obstacle(planner).ifPresent(reason -> end(present, reason));
     }
+  }
+
+  /** Before a limit the joints stop, also when the arm only comes to rest: its path leads there. */
+  private void lookAhead(boolean straight) {
+    Optional<String> obstacle = outlook.obstacle(planner, straight);
+    if (obstacle.isPresent()) {
+      if (hold.isPresent() && !hold.get().over) {
+        end(hold.get(), obstacle.get());
+      }
+      stopJoints();
+    }
+  }
+
+  /** What the outlook reckons with; on a straight path joints may go on to turn faster. */
+  private void stopJoints() {
+    underway = Optional.empty();
+    try {
+      box.motion()
+          .takeOver((from, speed) -> new StopJ(from, speed, Outlook.STOP_RAD_PER_S2))
+          .cancel();
+    } catch (ScriptError e) {
+      // another motion waits for the arm already, which comes to rest on its path
+      box.log().warning("jogging: " + e.getMessage());
+    }
+  }
+
+  private static boolean straight(JogMove move) {
+    return switch (move) {
+      case JogMove.MoveTool _, JogMove.StraightTo _ -> true;
+      case JogMove.TurnJoint _, JogMove.ToJoints _, JogMove.ToPose _ -> false;
+    };
   }
 
   private void finish(Hold present) {

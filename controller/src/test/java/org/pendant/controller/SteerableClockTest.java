@@ -1,0 +1,125 @@
+package org.pendant.controller;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import org.junit.jupiter.api.Test;
+
+final class SteerableClockTest {
+  private static final long FRAME_NS = 2_000_000;
+
+  private long nowNs = 1_000;
+  private int parks;
+  private Runnable whileParked = () -> {};
+
+  private SteerableClock clock(Pace pace) {
+    return new SteerableClock(pace, () -> nowNs, this::park);
+  }
+
+  /** Waiting lets the fake time go on, and whoever steers have a turn. */
+  private void park(long ns) {
+    parks++;
+    if (ns < Long.MAX_VALUE) {
+      nowNs += ns;
+    }
+    whileParked.run();
+  }
+
+  private static void await(SteerableClock clock, int frames) throws InterruptedException {
+    for (int i = 0; i < frames; i++) {
+      clock.awaitFrame();
+    }
+  }
+
+  @Test
+  void inRealTimeAFrameComesEveryTwoMilliseconds() throws InterruptedException {
+    SteerableClock clock = clock(Pace.REAL_TIME);
+    await(clock, 501);
+    assertEquals(1_000 + 500 * FRAME_NS, nowNs);
+    assertEquals(new WallClock.Lateness(501, 0, 0), clock.lateness());
+  }
+
+  @Test
+  void aFactorShortensTheFrames() throws InterruptedException {
+    SteerableClock clock = clock(new Pace.Times(4));
+    await(clock, 401);
+    assertEquals(1_000 + 100 * FRAME_NS, nowNs);
+  }
+
+  @Test
+  void theFactorCanBeChangedOnTheWay() throws InterruptedException {
+    SteerableClock clock = clock(Pace.REAL_TIME);
+    await(clock, 11);
+    clock.setPace(new Pace.Times(2));
+    await(clock, 11);
+    assertEquals(1_000 + 10 * FRAME_NS + 10 * FRAME_NS / 2, nowNs);
+  }
+
+  @Test
+  void withoutALimitNothingWaits() throws InterruptedException {
+    SteerableClock clock = clock(new Pace.Unlimited());
+    await(clock, 1000);
+    assertEquals(1_000, nowNs);
+    assertEquals(0, parks);
+  }
+
+  @Test
+  void whilePausedEachGrantLetsOneFramePass() throws InterruptedException {
+    SteerableClock clock = clock(new Pace.Paused());
+    whileParked = () -> clock.grant(1);
+    await(clock, 3);
+    assertEquals(3, parks);
+  }
+
+  @Test
+  void whilePausedACommandLetsOneFramePass() throws InterruptedException {
+    SteerableClock clock = clock(new Pace.Paused());
+    clock.commandArrived();
+    clock.awaitFrame();
+    assertEquals(0, parks);
+    whileParked = clock::commandArrived;
+    clock.awaitFrame();
+    assertEquals(1, parks);
+  }
+
+  @Test
+  void grantsThatWereNotUsedLapseWithAChangeOfPace() throws InterruptedException {
+    SteerableClock clock = clock(new Pace.Paused());
+    clock.grant(5);
+    clock.setPace(new Pace.Paused());
+    whileParked = () -> clock.setPace(Pace.REAL_TIME);
+    clock.awaitFrame();
+    assertEquals(1, parks);
+  }
+
+  @Test
+  void aPauseDoesNotCountAsLateness() throws InterruptedException {
+    SteerableClock clock = clock(Pace.REAL_TIME);
+    await(clock, 2);
+    clock.setPace(new Pace.Paused());
+    nowNs += 150_000_000;
+    clock.grant(1);
+    clock.awaitFrame();
+    clock.setPace(Pace.REAL_TIME);
+    await(clock, 2);
+    assertEquals(0, clock.lateness().lateFrames());
+  }
+
+  @Test
+  void anInterruptEndsTheWait() {
+    SteerableClock clock = clock(new Pace.Paused());
+    whileParked = () -> Thread.currentThread().interrupt();
+    assertThrows(InterruptedException.class, clock::awaitFrame);
+    Thread.currentThread().interrupt();
+    assertThrows(InterruptedException.class, clock(new Pace.Unlimited())::awaitFrame);
+  }
+
+  @Test
+  void factorsOutOfRangeAreRefused() {
+    assertEquals(
+        "speed factor is 0.0, must be above 0 and at most 1000",
+        assertThrows(IllegalArgumentException.class, () -> new Pace.Times(0)).getMessage());
+    assertThrows(IllegalArgumentException.class, () -> new Pace.Times(1001));
+    assertThrows(IllegalArgumentException.class, () -> new Pace.Times(Double.NaN));
+  }
+}
