@@ -50,10 +50,7 @@ public final class Pendant {
   private ExitCode choose(List<String> words) {
     String first = words.isEmpty() ? "" : words.getFirst();
     return switch (first) {
-      case "" -> {
-        usage().forEach(console::complain);
-        yield ExitCode.WRONG_USAGE;
-      }
+      case "" -> new DesktopStart(console).run();
       case "--help", "-h", "help" -> {
         usage().forEach(console::print);
         yield ExitCode.DONE;
@@ -108,6 +105,7 @@ public final class Pendant {
     lines.add("Pendant runs URScript programs on an embedded robot controller.");
     lines.add("");
     lines.add("Usage: pendant COMMAND [options] ...");
+    lines.add("       pendant    (opens the desktop)");
     lines.add("");
     for (Subcommand subcommand : subcommands) {
       lines.row(subcommand.name() + " " + subcommand.operands(), subcommand.summary());

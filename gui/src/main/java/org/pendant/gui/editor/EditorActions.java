@@ -1,0 +1,94 @@
+package org.pendant.gui.editor;
+
+import java.util.function.Consumer;
+import org.pendant.gui.workbench.Action;
+import org.pendant.gui.workbench.Actions;
+
+/** What can be done in the editor, by name and key. */
+final class EditorActions {
+  /** Their ids begin so. */
+  private static final String PREFIX = "editor.";
+
+  private final Actions actions;
+  private final ScriptEditor editor;
+
+  private EditorActions(Actions actions, ScriptEditor editor) {
+    this.actions = actions;
+    this.editor = editor;
+  }
+
+  static void addTo(Actions actions, ScriptEditor editor) {
+    EditorActions all = new EditorActions(actions, editor);
+    all.writing();
+    all.names();
+    all.searching();
+    all.program();
+  }
+
+  private void writing() {
+    add("undo", "Undo", "control Z", each -> each.area().undoLastAction());
+    add("redo", "Redo", "control shift Z", each -> each.area().redoLastAction());
+    add("complete", "Complete", "control SPACE", ProgramEditor::complete);
+    add("signature", "Show parameters", "control shift SPACE", ProgramEditor::showSignature);
+    add("quick-fix", "Quick fix", "alt ENTER", ProgramEditor::fix);
+    add("format", "Format", "control shift I", each -> each.layoutCommands().format());
+    add(
+        "comment",
+        "Toggle comment",
+        "control SLASH",
+        each -> each.layoutCommands().toggleComment());
+    add(
+        "indent",
+        "Indent lines",
+        "control CLOSE_BRACKET",
+        each -> each.layoutCommands().shift(true));
+    add(
+        "outdent",
+        "Outdent lines",
+        "control OPEN_BRACKET",
+        each -> each.layoutCommands().shift(false));
+    add("fold", "Fold or unfold block", "control PERIOD", Folds::toggle);
+    add("fold-all", "Fold all blocks", "control alt OPEN_BRACKET", each -> Folds.all(each, true));
+    add(
+        "unfold-all",
+        "Unfold all blocks",
+        "control alt CLOSE_BRACKET",
+        each -> Folds.all(each, false));
+  }
+
+  private void names() {
+    add("definition", "Go to definition", "F12", each -> each.names().goToDefinition());
+    add("references", "Find references", "shift F12", each -> each.names().findReferences());
+    add("rename", "Rename", "F2", each -> each.names().rename());
+  }
+
+  private void searching() {
+    add("find", "Find", "control F", each -> editor.find().open(false));
+    add("replace", "Find and replace", "control H", each -> editor.find().open(true));
+    add("find-next", "Next match", "F3", each -> editor.find().step(true));
+    add("find-previous", "Previous match", "shift F3", each -> editor.find().step(false));
+    add("line", "Go to line", "control G", each -> each.layoutCommands().goToLine());
+  }
+
+  private void program() {
+    add("close", "Close program", "control W", each -> editor.close());
+    add(
+        "breakpoint",
+        "Toggle breakpoint",
+        "F9",
+        each -> each.toggleBreakpoint(each.area().lineAt(each.area().getCaretPosition())));
+    add("larger", "Larger text", "control EQUALS", each -> each.zoom(1));
+    add("smaller", "Smaller text", "control MINUS", each -> each.zoom(-1));
+    add("usual-size", "Usual text size", "control 0", each -> each.zoom(0));
+  }
+
+  private void add(String id, String title, String keys, Consumer<ProgramEditor> run) {
+    actions.add(
+        new Action(
+            PREFIX + id,
+            title,
+            keys,
+            () -> editor.component().isShowing(),
+            () -> run.accept(editor.current())));
+  }
+}

@@ -1,0 +1,20 @@
+package org.pendant.gui.editor;
+
+import java.util.List;
+import org.pendant.gui.editor.text.Place;
+
+/** What the editor of one program asks of the view around it. */
+interface EditorDesk {
+
+  /** Says a sentence at the edge of the window. */
+  void tell(String sentence);
+
+  /** Lists places under a title. */
+  void list(String title, List<Place> places);
+
+  /** There is a new analysis, or the caret stands elsewhere. */
+  void changed(ProgramEditor editor);
+
+  /** Other lines have breakpoints. */
+  void breakpointsChanged(ProgramEditor editor);
+}

@@ -1,0 +1,112 @@
+package org.pendant.gui.editor;
+
+import java.awt.EventQueue;
+import java.util.List;
+import org.pendant.gui.editor.text.AnalysedText;
+import org.pendant.gui.editor.text.AnalysisSchedule;
+import org.pendant.gui.editor.text.AutoIndent;
+import org.pendant.gui.editor.text.Background;
+import org.pendant.gui.editor.text.CommentToggle;
+import org.pendant.gui.editor.text.Edit;
+import org.pendant.gui.editor.text.Span;
+import org.pendant.language.service.FormatOptions;
+import org.pendant.language.service.FormatResult;
+import org.pendant.language.source.ByteText;
+
+/** What can be done with whole lines: tidy, comment, move in and out, go to one. */
+final class LayoutCommands {
+  private final ScriptArea area;
+  private final AnalysisSchedule schedule;
+  private final Background background;
+  private final DocumentLink link;
+  private final EditorDesk desk;
+
+  LayoutCommands(
+      ScriptArea area,
+      AnalysisSchedule schedule,
+      Background background,
+      DocumentLink link,
+      EditorDesk desk) {
+    this.area = area;
+    this.schedule = schedule;
+    this.background = background;
+    this.link = link;
+    this.desk = desk;
+  }
+
+  /** Lays the whole text out evenly. */
+  void format() {
+    schedule.whenCurrent(
+        analysed ->
+            background.run(
+                0,
+                () -> {
+                  FormatResult result = analysed.analysis().format(FormatOptions.DEFAULT);
+                  EventQueue.invokeLater(() -> finish(analysed, result));
+                }));
+  }
+
+  private void finish(AnalysedText analysed, FormatResult result) {
+    if (schedule.current().filter(now -> now == analysed).isEmpty()) {
+      desk.tell("Not formatted: the text has changed meanwhile");
+      return;
+    }
+    switch (result) {
+      case FormatResult.Refused refused ->
+          desk.tell("Not formatted: " + ByteText.decoded(refused.reason()));
+      case FormatResult.Formatted formatted when formatted.edits().isEmpty() ->
+          desk.tell("The text is laid out already");
+      case FormatResult.Formatted formatted ->
+          link.gather(() -> area.make(analysed.edits(formatted.edits())));
+    }
+  }
+
+  /** Makes the selected lines comments, or code again. */
+  void toggleComment() {
+    make(CommentToggle.edits(area.getText(), area.selectedLines()));
+  }
+
+  /** Moves the selected lines one step in or out. */
+  void shift(boolean deeper) {
+    make(AutoIndent.shifted(area.selectedLines(), area.getText(), deeper));
+  }
+
+  private void make(List<Edit> edits) {
+    if (edits.isEmpty()) {
+      return;
+    }
+    int from = Edit.moved(area.getSelectionStart(), edits);
+    int to = Edit.moved(area.getSelectionEnd(), edits);
+    boolean selected = area.getSelectionStart() < area.getSelectionEnd();
+    area.make(edits);
+    if (selected) {
+      area.setCaretPosition(from);
+      area.moveCaretPosition(to);
+    }
+  }
+
+  /** Asks for a line and goes there. */
+  void goToLine() {
+    int lines = area.getLineCount();
+    String question = "Go to line (1 to " + lines + ")";
+    int now = area.lineAt(area.getCaretPosition());
+    InlinePrompt.ask(
+        area,
+        area.place(area.getCaretPosition()),
+        question,
+        Integer.toString(now),
+        prompt -> goTo(prompt, lines));
+  }
+
+  private void goTo(InlinePrompt prompt, int lines) {
+    String text = prompt.text();
+    boolean number = text.matches("\\d{1,9}");
+    if (!number || Integer.parseInt(text) < 1 || Integer.parseInt(text) > lines) {
+      prompt.refuse("Line is " + text + ", must be 1 to " + lines);
+      return;
+    }
+    prompt.close();
+    int start = area.line(Integer.parseInt(text)).start();
+    area.show(new Span(start, start));
+  }
+}

@@ -1,0 +1,140 @@
+package org.pendant.gui.editor;
+
+import java.awt.EventQueue;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.List;
+import javax.swing.SwingUtilities;
+import org.pendant.gui.editor.text.AnalysedText;
+import org.pendant.gui.editor.text.AnalysisSchedule;
+import org.pendant.gui.editor.text.Background;
+import org.pendant.gui.editor.text.Place;
+import org.pendant.gui.editor.text.Span;
+import org.pendant.gui.session.ProgramDocument;
+import org.pendant.language.service.RenameResult;
+import org.pendant.language.source.ByteText;
+
+/** What can be done with the name at the caret: find where it comes from, its uses, rename it. */
+final class NameCommands {
+  private final ScriptArea area;
+  private final ProgramDocument program;
+  private final AnalysisSchedule schedule;
+  private final Background background;
+  private final EditorDesk desk;
+
+  NameCommands(
+      ScriptArea area,
+      ProgramDocument program,
+      AnalysisSchedule schedule,
+      Background background,
+      EditorDesk desk) {
+    this.area = area;
+    this.program = program;
+    this.schedule = schedule;
+    this.background = background;
+    this.desk = desk;
+    area.addMouseListener(
+        new MouseAdapter() {
+          @Override
+          public void mouseClicked(MouseEvent event) {
+            if (SwingUtilities.isLeftMouseButton(event)
+                && event.isControlDown()
+                && event.getClickCount() == 1) {
+              goToDefinition();
+            }
+          }
+        });
+  }
+
+  /** Moves the caret to where the name is defined or first assigned. */
+  void goToDefinition() {
+    schedule.whenCurrent(
+        analysed -> {
+          int caret = area.getCaretPosition();
+          analysed
+              .definition(caret)
+              .ifPresentOrElse(
+                  area::show,
+                  () ->
+                      desk.tell(
+                          analysed
+                              .hover(caret)
+                              .map(hover -> ByteText.decoded(hover.head()) + " is built in")
+                              .orElse("There is no name here")));
+        });
+  }
+
+  /** Lists every place that means the same. */
+  void findReferences() {
+    schedule.whenCurrent(
+        analysed -> {
+          List<Span> spans = analysed.references(area.getCaretPosition());
+          if (spans.isEmpty()) {
+            desk.tell("There is no name here");
+            return;
+          }
+          String name = area.text(spans.getFirst());
+          List<Place> places =
+              spans.stream()
+                  .map(span -> Place.of(program.name(), program.file(), analysed.text(), span))
+                  .toList();
+          String times = places.size() == 1 ? "1 place" : places.size() + " places";
+          desk.list(name + ": " + times, places);
+        });
+  }
+
+  /** Asks for another name, and gives it everywhere. */
+  void rename() {
+    schedule.whenCurrent(
+        analysed -> {
+          int caret = area.getCaretPosition();
+          List<Span> spans = analysed.references(caret);
+          spans.stream()
+              .filter(span -> span.touches(caret))
+              .findFirst()
+              .ifPresentOrElse(span -> askForName(span), () -> desk.tell("There is no name here"));
+        });
+  }
+
+  private void askForName(Span span) {
+    String old = area.text(span);
+    InlinePrompt.ask(
+        area,
+        area.place(span.start()),
+        "New name for " + old,
+        old,
+        prompt -> {
+          if (prompt.text().equals(old)) {
+            prompt.close();
+            return;
+          }
+          schedule.whenCurrent(analysed -> rename(analysed, span.start(), prompt));
+        });
+  }
+
+  private void rename(AnalysedText analysed, int offset, InlinePrompt prompt) {
+    String name = ByteText.asBytes(prompt.text());
+    background.run(
+        0,
+        () -> {
+          RenameResult result = analysed.analysis().rename(analysed.toByte(offset), name);
+          EventQueue.invokeLater(() -> finish(analysed, result, prompt));
+        });
+  }
+
+  private void finish(AnalysedText analysed, RenameResult result, InlinePrompt prompt) {
+    if (schedule.current().filter(now -> now == analysed).isEmpty()) {
+      prompt.refuse("The text has changed meanwhile; press ENTER again");
+      return;
+    }
+    switch (result) {
+      case RenameResult.Refused refused -> prompt.refuse(ByteText.decoded(refused.reason()));
+      case RenameResult.Renamed renamed -> {
+        prompt.close();
+        area.make(analysed.edits(renamed.edits()));
+        int places = renamed.edits().size();
+        desk.tell("Renamed in " + (places == 1 ? "1 place" : places + " places"));
+      }
+    }
+  }
+}

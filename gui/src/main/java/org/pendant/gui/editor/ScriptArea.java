@@ -1,0 +1,242 @@
+package org.pendant.gui.editor;
+
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.IntConsumer;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
+import javax.swing.AbstractAction;
+import javax.swing.KeyStroke;
+import javax.swing.text.BadLocationException;
+import javax.swing.text.DefaultEditorKit;
+import javax.swing.text.Element;
+import org.fife.ui.rsyntaxtextarea.RSyntaxDocument;
+import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
+import org.fife.ui.rsyntaxtextarea.folding.FoldParserManager;
+import org.pendant.gui.editor.text.AnalysedText;
+import org.pendant.gui.editor.text.AutoIndent;
+import org.pendant.gui.editor.text.Edit;
+import org.pendant.gui.editor.text.LineColours;
+import org.pendant.gui.editor.text.Lines;
+import org.pendant.gui.editor.text.Span;
+
+/** The text component, set up for scripts. Offsets count characters, lines count from 1. */
+@SuppressWarnings("serial") // never written to a stream
+final class ScriptArea extends RSyntaxTextArea {
+  private static final String STYLE = "text/urscript";
+
+  /** The component's own timer has nothing to do: results are handed over when they come. */
+  private static final int NEVER_MS = 1 << 30;
+
+  private static final int SMALLEST_ZOOM = -5;
+  private static final int LARGEST_ZOOM = 24;
+
+  private final Supplier<Optional<AnalysedText>> analysed;
+  private final Predicate<KeyStroke> takenKeys;
+  private Function<Integer, Optional<String>> tips = offset -> Optional.empty();
+  private IntConsumer typed = c -> {};
+  private int zoom;
+
+  /**
+   * An empty text.
+   *
+   * @param colours asked for the colours of lines
+   * @param analysed what is known about the text as it is
+   * @param takenKeys which keys belong to the window around it
+   */
+  ScriptArea(
+      LineColours colours,
+      Supplier<Optional<AnalysedText>> analysed,
+      Predicate<KeyStroke> takenKeys) {
+    super(new RSyntaxDocument(SYNTAX_STYLE_NONE));
+    this.analysed = analysed;
+    this.takenKeys = takenKeys;
+    // The component asks for the fold parser when its style changes: it must be known before.
+    FoldParserManager.get().addFoldParserMapping(STYLE, new ScriptFolds());
+    setSyntaxEditingStyle(STYLE);
+    RSyntaxDocument document = (RSyntaxDocument) getDocument();
+    document.setSyntaxStyle(new ScriptTokenMaker(document, colours));
+    setCodeFoldingEnabled(true);
+    setTabSize(AutoIndent.STEP);
+    setTabsEmulated(true);
+    setBracketMatchingEnabled(true);
+    setPaintMatchedBracketPair(true);
+    setAnimateBracketMatching(false);
+    setShowMatchedBracketPopup(false);
+    setAutoIndentEnabled(false);
+    setCloseCurlyBraces(false);
+    setInsertPairedCharacters(false);
+    setClearWhitespaceLinesEnabled(false);
+    setHyperlinksEnabled(false);
+    setUseFocusableTips(false);
+    setMarkOccurrences(false);
+    setParserDelay(NEVER_MS);
+    setPopupMenu(null);
+    setName("script-text");
+    getAccessibleContext().setAccessibleName("Script");
+    getActionMap().put(DefaultEditorKit.insertBreakAction, new NewLine());
+    setToolTipText("");
+  }
+
+  /** What is known about the text as it is. */
+  Optional<AnalysedText> analysed() {
+    return analysed.get();
+  }
+
+  /** Asks {@code tips} what to say about the character under the pointer, as HTML. */
+  void setTips(Function<Integer, Optional<String>> tips) {
+    this.tips = tips;
+  }
+
+  /** Tells {@code typed} of every single character that is typed, after it is in the text. */
+  void setTyped(IntConsumer typed) {
+    this.typed = typed;
+  }
+
+  /** Points that the font is larger than usual. */
+  int zoom() {
+    return zoom;
+  }
+
+  void setZoom(int wanted) {
+    zoom = Math.clamp(wanted, SMALLEST_ZOOM, LARGEST_ZOOM);
+  }
+
+  /** Makes all of {@code edits} as one step of undo; the caret stays at its text. */
+  void make(List<Edit> edits) {
+    int caret = Edit.moved(getCaretPosition(), edits);
+    beginAtomicEdit();
+    for (Edit edit : Edit.backwards(edits)) {
+      replaceRange(edit.text(), edit.span().start(), edit.span().end());
+    }
+    endAtomicEdit();
+    setCaretPosition(caret);
+  }
+
+  /** Where the characters of {@code offset} are painted. */
+  Rectangle place(int offset) {
+    try {
+      Rectangle2D place = modelToView2D(Math.clamp(offset, 0, getDocument().getLength()));
+      return place == null ? new Rectangle() : place.getBounds();
+    } catch (BadLocationException e) {
+      throw new IllegalStateException("offset " + offset + " is clamped to the text", e);
+    }
+  }
+
+  /** Selects {@code span} and scrolls it to the middle if it is not in sight; opens folds. */
+  void show(Span span) {
+    int end = Math.clamp(span.end(), 0, getDocument().getLength());
+    int start = Math.clamp(span.start(), 0, end);
+    getFoldManager().ensureOffsetNotInClosedFold(start);
+    setCaretPosition(start);
+    moveCaretPosition(end);
+    Rectangle place = place(start);
+    Rectangle seen = getVisibleRect();
+    boolean inSight = seen.y <= place.y && place.y + 2 * place.height <= seen.y + seen.height;
+    if (!inSight) {
+      int y = Math.max(0, place.y - seen.height / 3);
+      scrollRectToVisible(new Rectangle(0, y, 1, seen.height));
+    }
+  }
+
+  /** The characters of line {@code line}, without its end; of the nearest if there is none. */
+  Span line(int line) {
+    Element root = getDocument().getDefaultRootElement();
+    Element element = root.getElement(Math.clamp(line - 1, 0, root.getElementCount() - 1));
+    return new Span(element.getStartOffset(), element.getEndOffset() - 1);
+  }
+
+  /** The line of {@code offset}. */
+  int lineAt(int offset) {
+    return getDocument().getDefaultRootElement().getElementIndex(offset) + 1;
+  }
+
+  /** The lines that the selection touches, or the line of the caret. */
+  List<Span> selectedLines() {
+    return Lines.touched(getText(), new Span(getSelectionStart(), getSelectionEnd()));
+  }
+
+  @Override
+  public String getToolTipText(MouseEvent event) {
+    int offset = viewToModel2D(event.getPoint());
+    if (offset < 0 || !isOver(offset, event.getPoint())) {
+      return null;
+    }
+    return tips.apply(offset).orElse(null);
+  }
+
+  private boolean isOver(int offset, Point point) {
+    Rectangle place = place(offset);
+    return point.y >= place.y
+        && point.y < place.y + place.height
+        && Math.abs(point.x - place.x) < 2 * place.height;
+  }
+
+  /** Plain keys write; any other may belong to the window, which gets it if we let it go. */
+  @Override
+  protected boolean processKeyBinding(
+      KeyStroke key, KeyEvent event, int condition, boolean pressed) {
+    boolean plain = event.getModifiersEx() == 0 && !event.isActionKey();
+    if (pressed && !plain && takenKeys != null && takenKeys.test(key)) {
+      return false;
+    }
+    return super.processKeyBinding(key, event, condition, pressed);
+  }
+
+  @Override
+  public void replaceSelection(String text) {
+    super.replaceSelection(text);
+    if (text != null && text.length() == 1) {
+      alignClosingWord();
+      typed.accept(text.charAt(0));
+    }
+  }
+
+  /** A line that has just become {@code end} goes back to where its block began. */
+  private void alignClosingWord() {
+    int caret = getCaretPosition();
+    Span line = line(lineAt(caret));
+    String content = text(line);
+    if (caret != line.end() || content.isBlank() || !Character.isWhitespace(content.charAt(0))) {
+      return;
+    }
+    String code = content.strip();
+    if (!code.equals("end") && !code.equals("else:") && !code.equals("elif")) {
+      return;
+    }
+    List<String> above = new ArrayList<>();
+    for (int i = 1; i < lineAt(caret); i++) {
+      above.add(text(line(i)));
+    }
+    String wanted = AutoIndent.of(content, above) + code;
+    if (!wanted.equals(content)) {
+      replaceRange(wanted, line.start(), line.end());
+    }
+  }
+
+  String text(Span span) {
+    try {
+      return getText(span.start(), span.end() - span.start());
+    } catch (BadLocationException e) {
+      throw new IllegalArgumentException(span + " is not in the text", e);
+    }
+  }
+
+  /** Begins a line, indented. */
+  private final class NewLine extends AbstractAction {
+    @Override
+    public void actionPerformed(ActionEvent event) {
+      int start = getSelectionStart();
+      String before = text(new Span(line(lineAt(start)).start(), start));
+      replaceSelection("\n" + AutoIndent.behind(before));
+    }
+  }
+}

@@ -1,0 +1,32 @@
+package org.pendant.gui.editor;
+
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import org.pendant.gui.editor.text.Background;
+
+/** One thread that does what would hold up the window. It does not keep the program alive. */
+final class WorkerThread implements Background {
+  private final ScheduledExecutorService executor;
+
+  WorkerThread(String name) {
+    executor =
+        Executors.newSingleThreadScheduledExecutor(
+            Thread.ofPlatform().daemon().name(name).factory());
+  }
+
+  @Override
+  public void run(int delayMs, Runnable work) {
+    var _ = executor.schedule(() -> report(work), delayMs, TimeUnit.MILLISECONDS);
+  }
+
+  /** The executor would keep a fault to itself: it belongs to whoever looks after threads. */
+  private static void report(Runnable work) {
+    try {
+      work.run();
+    } catch (RuntimeException | Error e) {
+      Thread thread = Thread.currentThread();
+      thread.getUncaughtExceptionHandler().uncaughtException(thread, e);
+    }
+  }
+}

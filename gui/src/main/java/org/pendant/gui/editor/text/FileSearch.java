@@ -1,0 +1,111 @@
+package org.pendant.gui.editor.text;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import org.pendant.language.source.ByteText;
+
+/**
+ * Looks through the scripts of a folder and the folders in it. Slow: for a worker thread.
+ *
+ * @param folder where to look
+ * @param query what for
+ */
+public record FileSearch(Path folder, SearchQuery query) {
+  /** More places than anybody reads. */
+  public static final int MOST_PLACES = 2_000;
+
+  /** More files than a folder of programs has. */
+  public static final int MOST_FILES = 10_000;
+
+  private static final int DEEPEST = 12;
+  private static final long LARGEST_BYTES = 4L << 20;
+
+  /**
+   * How it went.
+   *
+   * @param files how many scripts were read
+   * @param places how many places were found
+   * @param skipped how many could not be read or are larger than 4 MiB
+   * @param complete whether all was looked at: nobody cancelled and no limit was met
+   */
+  public record Summary(int files, int places, int skipped, boolean complete) {
+
+    /** {@code 3 places in 12 scripts; 1 not read}. */
+    public String sentence() {
+      String left = skipped == 0 ? "" : "; " + skipped + " not read";
+      return count(places, "place") + " in " + count(files, "script") + left;
+    }
+
+    private static String count(int number, String word) {
+      return number + " " + word + (number == 1 ? "" : "s");
+    }
+  }
+
+  /**
+   * Looks.
+   *
+   * @param found takes every place, file by file in the order of their names
+   * @param cancelled asked before each file
+   * @throws IOException if the folder cannot be read
+   */
+  public Summary run(Consumer<Place> found, BooleanSupplier cancelled) throws IOException {
+    int read = 0;
+    int places = 0;
+    int skipped = 0;
+    List<Path> scripts = scripts();
+    for (Path script : scripts) {
+      if (cancelled.getAsBoolean() || places >= MOST_PLACES || read >= MOST_FILES) {
+        return new Summary(read, places, skipped, false);
+      }
+      Optional<String> text = text(script);
+      if (text.isEmpty()) {
+        skipped++;
+        continue;
+      }
+      read++;
+      String name = folder.relativize(script).toString();
+      for (Span span : query.in(text.get())) {
+        if (places++ < MOST_PLACES) {
+          found.accept(Place.of(name, Optional.of(script), text.get(), span));
+        }
+      }
+    }
+    int shown = Math.min(places, MOST_PLACES);
+    return new Summary(read, shown, skipped, places <= MOST_PLACES);
+  }
+
+  private List<Path> scripts() throws IOException {
+    try (Stream<Path> files = Files.walk(folder, DEEPEST)) {
+      return files.filter(FileSearch::isScript).limit(MOST_FILES + 1L).sorted().toList();
+    } catch (UncheckedIOException e) {
+      throw e.getCause();
+    }
+  }
+
+  private static boolean isScript(Path file) {
+    String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
+    return name.endsWith(".script") && Files.isRegularFile(file);
+  }
+
+  private static Optional<String> text(Path script) {
+    try {
+      if (Files.size(script) > LARGEST_BYTES) {
+        return Optional.empty();
+      }
+      byte[] bytes = Files.readAllBytes(script);
+      String text = ByteText.decoded(new String(bytes, StandardCharsets.ISO_8859_1));
+      return Optional.of(text.replace("\r\n", "\n"));
+    } catch (IOException e) {
+      return Optional.empty(); // counted as skipped
+    }
+  }
+}

@@ -1,0 +1,24 @@
+package org.pendant.gui.io;
+
+import javax.swing.JToggleButton;
+
+/** A switch that shows what it is told to and asks before it changes. */
+@SuppressWarnings("serial") // never written to a stream
+final class LevelButton extends JToggleButton {
+
+  LevelButton(LevelIcon.Form form, Runnable toggle) {
+    setIcon(new LevelIcon(form, false));
+    setSelectedIcon(new LevelIcon(form, true));
+    putClientProperty("JButton.buttonType", "toolBarButton");
+    putClientProperty(
+        "FlatLaf.style",
+        "toolbar.selectedBackground: null; toolbar.margin: 2,2,2,2; margin: 2,2,2,2");
+    addActionListener(event -> toggle.run());
+  }
+
+  void showLevel(boolean level) {
+    if (isSelected() != level) {
+      setSelected(level);
+    }
+  }
+}

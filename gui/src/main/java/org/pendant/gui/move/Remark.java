@@ -1,0 +1,45 @@
+package org.pendant.gui.move;
+
+import java.awt.Color;
+import java.util.function.Supplier;
+import javax.swing.BorderFactory;
+import javax.swing.JTextArea;
+
+/** A sentence about a card, wrapped and never cut; gone when there is nothing to say. */
+@SuppressWarnings("serial") // never written to a stream
+final class Remark extends JTextArea {
+  /** Said of numbers that somebody has typed. */
+  static final String GOAL = "A goal, not where the arm is: hold the button to go there.";
+
+  /** How it lies in a card: as wide as that, and never a reason for the card to be wider. */
+  static final String LAYOUT = "growx, width 0:10:";
+
+  private final Supplier<Color> color;
+
+  Remark(String name, Supplier<Color> color) {
+    this.color = color;
+    setName(name);
+    setEditable(false);
+    setFocusable(false);
+    setOpaque(false);
+    setBorder(BorderFactory.createEmptyBorder());
+    setLineWrap(true);
+    setWrapStyleWord(true);
+    setColumns(10);
+    setVisible(false);
+  }
+
+  /** Shows a sentence; empty for none. */
+  void say(String text) {
+    if (!getText().equals(text)) {
+      setText(text);
+      getAccessibleContext().setAccessibleName(text);
+      setVisible(!text.isEmpty());
+    }
+  }
+
+  @Override
+  public Color getForeground() {
+    return color == null ? super.getForeground() : color.get();
+  }
+}

@@ -1,0 +1,124 @@
+package org.pendant.gui.plot;
+
+import java.awt.BorderLayout;
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JSplitPane;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.export.SaveDialog;
+import org.pendant.gui.workbench.Action;
+import org.pendant.gui.workbench.View;
+import org.pendant.gui.workbench.Workbench;
+
+/** The screen of charts: what can be drawn on the left, the charts on the right. */
+public final class PlotView implements View {
+  private static final String ID = "plot";
+
+  private final Workbench workbench;
+  private final PlotPresenter presenter;
+  private final ChartStack stack;
+  private final PlotBar bar;
+  private final QuantityTree tree;
+  private final JPanel content = new JPanel(new BorderLayout());
+
+  /** Charts that were there the last time; recording begins now. */
+  public PlotView(Workbench workbench) {
+    this.workbench = workbench;
+    Tape tape = new Tape();
+    workbench.session().addFrameListener(tape);
+    presenter = new PlotPresenter(Quantities.standard(), new History(tape), workbench.settings());
+    stack = new ChartStack(presenter, this::changed);
+    bar = new PlotBar(presenter, this::changed, this::export);
+    tree = new QuantityTree(presenter.quantities(), this::add);
+    JPanel right = new JPanel(new BorderLayout());
+    right.add(bar.component(), BorderLayout.NORTH);
+    right.add(stack, BorderLayout.CENTER);
+    JSplitPane split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right);
+    split.setBorder(BorderFactory.createEmptyBorder());
+    split.setName("plot-split");
+    split.setDividerLocation(tree.component().getPreferredSize().width);
+    content.add(split);
+    content.setName("plot-view");
+    content.getAccessibleContext().setAccessibleName(title());
+    declareActions();
+  }
+
+  private void declareActions() {
+    var actions = workbench.actions();
+    actions.add(Action.of(ID + ".search", "Plots: add a quantity", "", this::goToSearch));
+    actions.add(Action.of(ID + ".pause", "Plots: pause or resume", "", this::togglePause));
+    actions.add(Action.of(ID + ".cursors", "Plots: cursors on or off", "", this::toggleCursors));
+    actions.add(Action.of(ID + ".export", "Plots: export\u2026", "", this::export));
+  }
+
+  private void goToSearch() {
+    workbench.show(ID);
+    tree.focusSearch();
+  }
+
+  private void togglePause() {
+    presenter.pause(!presenter.paused());
+    changed();
+  }
+
+  private void toggleCursors() {
+    presenter.showCursors(presenter.cursors().isEmpty());
+    changed();
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Plots";
+  }
+
+  @Override
+  public JComponent component() {
+    return content;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    if (presenter.refresh()) {
+      stack.refresh();
+    }
+  }
+
+  private void add(List<Quantity> chosen) {
+    chosen.forEach(presenter::add);
+    stack.rebuild();
+  }
+
+  private void changed() {
+    presenter.refresh();
+    bar.refresh();
+    stack.refresh();
+  }
+
+  private void export() {
+    List<Quantity> drawn =
+        presenter.charts().stream()
+            .flatMap(chart -> chart.traces().stream())
+            .map(Trace::quantity)
+            .distinct()
+            .toList();
+    if (drawn.isEmpty()) {
+      workbench.notify("Nothing to export: no quantity is drawn");
+      return;
+    }
+    PlotCsv csv = PlotCsv.of(presenter.history(), drawn, presenter.window());
+    SaveDialog.open(
+        content,
+        "Export " + csv.rows() + " samples",
+        "plot.csv",
+        new String[] {"csv"},
+        csv::write,
+        workbench::notify);
+  }
+}

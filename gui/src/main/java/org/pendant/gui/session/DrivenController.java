@@ -1,0 +1,78 @@
+package org.pendant.gui.session;
+
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.FrameLoop;
+import org.pendant.controller.Pace;
+import org.pendant.controller.Reply;
+import org.pendant.controller.SteerableClock;
+
+/** One controller with the thread that drives it, until it is switched off. */
+final class DrivenController implements AutoCloseable {
+  private final ControllerOptions options;
+  private final Controller controller;
+  private final SteerableClock clock;
+  private final FrameLoop loop;
+  private volatile boolean closed;
+
+  /**
+   * Starts driving a controller.
+   *
+   * @param options it was made with
+   * @param listeners told of every frame; may change at any time, so it must allow that
+   */
+  DrivenController(
+      ControllerOptions options,
+      Controller controller,
+      Pace pace,
+      List<? extends FrameListener> listeners) {
+    this.options = options;
+    this.controller = controller;
+    clock = new SteerableClock(pace);
+    loop =
+        FrameLoop.start(
+            controller, clock, () -> listeners.forEach(each -> each.frame(controller.state())));
+  }
+
+  ControllerOptions options() {
+    return options;
+  }
+
+  Controller controller() {
+    return controller;
+  }
+
+  SteerableClock clock() {
+    return clock;
+  }
+
+  FrameLoop loop() {
+    return loop;
+  }
+
+  CompletableFuture<Reply> submit(Command command) {
+    CompletableFuture<Reply> reply = controller.submit(command);
+    clock.commandArrived();
+    // What was left too late for the last frame gets its answer here.
+    if (closed) {
+      reply.complete(new Reply.Refused("the controller is switched off"));
+    } else if (loop.failure().isPresent()) {
+      reply.complete(
+          new Reply.Refused("the controller has failed: " + loop.failure().get().getMessage()));
+    }
+    return reply;
+  }
+
+  /** Switches off; every command that has arrived has its reply then. */
+  @Override
+  public void close() {
+    loop.close();
+    closed = true;
+    if (loop.failure().isEmpty()) {
+      controller.advance();
+    }
+  }
+}

@@ -1,0 +1,141 @@
+package org.pendant.gui.session;
+
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.language.source.Source;
+
+/**
+ * A program that is open: its text, and what of it is on disk. It reads and writes nothing itself.
+ * One thread uses it, the dispatch thread.
+ */
+public final class ProgramDocument {
+  private final List<Listener> listeners = new ArrayList<>();
+  private final String untitledName;
+  private Optional<ProgramFile> onDisk;
+  private String savedText;
+  private String text;
+
+  /** Who wants to know. */
+  public interface Listener {
+
+    /**
+     * A stretch of the text was replaced.
+     *
+     * @param offset where it began, in characters
+     * @param removed how many characters went
+     * @param added what came
+     */
+    default void textChanged(int offset, int removed, String added) {}
+
+    /** Another file, or the modified mark has changed. */
+    default void fileChanged() {}
+  }
+
+  private ProgramDocument(String untitledName, Optional<ProgramFile> onDisk, String text) {
+    this.untitledName = untitledName;
+    this.onDisk = onDisk;
+    this.text = text;
+    savedText = text;
+  }
+
+  /** A program without a file, not modified yet. */
+  public static ProgramDocument untitled(String name, String text) {
+    return new ProgramDocument(name, Optional.empty(), text);
+  }
+
+  /** A program as it was read. */
+  public static ProgramDocument of(ProgramFile file) {
+    return new ProgramDocument("", Optional.of(file), file.text());
+  }
+
+  /** Name of the file without its folder, or what was given to one that has none. */
+  public String name() {
+    return onDisk.map(file -> file.path().getFileName().toString()).orElse(untitledName);
+  }
+
+  /** The text; lines end with a line feed. */
+  public String text() {
+    return text;
+  }
+
+  /** Replaces all of the text. */
+  public void setText(String wanted) {
+    if (!wanted.equals(text)) {
+      replace(0, text.length(), wanted);
+    }
+  }
+
+  /**
+   * Replaces a stretch of the text.
+   *
+   * @param offset where it begins, in characters
+   * @param length how many characters go
+   * @param added what comes
+   * @throws IndexOutOfBoundsException if the stretch is not in the text
+   */
+  public void replace(int offset, int length, String added) {
+    boolean before = modified();
+    text = text.substring(0, offset) + added + text.substring(offset + length);
+    List.copyOf(listeners).forEach(each -> each.textChanged(offset, length, added));
+    if (before != modified()) {
+      tellFileChanged();
+    }
+  }
+
+  /** Whether the text is another one than on disk. */
+  public boolean modified() {
+    return !text.equals(savedText);
+  }
+
+  /** Where it is on disk. */
+  public Optional<Path> file() {
+    return onDisk.map(ProgramFile::path);
+  }
+
+  /** What was last read from or written to disk. */
+  public Optional<ProgramFile> onDisk() {
+    return onDisk;
+  }
+
+  /** What would be written now, if there is a file. */
+  public Optional<ProgramFile> toSave() {
+    return onDisk.map(file -> file.withText(text));
+  }
+
+  /** The text as the controller takes it; offsets are those of the bytes in the file's charset. */
+  public Source source() {
+    Charset charset = onDisk.map(ProgramFile::charset).orElse(StandardCharsets.UTF_8);
+    return Source.of(file().map(Path::toString).orElse(untitledName), text.getBytes(charset));
+  }
+
+  /** {@code file} has been written; the text may have changed since. */
+  public void saved(ProgramFile file) {
+    onDisk = Optional.of(file);
+    savedText = file.text();
+    tellFileChanged();
+  }
+
+  /** {@code file} has been read again; its text replaces the present one. */
+  public void reloaded(ProgramFile file) {
+    saved(file);
+    setText(file.text());
+  }
+
+  /** Tells {@code listener} of every change from now on. */
+  public void addListener(Listener listener) {
+    listeners.add(listener);
+  }
+
+  /** Ends {@link #addListener}. */
+  public void removeListener(Listener listener) {
+    listeners.remove(listener);
+  }
+
+  private void tellFileChanged() {
+    List.copyOf(listeners).forEach(Listener::fileChanged);
+  }
+}

@@ -1,0 +1,103 @@
+package org.pendant.gui.session;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.LongPredicate;
+import java.util.stream.Stream;
+
+/**
+ * Texts that are not saved yet, kept against a crash: a file each in a folder of the user. It reads
+ * and writes, so not in the dispatch thread.
+ */
+public final class RecoveryFolder {
+  private static final String HEADING = "pendant recovery 1";
+  private static final String ENDING = ".recovery";
+
+  private final Path folder;
+  private final long process;
+  private final LongPredicate alive;
+
+  /**
+   * A text that was left behind.
+   *
+   * @param kept where it is kept
+   * @param file where it was to be saved; empty if it had no file yet
+   * @param name of the program
+   */
+  public record LeftBehind(Path kept, Optional<Path> file, String name, String text) {}
+
+  /** The folder for this process. */
+  public RecoveryFolder(Path folder) {
+    this(
+        folder,
+        ProcessHandle.current().pid(),
+        id -> ProcessHandle.of(id).map(ProcessHandle::isAlive).orElse(false));
+  }
+
+  RecoveryFolder(Path folder, long process, LongPredicate alive) {
+    this.folder = folder;
+    this.process = process;
+    this.alive = alive;
+  }
+
+  /** Where the text of a program is kept: each process has its own. */
+  private Path place(Optional<Path> file, String name) {
+    String key = file.map(path -> path.toAbsolutePath().toString()).orElse(name);
+    return folder.resolve(process + "-" + Integer.toHexString(key.hashCode()) + ENDING);
+  }
+
+  /** Keeps a text until it is forgotten or kept again. */
+  public void keep(Optional<Path> file, String name, String text) throws IOException {
+    String whole =
+        String.join(
+            "\n",
+            HEADING,
+            Long.toString(process),
+            file.map(path -> path.toAbsolutePath().toString()).orElse(""),
+            name,
+            text);
+    AtomicFile.write(place(file, name), whole.getBytes(StandardCharsets.UTF_8));
+  }
+
+  /** The text is saved, or not wanted any more. */
+  public void forget(Optional<Path> file, String name) throws IOException {
+    Files.deleteIfExists(place(file, name));
+  }
+
+  /** As {@link #forget(Optional, String)}, for one that was left behind. */
+  public void forget(LeftBehind text) throws IOException {
+    Files.deleteIfExists(text.kept());
+  }
+
+  /** The texts of processes that are no more; files that cannot be read are left out. */
+  public List<LeftBehind> leftBehind() throws IOException {
+    List<LeftBehind> found = new ArrayList<>();
+    try (Stream<Path> files = Files.list(folder)) {
+      for (Path each : files.filter(path -> path.toString().endsWith(ENDING)).sorted().toList()) {
+        read(each).ifPresent(found::add);
+      }
+    } catch (NoSuchFileException e) {
+      // Nothing was ever kept.
+      return List.of();
+    }
+    return found;
+  }
+
+  private Optional<LeftBehind> read(Path kept) throws IOException {
+    String[] parts = new String(Files.readAllBytes(kept), StandardCharsets.UTF_8).split("\n", 5);
+    if (parts.length < 5 || !parts[0].equals(HEADING) || !parts[1].matches("\\d{1,18}")) {
+      return Optional.empty();
+    }
+    if (alive.test(Long.parseLong(parts[1]))) {
+      return Optional.empty();
+    }
+    Optional<Path> file = parts[2].isEmpty() ? Optional.empty() : Optional.of(Path.of(parts[2]));
+    return Optional.of(new LeftBehind(kept, file, parts[3], parts[4]));
+  }
+}

@@ -1,0 +1,159 @@
+package org.pendant.gui.shell;
+
+import java.util.Optional;
+import java.util.function.Function;
+import org.pendant.controller.Command;
+import org.pendant.controller.Pace;
+import org.pendant.gui.session.ProgramControls;
+import org.pendant.gui.session.Programs;
+import org.pendant.gui.session.Readiness;
+import org.pendant.gui.session.Session;
+import org.pendant.gui.shell.bar.PaceChoice;
+import org.pendant.gui.workbench.Action;
+import org.pendant.gui.workbench.ActionTable;
+
+/** The actions for programs, files, the robot and its time. */
+final class ProgramActions {
+  private final ActionTable actions;
+  private final Session session;
+  private final ProgramRunner runner;
+
+  ProgramActions(ActionTable actions, Session session, ProgramRunner runner) {
+    this.actions = actions;
+    this.session = session;
+    this.runner = runner;
+  }
+
+  /** Running programs. */
+  void addProgram() {
+    add(
+        "program.run",
+        "Run or resume program",
+        "F5",
+        controls -> runner.loading() ? "The program is being compiled" : controls.whyNoRun(),
+        runner::runOrResume);
+    add(
+        "program.pause",
+        "Pause program",
+        "F6",
+        ProgramControls::whyNoPause,
+        () -> runner.send(new Command.PauseProgram()));
+    add(
+        "program.stop",
+        "Stop program",
+        "shift F5",
+        ProgramControls::whyNoStop,
+        () -> runner.send(new Command.StopProgram()));
+    add(
+        "program.step",
+        "Hold program, or step to its next line",
+        "F10",
+        controls -> runner.loading() ? "The program is being compiled" : controls.whyNoStep(),
+        runner::step);
+  }
+
+  private void add(
+      String id,
+      String title,
+      String keys,
+      Function<ProgramControls, String> whyNot,
+      Runnable run) {
+    actions.add(
+        new Action(id, title, keys, () -> whyNot.apply(controls()).isEmpty(), run),
+        () -> whyNot.apply(controls()));
+  }
+
+  private ProgramControls controls() {
+    return ProgramControls.of(session.state());
+  }
+
+  /** Power, stops and robot time. */
+  void addRobot() {
+    actions.add(
+        new Action(
+            "robot.ready",
+            "Switch the arm on, or end its stop",
+            "F4",
+            () -> remedy().filter(command -> !powersOff(command)).isPresent(),
+            () -> remedy().ifPresent(runner::send)),
+        () ->
+            remedy().filter(ProgramActions::powersOff).isPresent()
+                ? "The arm is ready"
+                : Readiness.of(session.state()).hint());
+    actions.add(
+        new Action(
+            "robot.off",
+            "Switch the arm off",
+            "",
+            () -> remedy().filter(ProgramActions::powersOff).isPresent(),
+            () -> runner.send(new Command.PowerOff())));
+    actions.add(
+        Action.of("clock.pause", "Pause or go on with robot time", "control F6", this::pauseTime));
+    actions.add(
+        new Action(
+            "clock.step-frame",
+            "Step robot time by one frame (2 ms)",
+            "control F10",
+            () -> session.pace() instanceof Pace.Paused,
+            session::stepFrame),
+        () -> "Pause robot time first");
+    actions.add(
+        Action.of(
+            "clock.faster",
+            "Let robot time go faster",
+            "control alt PERIOD",
+            () -> session.setPace(PaceChoice.faster(session.pace(), 1))));
+    actions.add(
+        Action.of(
+            "clock.slower",
+            "Let robot time go slower",
+            "control alt COMMA",
+            () -> session.setPace(PaceChoice.faster(session.pace(), -1))));
+    actions.add(
+        Action.of(
+            "clock.real-time",
+            "Let robot time go as fast as real time",
+            "",
+            () -> session.setPace(Pace.REAL_TIME)));
+  }
+
+  private Optional<Command> remedy() {
+    return Readiness.of(session.state()).command();
+  }
+
+  private static boolean powersOff(Command command) {
+    return command instanceof Command.PowerOff;
+  }
+
+  private void pauseTime() {
+    session.setPace(session.pace() instanceof Pace.Paused ? Pace.REAL_TIME : new Pace.Paused());
+  }
+
+  /** Files. */
+  void addFiles(ProgramFiles files, Programs programs) {
+    actions.add(Action.of("file.new", "New program", "control N", files::create));
+    actions.add(Action.of("file.open", "Open program\u2026", "control O", files::open));
+    actions.add(
+        new Action(
+            "file.save",
+            "Save program",
+            "control S",
+            () -> programs.current().modified() || programs.current().file().isEmpty(),
+            () -> files.save(programs.current())),
+        () -> "Nothing has changed");
+    actions.add(
+        Action.of(
+            "file.save-as",
+            "Save program as\u2026",
+            "control shift S",
+            () -> files.saveAs(programs.current())));
+    actions.add(
+        new Action(
+            "file.reload",
+            "Read program from disk again",
+            "",
+            () -> programs.current().file().isPresent(),
+            () -> files.reload(programs.current())),
+        () -> "The program was never saved");
+  }
+}

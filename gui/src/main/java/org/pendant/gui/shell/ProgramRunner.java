@@ -1,0 +1,137 @@
+package org.pendant.gui.shell;
+
+import java.awt.EventQueue;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import org.pendant.controller.Command;
+import org.pendant.controller.Reply;
+import org.pendant.controller.debug.DebugState;
+import org.pendant.controller.debug.Debugger;
+import org.pendant.controller.machine.Loaded;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.gui.session.ProgramDocument;
+import org.pendant.gui.session.Programs;
+import org.pendant.gui.session.Session;
+import org.pendant.language.source.ByteText;
+import org.pendant.language.source.Diagnostic;
+import org.pendant.language.source.Source;
+
+/** Runs the current program, and has the controller do things; refusals are told. */
+final class ProgramRunner {
+  private final Session session;
+  private final Programs programs;
+  private final Consumer<String> tell;
+  private final SourcePlace showSource;
+  private Optional<Running> running = Optional.empty();
+  private boolean loading;
+
+  /** A program and its text when it was started. */
+  private record Running(ProgramDocument document, Source source) {}
+
+  ProgramRunner(Session session, Programs programs, Consumer<String> tell, SourcePlace showSource) {
+    this.session = session;
+    this.programs = programs;
+    this.tell = tell;
+    this.showSource = showSource;
+  }
+
+  /** Whether a program is being compiled. */
+  boolean loading() {
+    return loading;
+  }
+
+  /** Goes on with a held or paused program, or starts the current one as it stands. */
+  void runOrResume() {
+    if (session.state().debug().held()) {
+      send(new Command.Debug(Debugger::resume));
+      return;
+    }
+    if (session.state().program().state() == ProgramState.PAUSED) {
+      tellRefusal(session.resume());
+      return;
+    }
+    load(() -> {});
+  }
+
+  /** Runs a held program to its next line; holds one that runs, or one that it starts. */
+  void step() {
+    Optional<DebugState.Stop> stop = session.state().debug().stop();
+    if (stop.isPresent()) {
+      int thread = stop.get().thread();
+      send(new Command.Debug(debugger -> debugger.stepOver(thread)));
+    } else if (session.state().program().state() == ProgramState.STOPPED) {
+      load(() -> send(new Command.Debug(Debugger::pause)));
+    } else {
+      send(new Command.Debug(Debugger::pause));
+    }
+  }
+
+  /**
+   * @param then follows the command that starts the program
+   */
+  private void load(Runnable then) {
+    ProgramDocument document = programs.current();
+    Source source = document.source();
+    loading = true;
+    Background.run(
+        () -> session.load(source),
+        loaded -> start(document, source, loaded, then),
+        failed -> {
+          throw new AssertionError("loading reads no file", failed);
+        });
+  }
+
+  private void start(ProgramDocument document, Source source, Loaded loaded, Runnable then) {
+    loading = false;
+    Optional<Diagnostic> error =
+        loaded.diagnostics().stream().filter(Diagnostic::isError).findFirst();
+    if (error.isPresent()) {
+      int start = error.get().range().start();
+      int line = source.line(start);
+      long count = loaded.diagnostics().stream().filter(Diagnostic::isError).count();
+      String others = count > 1 ? " (and " + (count - 1) + " more)" : "";
+      tell.accept(
+          document.name()
+              + " cannot run, line "
+              + line
+              + ": "
+              + ByteText.decoded(error.get().message())
+              + others);
+      showSource.show(line, source.column(start));
+      return;
+    }
+    running = Optional.of(new Running(document, source));
+    tellRefusal(session.run(loaded.program().orElseThrow()));
+    then.run();
+  }
+
+  /** Has the controller do something. */
+  void send(Command command) {
+    tellRefusal(session.submit(command));
+  }
+
+  private void tellRefusal(CompletableFuture<Reply> asked) {
+    var _ =
+        asked.thenAccept(
+            reply -> {
+              if (reply instanceof Reply.Refused refused) {
+                EventQueue.invokeLater(() -> tell.accept("Refused: " + refused.reason()));
+              }
+            });
+  }
+
+  /** The program that was started last. */
+  Optional<ProgramDocument> program() {
+    return running.map(Running::document);
+  }
+
+  /** The text of a line of the program that was started last; empty where there is none. */
+  String line(int number) {
+    return running
+        .map(Running::source)
+        .filter(source -> number >= 1 && number <= source.lineCount())
+        .map(source -> source.lineText(number))
+        .orElse("");
+  }
+}

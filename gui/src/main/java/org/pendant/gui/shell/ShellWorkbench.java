@@ -1,0 +1,70 @@
+package org.pendant.gui.shell;
+
+import java.util.function.Consumer;
+import org.pendant.gui.session.Session;
+import org.pendant.gui.shell.dock.DockFrame;
+import org.pendant.gui.workbench.ActionTable;
+import org.pendant.gui.workbench.Settings;
+import org.pendant.gui.workbench.Workbench;
+
+/** The window as its views see it. */
+final class ShellWorkbench implements Workbench {
+  private final Session session;
+  private final ActionTable actions;
+  private final Settings settings;
+  private final Consumer<String> tell;
+  private DockFrame docks;
+  private String sourceView = "";
+  private SourcePlace source = (line, column) -> {};
+
+  ShellWorkbench(Session session, ActionTable actions, Settings settings, Consumer<String> tell) {
+    this.session = session;
+    this.actions = actions;
+    this.settings = settings;
+    this.tell = tell;
+  }
+
+  /** The views have been made, with this workbench, and are there from now on. */
+  void attach(DockFrame frame) {
+    docks = frame;
+  }
+
+  @Override
+  public Session session() {
+    return session;
+  }
+
+  @Override
+  public ActionTable actions() {
+    return actions;
+  }
+
+  @Override
+  public Settings settings() {
+    return settings;
+  }
+
+  @Override
+  public void show(String viewId) {
+    if (docks != null) {
+      docks.show(viewId);
+    }
+  }
+
+  /** Source is shown by {@code place}, in the view {@code viewId}. */
+  void showSourceIn(String viewId, SourcePlace place) {
+    sourceView = viewId;
+    source = place;
+  }
+
+  @Override
+  public void showSource(int line, int column) {
+    show(sourceView);
+    source.show(line, column);
+  }
+
+  @Override
+  public void notify(String text) {
+    tell.accept(text);
+  }
+}

@@ -1,0 +1,86 @@
+package org.pendant.gui.shell;
+
+import java.util.List;
+import org.pendant.gui.shell.dock.DockFrame;
+import org.pendant.gui.shell.dock.Side;
+import org.pendant.gui.shell.look.Look;
+import org.pendant.gui.shell.look.Theme;
+import org.pendant.gui.workbench.Action;
+import org.pendant.gui.workbench.ActionTable;
+import org.pendant.gui.workbench.View;
+
+/** The actions for views, docks and the look. */
+final class WindowActions {
+  private final ActionTable actions;
+
+  WindowActions(ActionTable actions) {
+    this.actions = actions;
+  }
+
+  /** Showing a screen with alt and a digit, and the other views. */
+  void addViews(DockFrame docks, List<String> screens) {
+    for (View view : docks.views()) {
+      int number = screens.indexOf(view.id()) + 1;
+      String keys = number >= 1 && number <= 9 ? "alt " + number : "";
+      actions.add(
+          Action.of(
+              "view." + view.id(), "Show " + view.title(), keys, () -> docks.show(view.id())));
+    }
+  }
+
+  /** Moving views, and folding docks. */
+  void addDocks(DockFrame docks) {
+    for (Side side : List.of(Side.LEFT, Side.RIGHT, Side.BOTTOM)) {
+      String key =
+          switch (side) {
+            case LEFT -> "control alt LEFT";
+            case RIGHT -> "control alt RIGHT";
+            case BOTTOM, MAIN -> "control alt DOWN";
+          };
+      actions.add(
+          Action.of(
+              "dock.fold-" + side.word(),
+              "Fold or unfold the dock at " + side.title(),
+              key,
+              () -> docks.toggle(side)));
+    }
+    actions.add(
+        Action.of("dock.reset", "Put all panels where they belong at first", "", docks::reset));
+    for (View view : docks.views()) {
+      for (Side side : Side.values()) {
+        actions.add(
+            new Action(
+                "arrange." + view.id() + "-" + side.word(),
+                "Move " + view.title() + " to " + side.title(),
+                "",
+                () -> docks.sideOf(view.id()) != side,
+                () -> docks.move(view.id(), side)),
+            () -> "It is there");
+      }
+    }
+  }
+
+  /** Colours and scale. */
+  void addLook(Look look) {
+    for (Theme theme : Theme.values()) {
+      actions.add(
+          new Action(
+              "look." + theme.word(),
+              "Colours: " + theme.title(),
+              "",
+              () -> look.theme() != theme,
+              () -> look.setTheme(theme)),
+          () -> "Chosen");
+    }
+    actions.add(
+        Action.of("look.larger", "Everything larger", "control alt EQUALS", () -> look.zoom(1)));
+    actions.add(
+        Action.of("look.smaller", "Everything smaller", "control alt MINUS", () -> look.zoom(-1)));
+    actions.add(
+        Action.of(
+            "look.normal",
+            "Everything in normal size",
+            "control alt 0",
+            () -> look.setZoomPercent(100)));
+  }
+}

@@ -1,0 +1,41 @@
+package org.pendant.gui.shell;
+
+import java.awt.Rectangle;
+import java.util.Optional;
+
+/** Where the window is, as settings have it: x, y, width, height. */
+final class WindowBounds {
+  private static final int WIDTH = 1440;
+  private static final int HEIGHT = 900;
+
+  private WindowBounds() {}
+
+  /** As much of the screen as is useful, in its middle. */
+  static Rectangle usual(Rectangle screen) {
+    int width = Math.min(WIDTH, screen.width);
+    int height = Math.min(HEIGHT, screen.height);
+    return new Rectangle(
+        screen.x + (screen.width - width) / 2,
+        screen.y + (screen.height - height) / 2,
+        width,
+        height);
+  }
+
+  static String format(Rectangle bounds) {
+    return bounds.x + " " + bounds.y + " " + bounds.width + " " + bounds.height;
+  }
+
+  /** Empty for texts that are no bounds. */
+  static Optional<Rectangle> parse(String text) {
+    if (!text.matches("-?\\d{1,5} -?\\d{1,5} \\d{2,5} \\d{2,5}")) {
+      return Optional.empty();
+    }
+    String[] parts = text.split(" ", -1);
+    return Optional.of(
+        new Rectangle(
+            Integer.parseInt(parts[0]),
+            Integer.parseInt(parts[1]),
+            Integer.parseInt(parts[2]),
+            Integer.parseInt(parts[3])));
+  }
+}

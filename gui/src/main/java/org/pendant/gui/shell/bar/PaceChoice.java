@@ -1,0 +1,43 @@
+package org.pendant.gui.shell.bar;
+
+import java.util.List;
+import org.pendant.controller.Pace;
+
+/**
+ * A pace that people can choose.
+ *
+ * @param title such as {@code x2}
+ */
+public record PaceChoice(String title, Pace pace) {
+  /** Slowest first. */
+  public static final List<PaceChoice> ALL =
+      List.of(
+          new PaceChoice("Paused", new Pace.Paused()),
+          new PaceChoice("x 0.1", new Pace.Times(0.1)),
+          new PaceChoice("x 0.5", new Pace.Times(0.5)),
+          new PaceChoice("Real time", Pace.REAL_TIME),
+          new PaceChoice("x 2", new Pace.Times(2)),
+          new PaceChoice("x 4", new Pace.Times(4)),
+          new PaceChoice("x 8", new Pace.Times(8)),
+          new PaceChoice("x 16", new Pace.Times(16)),
+          new PaceChoice("Full speed", new Pace.Unlimited()));
+
+  /** The choice for a pace; one that cannot be chosen shows its factor. */
+  public static PaceChoice of(Pace pace) {
+    return ALL.stream()
+        .filter(each -> each.pace().equals(pace))
+        .findFirst()
+        .orElseGet(() -> new PaceChoice(pace.toString(), pace));
+  }
+
+  /** The pace {@code steps} places faster, or slower if negative, without pausing. */
+  public static Pace faster(Pace pace, int steps) {
+    int index = ALL.indexOf(of(pace));
+    return ALL.get(Math.clamp(index + steps, 1, ALL.size() - 1)).pace();
+  }
+
+  @Override
+  public String toString() {
+    return title;
+  }
+}

@@ -1,0 +1,154 @@
+package org.pendant.gui.shell.find;
+
+import java.awt.Component;
+import java.awt.event.ActionEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.List;
+import javax.swing.AbstractAction;
+import javax.swing.DefaultListModel;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import javax.swing.ListCellRenderer;
+import javax.swing.SwingUtilities;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.gui.shell.look.Overlay;
+import org.pendant.gui.workbench.Action;
+import org.pendant.gui.workbench.ActionTable;
+import org.pendant.gui.workbench.KeyText;
+import org.pendant.gui.workbench.Palette;
+
+/** Finds an action by a few letters and does it. */
+public final class CommandPalette {
+  private final ActionTable actions;
+  private final Overlay overlay;
+  private final JTextField query = new JTextField(40);
+  private final DefaultListModel<Action> model = new DefaultListModel<>();
+  private final JList<Action> list = new JList<>(model);
+  private final JLabel nothing = new JLabel("Nothing matches");
+
+  /**
+   * A palette that is closed.
+   *
+   * @param under what it may cover
+   */
+  public CommandPalette(ActionTable actions, JComponent under) {
+    this.actions = actions;
+    JPanel panel = new JPanel(new MigLayout("insets 0, gap 8, wrap 1", "[grow, fill, 480::]", ""));
+    panel.setOpaque(false);
+    query.setName("palette-query");
+    query.putClientProperty("JTextField.placeholderText", "What do you want to do?");
+    query.putClientProperty("JTextField.showClearButton", true);
+    query.setToolTipText("A few letters of an action; Enter does it, Escape closes");
+    query.getAccessibleContext().setAccessibleName("Find an action");
+    list.setName("palette-list");
+    list.setToolTipText("Enter or a click does the action");
+    list.getAccessibleContext().setAccessibleName("Actions that match");
+    list.setVisibleRowCount(12);
+    list.setFocusable(false);
+    list.setCellRenderer(new Cell());
+    panel.add(query);
+    panel.add(new JScrollPane(list), "grow, push");
+    panel.add(nothing, "hidemode 3");
+    overlay = new Overlay("palette", under, panel);
+    query.getDocument().addDocumentListener(new Typed(this::filter));
+    key("UP", () -> move(-1));
+    key("DOWN", () -> move(1));
+    key("PAGE_UP", () -> move(-10));
+    key("PAGE_DOWN", () -> move(10));
+    query.addActionListener(event -> run());
+    list.addMouseListener(
+        new MouseAdapter() {
+          @Override
+          public void mouseClicked(MouseEvent event) {
+            run();
+          }
+        });
+  }
+
+  private void key(String keys, Runnable run) {
+    query.getInputMap().put(KeyStroke.getKeyStroke(keys), keys);
+    query
+        .getActionMap()
+        .put(
+            keys,
+            new AbstractAction() {
+              @Override
+              public void actionPerformed(ActionEvent event) {
+                run.run();
+              }
+            });
+  }
+
+  /** Opens it with all actions. */
+  public void open() {
+    nothing.setForeground(Palette.quiet());
+    query.setText("");
+    filter();
+    overlay.open();
+    query.requestFocusInWindow();
+  }
+
+  private void filter() {
+    List<Action> found = FuzzyMatch.filter(query.getText(), actions.all(), Action::title);
+    model.clear();
+    // What can be done comes first.
+    model.addAll(found.stream().filter(each -> each.enabled().getAsBoolean()).toList());
+    model.addAll(found.stream().filter(each -> !each.enabled().getAsBoolean()).toList());
+    nothing.setVisible(found.isEmpty());
+    move(0);
+  }
+
+  private void move(int steps) {
+    if (model.isEmpty()) {
+      return;
+    }
+    int index = Math.clamp((long) list.getSelectedIndex() + steps, 0, model.size() - 1);
+    list.setSelectedIndex(index);
+    list.ensureIndexIsVisible(index);
+  }
+
+  private void run() {
+    Action chosen = list.getSelectedValue();
+    if (chosen != null && chosen.enabled().getAsBoolean()) {
+      overlay.close();
+      SwingUtilities.invokeLater(() -> actions.run(chosen.id()));
+    }
+  }
+
+  /** Title, reason and key in one row. */
+  private final class Cell implements ListCellRenderer<Action> {
+    private final JPanel row = new JPanel(new MigLayout("insets 4 8 4 8", "[]8[grow]16[right]"));
+    private final JLabel title = new JLabel();
+    private final JLabel reason = new JLabel();
+    private final JLabel keys = new JLabel();
+
+    Cell() {
+      row.add(title);
+      row.add(reason);
+      row.add(keys);
+    }
+
+    @Override
+    public Component getListCellRendererComponent(
+        JList<? extends Action> all, Action action, int index, boolean selected, boolean focus) {
+      boolean enabled = action.enabled().getAsBoolean();
+      row.setBackground(selected ? all.getSelectionBackground() : all.getBackground());
+      title.setText(action.title());
+      title.setForeground(
+          !enabled
+              ? Palette.quiet()
+              : selected ? all.getSelectionForeground() : all.getForeground());
+      reason.setText(actions.reason(action.id()));
+      reason.setForeground(Palette.quiet());
+      keys.setText(KeyText.shown(actions.keysOf(action.id())));
+      keys.setForeground(selected ? all.getSelectionForeground() : Palette.quiet());
+      return row;
+    }
+  }
+}

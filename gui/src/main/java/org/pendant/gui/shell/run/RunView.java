@@ -1,0 +1,175 @@
+package org.pendant.gui.shell.run;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import java.util.function.IntFunction;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.Command;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.session.Programs;
+import org.pendant.gui.shell.bar.ActionButton;
+import org.pendant.gui.shell.look.Card;
+import org.pendant.gui.shell.look.Glyph;
+import org.pendant.gui.shell.look.GlyphIcon;
+import org.pendant.gui.workbench.ActionTable;
+import org.pendant.gui.workbench.Palette;
+import org.pendant.gui.workbench.View;
+import org.pendant.gui.workbench.Workbench;
+
+/** The screen to watch a program on: what it does, where the arm is, what is the matter. */
+public final class RunView implements View {
+  private static final String WIDE = "insets 16, gap 16, hidemode 3, wrap 2";
+  private static final String WIDE_COLUMNS = "[grow, fill, 0::][fill]";
+  private static final String NARROW = "insets 16, gap 16, hidemode 3, wrap 1";
+
+  /** Below this width (pixels before scaling) the cards are below one another. */
+  private static final int NARROW_WIDTH = 660;
+
+  private final Workbench workbench;
+  private final Programs programs;
+  private final IntFunction<String> lineOf;
+  private final MigLayout layout = new MigLayout(WIDE, WIDE_COLUMNS, "[][][][][grow]");
+  private final JPanel content = new WideContent(layout);
+  private final JScrollPane scroll = new JScrollPane(content);
+  private final JLabel name = new JLabel();
+  private final JLabel state = new JLabel();
+  private final JLabel elapsed = new JLabel();
+  private final JLabel line = new JLabel();
+  private final JLabel waiting = new JLabel();
+  private final StopPanel stop;
+  private final MessagesPanel messages = new MessagesPanel();
+  private final NumbersPanel tcp = new NumbersPanel("run-tcp", "TCP in the base", RunFacts.POSE);
+  private final NumbersPanel joints = new NumbersPanel("run-joints", "Joints", RunFacts.JOINTS);
+  private final RunTimer timer = new RunTimer();
+  private final List<ActionButton> buttons;
+  private boolean narrow;
+
+  /**
+   * The Run screen.
+   *
+   * @param lineOf text of a line of the program that runs
+   * @param send has the controller do something, and tells when it is refused
+   */
+  public RunView(
+      Workbench workbench,
+      ActionTable actions,
+      Programs programs,
+      IntFunction<String> lineOf,
+      Consumer<Command> send) {
+    this.workbench = workbench;
+    this.programs = programs;
+    this.lineOf = lineOf;
+    stop = new StopPanel(send, number -> workbench.showSource(number, 1));
+    buttons =
+        List.of(
+            button(actions, "program.run", "Run", GlyphIcon.of(Glyph.PLAY, 28, Palette::ok)),
+            button(actions, "program.pause", "Pause", GlyphIcon.of(Glyph.PAUSE, 28)),
+            button(actions, "program.stop", "Stop", GlyphIcon.of(Glyph.STOP, 28, Palette::error)));
+    scroll.setBorder(BorderFactory.createEmptyBorder());
+    scroll.setName("run-view");
+    scroll.getAccessibleContext().setAccessibleName(title());
+    content.add(stop.component(), "spanx, growx");
+    content.add(program());
+    content.add(tcp.component(), "growy");
+    content.add(messages.component(), "growy");
+    content.add(joints.component(), "growy");
+  }
+
+  /** Puts the cards beside or below one another. */
+  private void arrange() {
+    boolean now = UIScale.unscale(scroll.getViewport().getWidth()) < NARROW_WIDTH;
+    if (now != narrow) {
+      narrow = now;
+      layout.setLayoutConstraints(narrow ? NARROW : WIDE);
+      layout.setColumnConstraints(narrow ? "[grow, fill, 0::]" : WIDE_COLUMNS);
+      content.revalidate();
+    }
+  }
+
+  private static ActionButton button(ActionTable actions, String id, String text, GlyphIcon icon) {
+    ActionButton button = new ActionButton(actions, id, text, icon);
+    button.setName("run-view-" + text.toLowerCase(Locale.ROOT));
+    button.putClientProperty("FlatLaf.styleClass", "large");
+    return button;
+  }
+
+  private JPanel program() {
+    JPanel card =
+        new Card(new MigLayout("insets 16, gap 8, wrap 1, hidemode 3", "[grow, fill, 0::]", ""));
+    card.setName("run-program");
+    name.putClientProperty("FlatLaf.styleClass", "h1");
+    elapsed.putClientProperty("FlatLaf.styleClass", "h2");
+    elapsed.setToolTipText("Robot time since the program was started");
+    line.putClientProperty("FlatLaf.styleClass", "monospaced");
+    line.setToolTipText("The line that the main program has reached");
+    name("run-name", name, "Program");
+    name("run-state", state, "Program state");
+    name("run-elapsed", elapsed, "Running time");
+    name("run-line", line, "Line");
+    name("run-waiting", waiting, "Popups");
+    waiting.setIcon(GlyphIcon.of(Glyph.WARNING, 16, Palette::warning));
+    card.add(name, "wmin 0");
+    card.add(state, "wmin 0");
+    card.add(elapsed, "wmin 0");
+    card.add(line, "wmin 0");
+    card.add(waiting, "wmin 0");
+    JPanel row = new JPanel(new MigLayout("insets 8 0 0 0, gap 8", "[sg b][sg b][sg b]"));
+    row.setOpaque(false);
+    buttons.forEach(each -> row.add(each, "h 56::, sg b, grow 0"));
+    card.add(row);
+    return card;
+  }
+
+  private static void name(String name, JLabel label, String meaning) {
+    label.setName(name);
+    label.getAccessibleContext().setAccessibleDescription(meaning);
+  }
+
+  @Override
+  public String id() {
+    return "run";
+  }
+
+  @Override
+  public String title() {
+    return "Run";
+  }
+
+  @Override
+  public JComponent component() {
+    return scroll;
+  }
+
+  @Override
+  public void refresh(ControllerState snapshot) {
+    arrange();
+    int number = snapshot.program().line();
+    RunFacts facts = RunFacts.of(snapshot, number == 0 ? "" : lineOf.apply(number));
+    show(name, programs.current().name());
+    show(state, facts.state());
+    state.setForeground(facts.failed() ? Palette.error() : name.getForeground());
+    show(elapsed, timer.take(snapshot));
+    show(line, facts.line().isEmpty() ? " " : facts.line());
+    show(waiting, facts.waiting());
+    waiting.setVisible(!facts.waiting().isEmpty());
+    waiting.setForeground(Palette.warning());
+    stop.refresh(snapshot);
+    tcp.show(facts.tcp());
+    joints.show(facts.joints());
+    messages.refresh(snapshot, workbench.session().controller());
+    buttons.forEach(ActionButton::refresh);
+  }
+
+  private static void show(JLabel label, String text) {
+    if (!text.equals(label.getText())) {
+      label.setText(text);
+    }
+  }
+}

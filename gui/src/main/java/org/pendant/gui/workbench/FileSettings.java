@@ -1,0 +1,126 @@
+package org.pendant.gui.workbench;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.pendant.gui.session.AtomicFile;
+
+/**
+ * Settings in a file of the user's configuration folder. Changes are written soon, by a thread of
+ * its own; a file that cannot be read or written disturbs nothing.
+ */
+public final class FileSettings implements Settings, AutoCloseable {
+  /** Changes within this time (ms) are written together. */
+  private static final long DELAY_MS = 300;
+
+  private static final long PATIENCE_S = 5;
+
+  private final Path file;
+  private final Map<String, String> values = new ConcurrentSkipListMap<>();
+  private final AtomicBoolean changed = new AtomicBoolean();
+  private final ScheduledThreadPoolExecutor writer =
+      new ScheduledThreadPoolExecutor(1, Thread.ofPlatform().daemon().name("settings").factory());
+  private volatile Optional<String> notice = Optional.empty();
+
+  private FileSettings(Path file) {
+    this.file = file;
+    writer.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
+    // What is put after the end is not written.
+    writer.setRejectedExecutionHandler((task, executor) -> {});
+  }
+
+  /** Reads a settings file; there may be none yet. */
+  public static FileSettings open(Path file) {
+    FileSettings settings = new FileSettings(file);
+    settings.read();
+    return settings;
+  }
+
+  private void read() {
+    if (!Files.exists(file)) {
+      return;
+    }
+    try {
+      SettingsText text = SettingsText.parse(Files.readString(file));
+      values.putAll(text.values());
+      if (!text.wrongLines().isEmpty()) {
+        keepAside("has lines that are no settings: " + shorten(text.wrongLines()));
+      }
+    } catch (CharacterCodingException e) {
+      keepAside("is no text");
+    } catch (IOException e) {
+      notice = Optional.of("Settings " + file + " cannot be read: " + e.getMessage());
+    }
+  }
+
+  private static String shorten(List<Integer> lines) {
+    String shown = String.join(", ", lines.stream().limit(5).map(String::valueOf).toList());
+    return lines.size() > 5 ? shown + ", ..." : shown;
+  }
+
+  private void keepAside(String why) {
+    Path copy = file.resolveSibling(file.getFileName() + ".bad");
+    try {
+      AtomicFile.write(copy, Files.readAllBytes(file));
+      notice =
+          Optional.of("Settings " + file + " " + why + "; they are ignored, a copy is " + copy);
+    } catch (IOException e) {
+      notice = Optional.of("Settings " + file + " " + why + "; they are ignored");
+    }
+  }
+
+  /** What people should know about the file, such as that a part of it was ignored. */
+  public Optional<String> notice() {
+    return notice;
+  }
+
+  @Override
+  public Optional<String> get(String name) {
+    return Optional.ofNullable(values.get(name));
+  }
+
+  @Override
+  public void put(String name, String text) {
+    if (text.equals(values.put(name, text))) {
+      return;
+    }
+    if (changed.compareAndSet(false, true)) {
+      var _ = writer.schedule(this::write, DELAY_MS, TimeUnit.MILLISECONDS);
+    }
+  }
+
+  private void write() {
+    if (!changed.getAndSet(false)) {
+      return;
+    }
+    try {
+      AtomicFile.write(file, SettingsText.format(values).getBytes(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      notice = Optional.of("Settings " + file + " cannot be written: " + e.getMessage());
+    }
+  }
+
+  /** Writes what has changed, now; nothing is written after this. */
+  @Override
+  public void close() {
+    writer.shutdown();
+    try {
+      // A write that has begun comes to its end first.
+      boolean ended = writer.awaitTermination(PATIENCE_S, TimeUnit.SECONDS);
+      if (ended) {
+        write();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,86 @@
+package org.pendant.gui.workbench;
+
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import javax.swing.KeyStroke;
+
+/** Keys as people and settings write them. */
+public final class KeyText {
+  private static final Map<Integer, String> NAMES =
+      Map.ofEntries(
+          Map.entry(KeyEvent.VK_ESCAPE, "Esc"),
+          Map.entry(KeyEvent.VK_ENTER, "Enter"),
+          Map.entry(KeyEvent.VK_SPACE, "Space"),
+          Map.entry(KeyEvent.VK_DELETE, "Del"),
+          Map.entry(KeyEvent.VK_BACK_SPACE, "Backspace"),
+          Map.entry(KeyEvent.VK_TAB, "Tab"),
+          Map.entry(KeyEvent.VK_PAGE_UP, "Page up"),
+          Map.entry(KeyEvent.VK_PAGE_DOWN, "Page down"),
+          Map.entry(KeyEvent.VK_LEFT, "Left"),
+          Map.entry(KeyEvent.VK_RIGHT, "Right"),
+          Map.entry(KeyEvent.VK_UP, "Up"),
+          Map.entry(KeyEvent.VK_DOWN, "Down"),
+          Map.entry(KeyEvent.VK_COMMA, ","),
+          Map.entry(KeyEvent.VK_PERIOD, "."),
+          Map.entry(KeyEvent.VK_PLUS, "+"),
+          Map.entry(KeyEvent.VK_EQUALS, "="),
+          Map.entry(KeyEvent.VK_MINUS, "-"),
+          Map.entry(KeyEvent.VK_SLASH, "/"));
+
+  private KeyText() {}
+
+  /** Keys as a menu shows them, such as {@code Ctrl+Shift+P}; empty for none. */
+  public static String shown(String keys) {
+    KeyStroke stroke = KeyStroke.getKeyStroke(keys);
+    return stroke == null ? "" : shown(stroke);
+  }
+
+  private static String shown(KeyStroke stroke) {
+    List<String> parts = new ArrayList<>();
+    int modifiers = stroke.getModifiers();
+    addIf(parts, modifiers, InputEvent.CTRL_DOWN_MASK, "Ctrl");
+    addIf(parts, modifiers, InputEvent.META_DOWN_MASK, "Cmd");
+    addIf(parts, modifiers, InputEvent.ALT_DOWN_MASK, "Alt");
+    addIf(parts, modifiers, InputEvent.SHIFT_DOWN_MASK, "Shift");
+    parts.add(name(stroke.getKeyCode()));
+    return String.join("+", parts);
+  }
+
+  private static void addIf(List<String> parts, int modifiers, int mask, String name) {
+    if ((modifiers & mask) != 0) {
+      parts.add(name);
+    }
+  }
+
+  private static String name(int code) {
+    boolean plain =
+        (code >= KeyEvent.VK_0 && code <= KeyEvent.VK_9)
+            || (code >= KeyEvent.VK_A && code <= KeyEvent.VK_Z);
+    if (plain) {
+      return String.valueOf((char) code);
+    }
+    String known = NAMES.get(code);
+    return known == null ? KeyEvent.getKeyText(code) : known;
+  }
+
+  /** A key stroke as {@link Action#keys} has it, such as {@code ctrl shift P}. */
+  public static String keys(KeyStroke stroke) {
+    return stroke.toString().replace("pressed ", "");
+  }
+
+  /** Whether a key is only there to be held with others. */
+  public static boolean modifier(int keyCode) {
+    return switch (keyCode) {
+      case KeyEvent.VK_SHIFT,
+          KeyEvent.VK_CONTROL,
+          KeyEvent.VK_ALT,
+          KeyEvent.VK_ALT_GRAPH,
+          KeyEvent.VK_META ->
+          true;
+      default -> false;
+    };
+  }
+}

@@ -1,0 +1,15 @@
+// How much of the light arrives, 0 to 1. Five looks, each of them smoothed over four pixels by the hardware.
+uniform sampler2DShadow shadowMap;
+
+float lit(vec3 at) {
+  if (any(lessThan(at, vec3(0.0))) || any(greaterThan(at, vec3(1.0)))) {
+    return 1.0;
+  }
+  vec2 pixel = 1.0 / vec2(textureSize(shadowMap, 0));
+  float sum = texture(shadowMap, at);
+  sum += texture(shadowMap, vec3(at.xy + pixel * vec2(1.7, 0.6), at.z));
+  sum += texture(shadowMap, vec3(at.xy + pixel * vec2(-0.6, 1.7), at.z));
+  sum += texture(shadowMap, vec3(at.xy + pixel * vec2(-1.7, -0.6), at.z));
+  sum += texture(shadowMap, vec3(at.xy + pixel * vec2(0.6, -1.7), at.z));
+  return sum / 5.0;
+}

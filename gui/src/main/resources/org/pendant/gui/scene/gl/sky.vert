@@ -1,0 +1,9 @@
+#version 330 core
+// One triangle that covers the picture, behind everything else.
+out float height;
+
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  height = 0.5 - corner.y * 0.5; // the picture is drawn upside down
+  gl_Position = vec4(corner, 1.0, 1.0);
+}

@@ -1,0 +1,30 @@
+#version 330 core
+// Bodies: every vertex says which place of the list moves it.
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in ivec2 placeAndFinish;
+
+const int MOST_PLACES = 8;
+const int FINISHES = 10;
+
+uniform mat4 places[MOST_PLACES];
+uniform mat4 toClip;
+uniform mat4 toLight;
+uniform float shadowOffset; // m
+uniform vec4 finishes[FINISHES]; // linear colour, gloss
+
+out vec3 worldPosition;
+out vec3 worldNormal;
+out vec3 lightPosition;
+flat out vec4 finish;
+
+void main() {
+  mat4 place = places[placeAndFinish.x];
+  vec4 world = place * vec4(position, 1.0);
+  worldPosition = world.xyz;
+  worldNormal = mat3(place) * normal;
+  // looked up a little outside the surface, or it would throw shadows on itself
+  lightPosition = (toLight * (world + vec4(worldNormal * shadowOffset, 0.0))).xyz;
+  finish = finishes[placeAndFinish.y];
+  gl_Position = toClip * world;
+}

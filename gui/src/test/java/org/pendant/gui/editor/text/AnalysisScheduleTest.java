@@ -1,0 +1,103 @@
+package org.pendant.gui.editor.text;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.builtin.StandardBuiltins;
+
+final class AnalysisScheduleTest {
+  private final List<Later> later = new ArrayList<>();
+  private final List<String> shown = new ArrayList<>();
+  private String text = "x = 1\n";
+
+  private final AnalysisSchedule schedule =
+      new AnalysisSchedule(
+          (delayMs, work) -> later.add(new Later(delayMs, work)),
+          Runnable::run,
+          StandardBuiltins.create(),
+          "test.script",
+          () -> text,
+          analysed -> shown.add(analysed.text()));
+
+  private record Later(int delayMs, Runnable work) {}
+
+  private void type(String typed) {
+    text += typed;
+    schedule.changed();
+  }
+
+  private void workOff() {
+    while (!later.isEmpty()) {
+      later.removeFirst().work.run();
+    }
+  }
+
+  @Test
+  void waitsForAPauseInTyping() {
+    type("y");
+
+    assertEquals(AnalysisSchedule.PAUSE_MS, later.getFirst().delayMs);
+    assertEquals(List.of(), shown);
+    workOff();
+    assertEquals(List.of("x = 1\ny"), shown);
+  }
+
+  @Test
+  void analysesOnceAfterSeveralKeys() {
+    type("y");
+    type(" ");
+    type("=");
+    workOff();
+
+    assertEquals(List.of("x = 1\ny ="), shown);
+  }
+
+  @Test
+  void dropsAResultOfATextThatHasChangedSince() {
+    type("y");
+    later.removeFirst().work.run(); // the pause is over, the analysis waits for its thread
+    type("z");
+    later.removeFirst().work.run(); // the analysis of the old text ends
+
+    assertEquals(List.of(), shown);
+    assertTrue(schedule.current().isEmpty());
+    workOff();
+    assertEquals(List.of("x = 1\nyz"), shown);
+  }
+
+  @Test
+  void analysesAtOnceWhenSomebodyWaits() {
+    List<String> received = new ArrayList<>();
+    type("y");
+    later.clear();
+    schedule.whenCurrent(analysed -> received.add(analysed.text()));
+
+    assertEquals(0, later.getFirst().delayMs);
+    workOff();
+    assertEquals(List.of("x = 1\ny"), received);
+  }
+
+  @Test
+  void answersAtOnceFromTheResultThatThereIs() {
+    List<String> received = new ArrayList<>();
+    type("y");
+    workOff();
+    schedule.whenCurrent(analysed -> received.add(analysed.text()));
+
+    assertEquals(List.of("x = 1\ny"), received);
+    assertEquals(List.of(), later);
+  }
+
+  @Test
+  void forgetsWhoWaitsWhenTheTextChanges() {
+    List<String> received = new ArrayList<>();
+    schedule.whenCurrent(analysed -> received.add(analysed.text()));
+    type("y");
+    workOff();
+
+    assertEquals(List.of(), received);
+  }
+}

@@ -1,0 +1,41 @@
+package org.pendant.gui.plot;
+
+import java.util.Optional;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.language.source.Source;
+
+/** A controller whose frames go on a tape. */
+final class RecordedArm {
+  private Controller controller = new Controller(ControllerOptions.headless());
+  final Tape tape = new Tape();
+
+  void run(String program) {
+    Source source = Source.of("test.script", program);
+    var _ =
+        controller.submit(
+            new Command.StartProgram(controller.load(source).program().orElseThrow()));
+  }
+
+  void frames(int count) {
+    for (int i = 0; i < count; i++) {
+      controller.advance();
+      tape.frame(controller.state());
+    }
+  }
+
+  void restart() {
+    controller = new Controller(ControllerOptions.headless());
+  }
+
+  Controller controller() {
+    return controller;
+  }
+
+  /** The quantity of this id. */
+  static Quantity quantity(String id) {
+    Optional<Quantity> found = Quantities.standard().find(id);
+    return found.orElseThrow();
+  }
+}

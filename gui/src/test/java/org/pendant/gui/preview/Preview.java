@@ -1,0 +1,71 @@
+package org.pendant.gui.preview;
+
+import com.formdev.flatlaf.FlatDarkLaf;
+import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.FlatLightLaf;
+import com.formdev.flatlaf.fonts.inter.FlatInterFont;
+import com.formdev.flatlaf.fonts.jetbrains_mono.FlatJetBrainsMonoFont;
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.Function;
+import javax.swing.JFrame;
+import javax.swing.Timer;
+import org.pendant.controller.Command;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.machine.Loaded;
+import org.pendant.gui.io.IoView;
+import org.pendant.gui.log.LogView;
+import org.pendant.gui.plot.PlotView;
+import org.pendant.gui.session.Session;
+import org.pendant.gui.workbench.View;
+import org.pendant.gui.workbench.Workbench;
+import org.pendant.language.source.Source;
+
+/** Shows one view: {@code Preview log|io|plot light|dark WIDTH HEIGHT [FILE.script]}. */
+public final class Preview {
+  private static final int REFRESH_MS = 33;
+
+  private Preview() {}
+
+  /** Opens the window; the process ends with it. */
+  public static void main(String[] args) throws IOException {
+    Session session = Session.start(ControllerOptions.headless());
+    if (args.length > 4) {
+      start(session, Path.of(args[4]));
+    }
+    EventQueue.invokeLater(() -> open(args, session));
+  }
+
+  private static void start(Session session, Path file) throws IOException {
+    Source source = Source.of(file.toString(), Files.readAllBytes(file));
+    Loaded loaded = session.controller().load(source);
+    var _ = session.submit(new Command.StartProgram(loaded.program().orElseThrow()));
+  }
+
+  private static void open(String[] args, Session session) {
+    FlatInterFont.install();
+    FlatJetBrainsMonoFont.install();
+    FlatLaf.setPreferredFontFamily(FlatInterFont.FAMILY);
+    FlatLaf.setPreferredMonospacedFontFamily(FlatJetBrainsMonoFont.FAMILY);
+    FlatLaf.setup(args[1].equals("dark") ? new FlatDarkLaf() : new FlatLightLaf());
+    View view = viewNamed(args[0]).apply(new PreviewWorkbench(session));
+    JFrame frame = new JFrame(view.title());
+    frame.setDefaultCloseOperation(JFrame.EXIT_ON_CLOSE);
+    frame.add(view.component());
+    frame.setSize(Integer.parseInt(args[2]), Integer.parseInt(args[3]));
+    frame.setVisible(true);
+    new Timer(REFRESH_MS, event -> view.refresh(session.state())).start();
+  }
+
+  private static Function<Workbench, View> viewNamed(String name) {
+    return switch (name) {
+      case "log" -> LogView::new;
+      case "io" -> IoView::new;
+      case "plot" -> PlotView::new;
+      default ->
+          throw new IllegalArgumentException("view is '" + name + "', must be log, io or plot");
+    };
+  }
+}

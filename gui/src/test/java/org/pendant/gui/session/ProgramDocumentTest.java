@@ -1,0 +1,134 @@
+package org.pendant.gui.session;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+final class ProgramDocumentTest {
+  @TempDir Path folder;
+
+  @Test
+  void itIsModifiedUntilTheTextIsTheOldOneAgain() {
+    ProgramDocument document = ProgramDocument.untitled("a.script", "one");
+    document.replace(0, 3, "two");
+    assertTrue(document.modified());
+    document.setText("one");
+    assertFalse(document.modified());
+  }
+
+  @Test
+  void listenersHearEachReplacementAndEachChangeOfTheMark() {
+    ProgramDocument document = ProgramDocument.untitled("a.script", "abc");
+    List<String> heard = new ArrayList<>();
+    document.addListener(
+        new ProgramDocument.Listener() {
+          @Override
+          public void textChanged(int offset, int removed, String added) {
+            heard.add(offset + " -" + removed + " +" + added);
+          }
+
+          @Override
+          public void fileChanged() {
+            heard.add("mark " + document.modified());
+          }
+        });
+    document.replace(1, 1, "XY");
+    document.replace(0, 0, "!");
+    document.setText("abc");
+    assertEquals(List.of("1 -1 +XY", "mark true", "0 -0 +!", "0 -5 +abc", "mark false"), heard);
+  }
+
+  @Test
+  void savingClearsTheMarkOnlyForWhatWasWritten() throws IOException {
+    Path file = folder.resolve("p.script");
+    ProgramDocument document = ProgramDocument.untitled("a.script", "one");
+    ProgramFile written = ProgramFile.create(file, "one");
+    written.write();
+    document.replace(3, 0, " more");
+    document.saved(written);
+    assertEquals("p.script", document.name());
+    assertTrue(document.modified());
+    assertEquals("one", Files.readString(file));
+  }
+
+  @Test
+  void bytesThatAreNoUtf8AreKeptAsTheyAre() throws IOException {
+    Path file = folder.resolve("latin.script");
+    Files.write(file, new byte[] {'#', (byte) 0xE9, '\n'});
+    ProgramFile read = ProgramFile.read(file);
+    assertEquals("#\u00e9\n", read.text());
+    read.withText("#\u00e9!\n").write();
+    assertEquals("#\u00e9!\n", new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1));
+    assertEquals(
+        file + " is written in ISO-8859-1, which lacks some of the characters; use Save as",
+        assertThrows(IOException.class, read.withText("\u2265")::write).getMessage());
+  }
+
+  @Test
+  void lineEndsAreWrittenAsTheyWereRead() throws IOException {
+    Path file = folder.resolve("dos.script");
+    Files.writeString(file, "a\r\nb\r\n");
+    ProgramFile read = ProgramFile.read(file);
+    assertEquals("a\nb\n", read.text());
+    read.withText("a\nc\n").write();
+    assertEquals("a\r\nc\r\n", Files.readString(file));
+  }
+
+  @Test
+  void mixedLineEndsAreLeftAlone() {
+    assertEquals(
+        "a\r\nb\n", ProgramFile.of(folder, "a\r\nb\n".getBytes(StandardCharsets.UTF_8)).text());
+  }
+
+  @Test
+  void aFileThatMayNotBeWrittenStaysAsItWas() throws IOException {
+    Path file = folder.resolve("here");
+    Files.createDirectory(file);
+    assertThrows(IOException.class, ProgramFile.create(file, "x")::write);
+    assertTrue(Files.isDirectory(file));
+    try (var left = Files.list(folder)) {
+      assertEquals(List.of(file), left.toList());
+    }
+  }
+
+  @Test
+  void aChangeOnDiskIsNoticedOnce() throws IOException {
+    Path file = folder.resolve("p.script");
+    ProgramFile known = ProgramFile.create(file, "one");
+    known.write();
+    DiskChange change = new DiskChange();
+    assertEquals(Optional.empty(), change.look(known));
+    Files.writeString(file, "other");
+    Files.setLastModifiedTime(file, FileTime.fromMillis(12345));
+    assertEquals("other", change.look(known).orElseThrow().text());
+    assertEquals(Optional.empty(), change.look(known));
+    Files.delete(file);
+    assertEquals(Optional.empty(), change.look(known));
+  }
+
+  @Test
+  void theLastProgramThatIsClosedIsReplaced() {
+    ProgramDocument first = ProgramDocument.untitled("first", "");
+    ProgramDocument second = ProgramDocument.untitled("second", "");
+    ProgramDocument spare = ProgramDocument.untitled("spare", "");
+    Programs programs = new Programs(first);
+    programs.select(second);
+    programs.close(second, spare);
+    assertEquals(first, programs.current());
+    programs.close(first, spare);
+    assertEquals(List.of(spare), programs.all());
+    assertEquals(spare, programs.current());
+  }
+}

@@ -1,0 +1,25 @@
+package org.pendant.gui.shell.bar;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.Pace;
+import org.pendant.controller.WallClock.Lateness;
+
+final class PaceChoiceTest {
+  @Test
+  void stepsNeverPauseAndEndAtFullSpeed() {
+    assertEquals(new Pace.Times(2), PaceChoice.faster(Pace.REAL_TIME, 1));
+    assertEquals(new Pace.Times(0.5), PaceChoice.faster(Pace.REAL_TIME, -1));
+    assertEquals(new Pace.Times(0.1), PaceChoice.faster(new Pace.Times(0.1), -1));
+    assertEquals(new Pace.Unlimited(), PaceChoice.faster(new Pace.Unlimited(), 1));
+  }
+
+  @Test
+  void latenessIsThatOfTheLastFrames() {
+    Lateness before = new Lateness(1000, 400, 90_000_000);
+    Lateness now = new Lateness(2000, 405, 90_000_000);
+    assertEquals("500 Hz, 0.5 % late", StatusLine.text(now, before.frames(), before.lateFrames()));
+    assertEquals(" ", StatusLine.text(now, 2000, 405));
+  }
+}
