@@ -68,7 +68,9 @@ final class SessionTest {
       long frame = session.state().frame();
       ask(session.submit(new Command.SetSpeedFraction(0.25)));
       assertEquals(0.25, session.state().arm().speedFraction());
-      assertEquals(frame + 1, session.state().frame());
+      // a frame that had begun when the command came may have carried it out, and one passes for it
+      long passed = session.state().frame() - frame;
+      assertTrue(passed >= 1 && passed <= 2, passed + " frames");
     }
   }
 
@@ -79,7 +81,12 @@ final class SessionTest {
       ask(session.submit(new Command.SetSpeedFraction(0.5)));
       long frame = session.state().frame();
       CompletableFuture<Long> next = new CompletableFuture<>();
-      session.addFrameListener(state -> next.complete(state.frame()));
+      session.addFrameListener(
+          state -> {
+            if (state.frame() > frame) {
+              next.complete(state.frame());
+            }
+          });
       session.stepFrame();
       assertEquals(frame + 1, next.get(30, TimeUnit.SECONDS));
     }
