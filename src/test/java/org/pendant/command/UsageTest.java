@@ -22,7 +22,6 @@ final class UsageTest {
 
   static Stream<Arguments> wrongCalls() {
     return Stream.of(
-        Arguments.of("", "Usage: pendant"),
         Arguments.of("rum x.script", "did you mean run?"),
         Arguments.of("run", "no file"),
         Arguments.of("run --sped max good.script", "did you mean --speed?"),
@@ -39,13 +38,23 @@ final class UsageTest {
         Arguments.of("functions movje", "did you mean movej?"));
   }
 
+  @Test
+  void theDesktopWithoutADisplayIsExplainedAndExitsWithTwo() {
+    Result result = Launcher.shell(folder, "env -u DISPLAY \"$PENDANT\"");
+
+    assertAll(
+        () -> assertEquals(2, result.exitCode()),
+        () -> assertEquals("", result.output()),
+        () -> assertTrue(result.errors().contains("cannot be opened"), result.errors()),
+        () -> assertTrue(result.errors().contains("pendant run FILE"), result.errors()));
+  }
+
   @ParameterizedTest
   @MethodSource("wrongCalls")
   void wrongUsageIsExplainedAndExitsWithTwo(String words, String explanation) {
     Launcher.script(folder, "good.script", "def good():\n  textmsg(\"ran\")\nend\n");
 
-    Result result =
-        Launcher.pendant(folder, words.isEmpty() ? new String[0] : words.split(" ", -1));
+    Result result = Launcher.pendant(folder, words.split(" ", -1));
 
     assertAll(
         () -> assertEquals(2, result.exitCode()),

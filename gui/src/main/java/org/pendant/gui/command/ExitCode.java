@@ -12,6 +12,11 @@ enum ExitCode {
   DOES_NOT_COMPILE(3),
   /** The program was stopped because its time was up. */
   TIMED_OUT(4),
+  /**
+   * This machine lacks something that is needed, such as OpenGL; the number that sysexits.h gives
+   * to what is unavailable. No fault of the program or the command line.
+   */
+  UNAVAILABLE(69),
   /** A fault in Pendant itself; the number that sysexits.h gives to software errors. */
   INTERNAL_ERROR(70),
   /** Standard output cannot be written any more; the number of a process that SIGPIPE ended. */

@@ -33,7 +33,7 @@ final class HeadlessRun {
   private final RunOptions options;
   private final Interruption interruption;
   private final Console console;
-  private final RunRecord record;
+  private final FrameWatcher watcher;
   private final Clock clock;
   private long flushedNs = System.nanoTime();
   private boolean pendingOutput;
@@ -46,13 +46,13 @@ final class HeadlessRun {
       RunOptions options,
       Interruption interruption,
       Console console,
-      RunRecord record) {
+      FrameWatcher watcher) {
     this.source = source;
     this.controller = controller;
     this.options = options;
     this.interruption = interruption;
     this.console = console;
-    this.record = record;
+    this.watcher = watcher;
     clock = options.clock();
   }
 
@@ -68,7 +68,7 @@ final class HeadlessRun {
     boolean timedOut = false;
     while (controller.state().program().state() != ProgramState.STOPPED) {
       timedOut = controller.state().timeS() >= endS;
-      if (timedOut || interruption.requested() || console.outputClosed() || record.failed()) {
+      if (timedOut || interruption.requested() || console.outputClosed() || watcher.enough()) {
         stop();
       } else if (controller.state().program().state() == ProgramState.PAUSED) {
         goOnOrStop();
@@ -183,7 +183,7 @@ final class HeadlessRun {
     for (Popup popup : state.newPopups()) {
       console.complain(Report.popup(popup));
     }
-    record.write(state);
+    watcher.see(state);
     flush(state.frame());
   }
 

@@ -23,6 +23,7 @@ public final class Pendant {
         List.of(
             new RunCommand(),
             new CheckCommand(),
+            new RenderCommand(),
             new FunctionsCommand(StandardBuiltins::create),
             new RobotsCommand());
   }

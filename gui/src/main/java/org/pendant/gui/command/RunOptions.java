@@ -47,6 +47,11 @@ record RunOptions(
   private static final List<String> SAFETY_INPUTS =
       Arrays.stream(SafetyInput.values()).map(SafetyInput::word).toList();
 
+  /** What says how a program runs, whatever is made of the run. */
+  static final List<Option> OF_PROGRAM =
+      Stream.concat(Stream.of(ROBOT, INPUT, ANSWER, TIMEOUT, SEED), Surroundings.ALL.stream())
+          .toList();
+
   /** For the usage text. */
   static final List<Option> ALL =
       Stream.concat(

@@ -10,7 +10,7 @@ import org.pendant.controller.state.ControllerState;
 /**
  * The file that a run is recorded to, if one is wanted; complains once when it cannot be written.
  */
-final class RunRecord implements AutoCloseable {
+final class RunRecord implements FrameWatcher, AutoCloseable {
   private final Optional<Recorder> recorder;
   private final Console console;
   private boolean failed;
@@ -38,7 +38,8 @@ final class RunRecord implements AutoCloseable {
   }
 
   /** Appends the row of one frame. */
-  void write(ControllerState state) {
+  @Override
+  public void see(ControllerState state) {
     if (recorder.isEmpty() || failed) {
       return;
     }
@@ -47,6 +48,11 @@ final class RunRecord implements AutoCloseable {
     } catch (IOException e) {
       fail(e);
     }
+  }
+
+  @Override
+  public boolean enough() {
+    return failed;
   }
 
   /** Whether rows were lost. */

@@ -159,6 +159,15 @@ final class ScriptArea extends RSyntaxTextArea {
     return getDocument().getDefaultRootElement().getElementIndex(offset) + 1;
   }
 
+  /** Puts a line below the one of the caret, indented as that is, as one step of undo. */
+  void insertLine(String text) {
+    Span line = line(lineAt(getCaretPosition()));
+    String before = getText().substring(line.start(), line.end());
+    String indent = before.substring(0, before.length() - before.stripLeading().length());
+    insert("\n" + indent + text, line.end());
+    setCaretPosition(line.end() + 1 + indent.length() + text.length());
+  }
+
   /** The lines that the selection touches, or the line of the caret. */
   List<Span> selectedLines() {
     return Lines.touched(getText(), new Span(getSelectionStart(), getSelectionEnd()));

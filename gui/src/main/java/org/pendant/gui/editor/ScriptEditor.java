@@ -118,6 +118,17 @@ public final class ScriptEditor implements View {
     close(current());
   }
 
+  /** Puts a line below the one of the caret, indented as that is. */
+  public void insertLine(String text) {
+    current().area().insertLine(text);
+  }
+
+  /** The line of the caret in the program in front, from 1. */
+  public int caretLine() {
+    ScriptArea area = current().area();
+    return area.lineAt(area.getCaretPosition());
+  }
+
   ProgramEditor current() {
     return tabs.current();
   }

@@ -240,7 +240,7 @@ final class DesktopWindow {
     footer.refresh(state);
     status.refresh(session.lateness(), state.debug().held());
     popups.refresh(state);
-    views.follow(state, workbench::showSource);
+    views.follow(state);
     for (View view : docks.views()) {
       if (view.component().isShowing()) {
         view.refresh(state);

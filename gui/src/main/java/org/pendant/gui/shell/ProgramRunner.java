@@ -24,6 +24,7 @@ final class ProgramRunner {
   private final Consumer<String> tell;
   private final SourcePlace showSource;
   private Optional<Running> running = Optional.empty();
+  private Consumer<ProgramDocument> beforeRun = document -> {};
   private boolean loading;
 
   /** A program and its text when it was started. */
@@ -34,6 +35,11 @@ final class ProgramRunner {
     this.programs = programs;
     this.tell = tell;
     this.showSource = showSource;
+  }
+
+  /** Has {@code action} follow each program that is about to start, secondary ones apart. */
+  void beforeEachRun(Consumer<ProgramDocument> action) {
+    beforeRun = action;
   }
 
   /** Whether a program is being compiled. */
@@ -102,6 +108,9 @@ final class ProgramRunner {
       return;
     }
     running = Optional.of(new Running(document, source));
+    if (!loaded.program().orElseThrow().secondary()) {
+      beforeRun.accept(document);
+    }
     tellRefusal(session.run(loaded.program().orElseThrow()));
     then.run();
   }

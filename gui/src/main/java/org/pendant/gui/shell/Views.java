@@ -4,8 +4,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.debug.BreakpointsView;
+import org.pendant.gui.debug.CallStackView;
+import org.pendant.gui.debug.DebugActions;
+import org.pendant.gui.debug.DebugPresenter;
+import org.pendant.gui.debug.VariablesView;
+import org.pendant.gui.debug.WatchesView;
 import org.pendant.gui.editor.OutlineView;
 import org.pendant.gui.editor.PlacesView;
 import org.pendant.gui.editor.ProblemsView;
@@ -14,6 +19,7 @@ import org.pendant.gui.io.IoView;
 import org.pendant.gui.log.LogView;
 import org.pendant.gui.move.MoveView;
 import org.pendant.gui.plot.PlotView;
+import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.shell.dock.Side;
 import org.pendant.gui.shell.look.Glyph;
@@ -25,7 +31,7 @@ final class Views {
   private final List<Place> places;
   private final ScriptEditor editor;
   private final ProgramRunner runner;
-  private long stopShown;
+  private final DebugPresenter debug;
 
   /**
    * A view and where it belongs at first.
@@ -38,6 +44,13 @@ final class Views {
     editor = new ScriptEditor(workbench, programs);
     this.runner = runner;
     workbench.showSourceIn(editor.id(), editor::show);
+    debug = new DebugPresenter(workbench, programs);
+    debug.breakpoints().setMarks(editor::toggleBreakpoint);
+    editor.addBreakpointListener(debug.breakpoints()::linesChanged);
+    runner.beforeEachRun(this::handOverBreakpoints);
+    BreakpointsView breakpoints = new BreakpointsView(workbench, debug);
+    DebugActions.addTo(workbench, debug, breakpoints, editor::caretLine);
+    ScenePanel scene = new ScenePanel(workbench);
     View run = new RunView(workbench, workbench.actions(), programs, runner::line, runner::send);
     places =
         List.of(
@@ -45,21 +58,23 @@ final class Views {
             // A Program screen goes here.
             screen(editor, Glyph.SCRIPT),
             // An Installation screen goes here.
-            screen(new MoveView(workbench), Glyph.MOVE),
+            screen(new MoveView(workbench, scene, editor::insertLine), Glyph.MOVE),
             screen(new IoView(workbench), Glyph.SIGNALS),
             screen(new LogView(workbench), Glyph.LOG),
             screen(new PlotView(workbench), Glyph.PLOT),
-            panel(planned("scene", "3D", "The arm and what is around it."), Side.RIGHT),
-            panel(planned("variables", "Variables", "Values while a program runs."), Side.RIGHT),
+            panel(scene, Side.RIGHT),
+            panel(new VariablesView(workbench, debug), Side.RIGHT),
+            panel(new WatchesView(workbench, debug), Side.RIGHT),
             panel(new OutlineView(workbench, editor), Side.RIGHT),
             panel(new ProblemsView(workbench, editor), Side.BOTTOM),
             panel(new PlacesView(workbench, editor), Side.BOTTOM),
-            panel(planned("call-stack", "Call stack", "Threads and calls."), Side.BOTTOM),
-            panel(planned("breakpoints", "Breakpoints", "Where programs pause."), Side.BOTTOM));
+            panel(new CallStackView(workbench, debug), Side.BOTTOM),
+            panel(breakpoints, Side.BOTTOM));
   }
 
-  private static View planned(String id, String title, String coming) {
-    return new PlannedView(id, title, coming);
+  private void handOverBreakpoints(ProgramDocument document) {
+    debug.breakpoints().linesChanged(document, editor.breakpoints(document));
+    debug.breakpoints().beforeRun(document);
   }
 
   private static Place screen(View view, Glyph glyph) {
@@ -70,15 +85,11 @@ final class Views {
     return new Place(view, home, Optional.empty());
   }
 
-  /** Has the editor mark the line that the program has reached, and show where it is held. */
-  void follow(ControllerState state, SourcePlace showSource) {
-    Optional<DebugState.Stop> stop = state.debug().stop();
-    int line = stop.map(DebugState.Stop::line).orElse(state.program().line());
+  /** Has debugger and editor follow the program, whatever is in front. */
+  void follow(ControllerState state) {
+    debug.refresh(state);
+    int line = debug.held() ? debug.executionLine() : state.program().line();
     runner.program().ifPresent(program -> editor.setExecutionLine(program, line));
-    if (stop.isPresent() && stop.get().number() != stopShown) {
-      stopShown = stop.get().number();
-      showSource.show(line, 1);
-    }
   }
 
   /** All of them, screens first. */

@@ -125,7 +125,7 @@ public final class DockPlan {
 
   /** Width of a side, or height of the bottom, in pixels before scaling. */
   public int size(Side side) {
-    int usual = side == Side.BOTTOM ? 200 : 320;
+    int usual = side == Side.BOTTOM ? 200 : 420;
     try {
       int size = Integer.parseInt(settings.get(name(side, "size")).orElse(""));
       return Math.clamp(size, SMALLEST, LARGEST);

@@ -33,10 +33,14 @@ void main() {
   vec3 light = ambient + vec3(1.0, 0.975, 0.94) * (sunlight * sun) + vec3(0.10 * atEye);
 
   vec3 middle = normalize(toSun + toEye);
-  float gloss = finish.a;
+  float gloss = max(finish.a, 0.0);
   float shine = gloss * pow(max(dot(n, middle), 0.0), mix(24.0, 80.0, gloss)) * min(sun * 3.0, 1.0);
   float rim = 0.10 * pow(1.0 - atEye, 4.0);
 
+  if (finish.a < 0.0) {
+    light = vec3(0.55 + 0.45 * atEye); // marks shine by themselves
+    shine = 0.0;
+  }
   vec3 linear = albedo * light + vec3(shine * 0.45) + sky * rim;
   colour = vec4(pow(linear, vec3(1.0 / 2.2)), opacity);
 }

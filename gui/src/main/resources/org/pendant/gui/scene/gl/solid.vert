@@ -11,7 +11,7 @@ uniform mat4 places[MOST_PLACES];
 uniform mat4 toClip;
 uniform mat4 toLight;
 uniform float shadowOffset; // m
-uniform vec4 finishes[FINISHES]; // linear colour, gloss
+uniform vec4 finishes[FINISHES]; // linear colour, gloss; gloss below 0 for what shines by itself
 
 out vec3 worldPosition;
 out vec3 worldNormal;

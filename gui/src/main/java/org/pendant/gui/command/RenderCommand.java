@@ -1,0 +1,110 @@
+package org.pendant.gui.command;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.util.List;
+import javax.imageio.ImageIO;
+import org.pendant.controller.Controller;
+import org.pendant.controller.machine.Loaded;
+import org.pendant.controller.machine.Program;
+import org.pendant.controller.state.ArmState;
+import org.pendant.controller.world.Scene;
+import org.pendant.gui.scene.Camera;
+import org.pendant.gui.scene.Outline;
+import org.pendant.gui.scene.SceneModel;
+import org.pendant.gui.scene.Touching;
+import org.pendant.gui.scene.gl.OffscreenScene;
+import org.pendant.gui.scene.gl.SceneUnavailable;
+import org.pendant.language.source.Source;
+import org.pendant.models.arm.ArmLibrary;
+
+/** {@code pendant render FILE}: runs a program and draws the arm at one moment. */
+final class RenderCommand implements Subcommand {
+
+  @Override
+  public String name() {
+    return "render";
+  }
+
+  @Override
+  public String operands() {
+    return "FILE";
+  }
+
+  @Override
+  public String summary() {
+    return "run a program and draw the arm, at its end or at a time";
+  }
+
+  @Override
+  public List<Option> options() {
+    return RenderOptions.ALL;
+  }
+
+  @Override
+  public ExitCode run(Arguments arguments, Console console) throws UsageException {
+    RenderOptions options = RenderOptions.of(arguments);
+    if (arguments.operands().size() != 1) {
+      throw new UsageException("expected one file, there are " + arguments.operands().size());
+    }
+    Source source = SourceFiles.read(arguments.operands()).getFirst();
+    Controller controller = new Controller(options.run().controller());
+    Loaded loaded = controller.load(source);
+    Report.diagnostics(source, loaded.diagnostics()).forEach(console::complain);
+    if (loaded.program().isEmpty()) {
+      return ExitCode.DOES_NOT_COMPILE;
+    }
+    // Before the program runs: without graphics there is no use in that.
+    try (OffscreenScene scene = OffscreenScene.open();
+        Interruption interruption = Interruption.listen()) {
+      Exposure exposure = new Exposure(controller.state(), options.atS());
+      Program program = loaded.program().get();
+      ExitCode code =
+          new HeadlessRun(source, controller, options.run(), interruption, console, exposure)
+              .run(program);
+      if (exposure.tooEarly() && code == ExitCode.DONE) {
+        console.complain(Report.note(source, "ended before --at; the picture shows its end"));
+      }
+      code = code.or(write(picture(scene, exposure, options), options, console));
+      // Before the interruption is closed: after that the process may be gone at any moment.
+      console.flush();
+      return code;
+    } catch (SceneUnavailable e) {
+      console.complain("pendant render: " + e.getMessage());
+      return ExitCode.UNAVAILABLE;
+    }
+  }
+
+  private static BufferedImage picture(
+      OffscreenScene scene, Exposure exposure, RenderOptions options) {
+    ArmState arm = exposure.state().arm();
+    Scene world = options.run().controller().scene();
+    SceneModel model =
+        SceneModel.of(
+                ArmLibrary.load(options.run().controller().robotId()), arm.actualPositionRad())
+            .at(arm)
+            .withWorld(
+                world,
+                new Touching(world)
+                    .names(arm.kinematics(), arm.actualPositionRad(), arm.tool().inFlange()))
+            .withTrace(exposure.trace())
+            .withTheme(options.theme());
+    double aspect = (double) options.widthPx() / options.heightPx();
+    Camera camera = Camera.of(options.view(), Outline.of(model), aspect);
+    return scene.render(model, camera, options.widthPx(), options.heightPx());
+  }
+
+  private static ExitCode write(BufferedImage picture, RenderOptions options, Console console) {
+    // A picture in the making needs no file besides its own.
+    ImageIO.setUseCache(false);
+    try (OutputStream out = Files.newOutputStream(options.out())) {
+      ImageIO.write(picture, "png", out);
+      return ExitCode.DONE;
+    } catch (IOException e) {
+      console.complain("pendant render: the picture cannot be written: " + e.getMessage());
+      return ExitCode.WRONG_USAGE;
+    }
+  }
+}

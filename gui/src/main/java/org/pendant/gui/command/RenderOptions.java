@@ -1,0 +1,132 @@
+package org.pendant.gui.command;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.pendant.gui.scene.StandardView;
+import org.pendant.gui.scene.Theme;
+
+/**
+ * What {@code pendant render} was asked for.
+ *
+ * @param run how the program runs
+ * @param out the file to write
+ * @param atS robot time of the picture, s; empty for the end of the program
+ * @param widthPx width of the picture
+ * @param heightPx height of the picture
+ * @param view from where the robot is seen
+ * @param theme colours
+ */
+record RenderOptions(
+    RunOptions run,
+    Path out,
+    Optional<Double> atS,
+    int widthPx,
+    int heightPx,
+    StandardView view,
+    Theme theme) {
+  private static final Option OUT = new Option("--out", "FILE.png", "the picture to write");
+  private static final Option AT =
+      new Option("--at", "S", "robot time of the picture, default the program's end");
+  private static final Option SIZE =
+      new Option("--size", "WxH", "pixels, default 1280x800, at most 4096x4096");
+  private static final Option VIEW =
+      new Option("--view", String.join("|", StandardView.words()), "from where, default iso");
+  private static final Option THEME = new Option("--theme", "light|dark", "default light");
+
+  private static final Pattern WIDTH_AND_HEIGHT = Pattern.compile("(\\d{1,5})x(\\d{1,5})");
+  private static final int LEAST_PX = 16;
+  private static final int MOST_PX = 4096;
+
+  /** For the usage text. */
+  static final List<Option> ALL =
+      Stream.concat(Stream.of(OUT, AT, SIZE, VIEW, THEME), RunOptions.OF_PROGRAM.stream()).toList();
+
+  static RenderOptions of(Arguments arguments) throws UsageException {
+    RunOptions run = RunOptions.of(arguments);
+    Matcher size = size(arguments.value(SIZE).orElse("1280x800"));
+    return new RenderOptions(
+        run,
+        out(arguments),
+        atS(arguments),
+        Integer.parseInt(size.group(1)),
+        Integer.parseInt(size.group(2)),
+        view(arguments.value(VIEW).orElse("iso")),
+        theme(arguments.value(THEME).orElse("light")));
+  }
+
+  /** The file is looked at before the program runs: nobody wants to wait for a refusal. */
+  private static Path out(Arguments arguments) throws UsageException {
+    Optional<String> name = arguments.value(OUT);
+    if (name.isEmpty()) {
+      throw new UsageException("no picture named, expected " + OUT.usage());
+    }
+    try {
+      Path out = Path.of(name.get()).toAbsolutePath();
+      Path folder = out.getParent();
+      boolean writable =
+          Files.exists(out)
+              ? Files.isRegularFile(out) && Files.isWritable(out)
+              : folder != null && Files.isDirectory(folder) && Files.isWritable(folder);
+      if (!writable) {
+        throw new UsageException("--out " + name.get() + ": cannot be written");
+      }
+      return out;
+    } catch (InvalidPathException e) {
+      throw new UsageException("--out " + name.get() + ": not a file name, " + e.getReason());
+    }
+  }
+
+  private static Optional<Double> atS(Arguments arguments) throws UsageException {
+    Optional<String> text = arguments.value(AT);
+    if (text.isEmpty()) {
+      return Optional.empty();
+    }
+    double seconds = RunOptions.number(text.get(), AT.name(), "a number of seconds");
+    if (!(seconds >= 0) || Double.isInfinite(seconds)) {
+      throw new UsageException("--at is " + text.get() + ", must be at least 0 seconds");
+    }
+    return Optional.of(seconds);
+  }
+
+  private static Matcher size(String text) throws UsageException {
+    Matcher size = WIDTH_AND_HEIGHT.matcher(text);
+    if (!size.matches() || !allowed(size.group(1)) || !allowed(size.group(2))) {
+      throw new UsageException(
+          "--size is "
+              + text
+              + ", must be width x height in pixels such as 1280x800, each "
+              + LEAST_PX
+              + " to "
+              + MOST_PX);
+    }
+    return size;
+  }
+
+  private static boolean allowed(String pixels) {
+    int number = Integer.parseInt(pixels);
+    return number >= LEAST_PX && number <= MOST_PX;
+  }
+
+  private static StandardView view(String word) throws UsageException {
+    Optional<StandardView> view = StandardView.named(word);
+    if (view.isEmpty()) {
+      throw new UsageException(
+          "--view is " + word + ", must be one of " + String.join(", ", StandardView.words()));
+    }
+    return view.get();
+  }
+
+  private static Theme theme(String word) throws UsageException {
+    Optional<Theme> theme = Theme.named(word);
+    if (theme.isEmpty()) {
+      throw new UsageException("--theme is " + word + ", must be light or dark");
+    }
+    return theme.get();
+  }
+}

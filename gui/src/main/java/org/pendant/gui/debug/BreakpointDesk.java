@@ -1,0 +1,200 @@
+package org.pendant.gui.debug;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import org.pendant.controller.debug.Breakpoint;
+import org.pendant.controller.debug.BreakpointState;
+import org.pendant.gui.session.ProgramDocument;
+import org.pendant.gui.session.Programs;
+import org.pendant.language.source.ByteText;
+
+/** The breakpoints of the open programs, and what the debugger knows of them. */
+public final class BreakpointDesk {
+  private final DebugLink link;
+  private final Programs programs;
+  private final Consumer<String> tell;
+  private final Map<ProgramDocument, BreakpointList> lists = new HashMap<>();
+  private final List<Runnable> listeners = new ArrayList<>();
+  private Marks marks = this::toggleHere;
+  private Optional<ProgramDocument> started = Optional.empty();
+  private List<BreakpointState> states = List.of();
+  private boolean onErrors;
+
+  /** Where breakpoints are shown beside the text; it says which lines have one afterwards. */
+  @FunctionalInterface
+  public interface Marks {
+    /** Sets or clears the mark of a line, counted from 1. */
+    void toggle(ProgramDocument program, int line);
+  }
+
+  BreakpointDesk(DebugLink link, Programs programs, Consumer<String> tell) {
+    this.link = link;
+    this.programs = programs;
+    this.tell = tell;
+    programs.addListener(
+        () -> {
+          lists.keySet().retainAll(programs.all());
+          tellListeners();
+        });
+  }
+
+  /** Has breakpoints set and cleared through the marks of an editor from now on. */
+  public void setMarks(Marks marks) {
+    this.marks = marks;
+  }
+
+  private void toggleHere(ProgramDocument program, int line) {
+    SortedSet<Integer> lines = new TreeSet<>();
+    list(program).all().forEach(each -> lines.add(each.line()));
+    if (!lines.remove(line)) {
+      lines.add(line);
+    }
+    linesChanged(program, lines);
+  }
+
+  private BreakpointList list(ProgramDocument program) {
+    return lists.computeIfAbsent(program, each -> new BreakpointList());
+  }
+
+  /** Those of the program in front, in the order of their lines. */
+  public List<Breakpoint> all() {
+    return list(programs.current()).all();
+  }
+
+  /** What became of one of the program in front, once the debugger knows it. */
+  public Optional<BreakpointState> state(Breakpoint breakpoint) {
+    return isStarted(programs.current())
+        ? states.stream().filter(each -> each.breakpoint().equals(breakpoint)).findFirst()
+        : Optional.empty();
+  }
+
+  /** The program that was started last. */
+  public Optional<ProgramDocument> started() {
+    return started.filter(programs.all()::contains);
+  }
+
+  private boolean isStarted(ProgramDocument program) {
+    return started.filter(each -> each == program).isPresent();
+  }
+
+  /** Lines of {@code program} that have breakpoints now, from 1. */
+  public void linesChanged(ProgramDocument program, SortedSet<Integer> lines) {
+    list(program).setLines(lines);
+    changed(program);
+  }
+
+  /** Sets or clears the breakpoint of a line of the program in front. */
+  public void toggle(int line) {
+    marks.toggle(programs.current(), line);
+  }
+
+  /** Sets a breakpoint of the program in front unless its line has one. */
+  public void ensure(int line) {
+    if (list(programs.current()).at(line).isEmpty()) {
+      toggle(line);
+    }
+  }
+
+  /** Changes a breakpoint of the program in front; it keeps its line. */
+  public void change(Breakpoint breakpoint) {
+    ProgramDocument program = programs.current();
+    if (list(program).at(breakpoint.line()).filter(breakpoint::equals).isEmpty()) {
+      list(program).set(breakpoint);
+      changed(program);
+    }
+  }
+
+  /** Clears the breakpoints of the program in front. */
+  public void removeAll() {
+    all().forEach(each -> toggle(each.line()));
+  }
+
+  /** Whether programs that fail are held before they end. */
+  public boolean onErrors() {
+    return onErrors;
+  }
+
+  /** Has programs that fail held before they end, or not. */
+  public void setOnErrors(boolean wanted) {
+    onErrors = wanted;
+    link.ask(
+        debugger -> {
+          debugger.stopOnErrors(wanted);
+          return wanted;
+        },
+        done -> tellListeners(),
+        tell);
+  }
+
+  /**
+   * A program is about to be started: its breakpoints take the place of all others. A command to
+   * start it that is submitted afterwards finds them set.
+   */
+  public void beforeRun(ProgramDocument program) {
+    started = Optional.of(program);
+    send();
+  }
+
+  private void changed(ProgramDocument program) {
+    if (isStarted(program)) {
+      send();
+    }
+    tellListeners();
+  }
+
+  private void send() {
+    List<Breakpoint> wanted =
+        started.map(program -> list(program).all()).orElse(List.of()).stream()
+            .map(each -> each.when(ByteText.asBytes(each.condition())))
+            .toList();
+    boolean errors = onErrors;
+    link.ask(
+        debugger -> {
+          debugger.stopOnErrors(errors);
+          for (BreakpointState each : debugger.breakpoints()) {
+            if (!wanted.contains(each.breakpoint())) {
+              debugger.remove(each.breakpoint().line());
+            }
+          }
+          List<Breakpoint> there =
+              debugger.breakpoints().stream().map(BreakpointState::breakpoint).toList();
+          wanted.stream().filter(each -> !there.contains(each)).forEach(debugger::set);
+          return debugger.breakpoints();
+        },
+        this::show,
+        tell);
+  }
+
+  /** Asks how often breakpoints were hit. */
+  void reload() {
+    link.ask(debugger -> debugger.breakpoints(), this::show, tell);
+  }
+
+  private void show(List<BreakpointState> found) {
+    states =
+        found.stream()
+            .map(
+                each ->
+                    new BreakpointState(
+                        each.breakpoint().when(ByteText.decoded(each.breakpoint().condition())),
+                        each.statementLine(),
+                        each.hits()))
+            .toList();
+    tellListeners();
+  }
+
+  /** Tells {@code listener} when something has changed. */
+  public void addListener(Runnable listener) {
+    listeners.add(listener);
+  }
+
+  private void tellListeners() {
+    listeners.forEach(Runnable::run);
+  }
+}

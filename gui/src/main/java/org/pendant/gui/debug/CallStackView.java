@@ -1,0 +1,233 @@
+package org.pendant.gui.debug;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.EventQueue;
+import java.awt.Font;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import javax.swing.table.AbstractTableModel;
+import javax.swing.table.DefaultTableCellRenderer;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.layout.WrappingRow;
+import org.pendant.gui.workbench.KeyText;
+import org.pendant.gui.workbench.Palette;
+import org.pendant.gui.workbench.View;
+import org.pendant.gui.workbench.Workbench;
+
+/** All script threads of a program that is held, and their calls. */
+public final class CallStackView implements View {
+  /** Its name in settings and commands. */
+  public static final String ID = "call-stack";
+
+  private static final String NOTE =
+      "The program is not stopped. Set a breakpoint with F9, or hold the program while it runs:"
+          + " its threads and calls appear here.";
+
+  private final Workbench workbench;
+  private final DebugPresenter debug;
+  private final Rows rows = new Rows();
+  private final JTable table = new JTable(rows);
+  private final DebugPanel panel;
+  private final JButton kill = new JButton("End thread");
+  private final JButton resume;
+  private final List<JButton> steps;
+  private boolean showing;
+
+  /** Without threads yet. */
+  public CallStackView(Workbench workbench, DebugPresenter debug) {
+    assert EventQueue.isDispatchThread();
+    this.workbench = workbench;
+    this.debug = debug;
+    resume = button("Go on", "debug.continue", "Lets the program go on");
+    steps =
+        List.of(
+            button("Step over", "debug.step-over", "To the next statement of this function"),
+            button("Step into", "debug.step-into", "To the next statement, in any function"),
+            button("Step out", "debug.step-out", "To the next statement of the caller"));
+    setUpTable();
+    JPanel content = new JPanel(new BorderLayout());
+    content.add(buttons(), BorderLayout.NORTH);
+    content.add(new JScrollPane(table));
+    panel = new DebugPanel("call-stack", content);
+    debug.addListener(this::show);
+    show();
+  }
+
+  private void setUpTable() {
+    table.setName("call-stack-table");
+    table.getAccessibleContext().setAccessibleName("Threads and calls");
+    table.setToolTipText("Select a call to see its variables; Del ends a thread");
+    table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    table.setShowGrid(false);
+    table.setFillsViewportHeight(true);
+    table.setDefaultRenderer(Object.class, new Cell());
+    table.getColumnModel().getColumn(0).setPreferredWidth(320);
+    table.getColumnModel().getColumn(1).setPreferredWidth(160);
+    table.getSelectionModel().addListSelectionListener(event -> choose());
+    table.registerKeyboardAction(
+        event -> killSelected(), KeyStroke.getKeyStroke("DELETE"), JComponent.WHEN_FOCUSED);
+    JPopupMenu menu = new JPopupMenu();
+    menu.add(VariablesView.item("End thread", "Del", this::killSelected));
+    table.setComponentPopupMenu(menu);
+  }
+
+  private JComponent buttons() {
+    JPanel row = new JPanel(new WrappingRow(8));
+    row.add(resume);
+    steps.forEach(row::add);
+    kill.setName("thread-end");
+    kill.setToolTipText("Ends the selected thread, and those that it started (Del)");
+    kill.getAccessibleContext().setAccessibleName("End thread");
+    kill.addActionListener(event -> killSelected());
+    row.add(kill);
+    return row;
+  }
+
+  private JButton button(String title, String action, String tip) {
+    JButton button = new JButton(title);
+    button.setName(action.replace('.', '-'));
+    String keys = KeyText.shown(workbench.actions().keysOf(action));
+    button.setToolTipText(keys.isEmpty() ? tip : tip + " (" + keys + ")");
+    button.getAccessibleContext().setAccessibleName(title);
+    button.addActionListener(event -> workbench.actions().run(action));
+    return button;
+  }
+
+  private Optional<CallRow> selectedRow() {
+    int row = table.getSelectedRow();
+    return row < 0 || row >= rows.calls.size()
+        ? Optional.empty()
+        : Optional.of(rows.calls.get(row));
+  }
+
+  private void choose() {
+    if (showing) {
+      return;
+    }
+    selectedRow()
+        .ifPresent(
+            row -> {
+              // A thread stands for its innermost call, which is the row below it.
+              CallRow call = row.isThread() ? rows.calls.get(table.getSelectedRow() + 1) : row;
+              debug.select(call.thread(), call.depth());
+            });
+  }
+
+  private void killSelected() {
+    if (debug.canStep()) {
+      selectedRow().ifPresent(row -> debug.kill(row.thread()));
+    }
+  }
+
+  private void show() {
+    if (!debug.showsValues()) {
+      panel.showNote(NOTE);
+      return;
+    }
+    panel.showContent(debug.stopText());
+    kill.setEnabled(debug.canStep());
+    steps.forEach(each -> each.setEnabled(debug.canStep()));
+    resume.setEnabled(debug.held());
+    if (!debug.held()) {
+      return;
+    }
+    showing = true;
+    try {
+      rows.show(CallRow.of(debug.threads()));
+      table.setRowHeight(table.getFontMetrics(table.getFont()).getHeight() + 12);
+      debug.selected().ifPresent(this::mark);
+    } finally {
+      showing = false;
+    }
+  }
+
+  private void mark(Scope scope) {
+    for (int i = 0; i < rows.calls.size(); i++) {
+      CallRow row = rows.calls.get(i);
+      if (row.thread() == scope.thread() && row.depth() == scope.depth()) {
+        table.setRowSelectionInterval(i, i);
+        table.scrollRectToVisible(table.getCellRect(i, 0, true));
+      }
+    }
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Call stack";
+  }
+
+  @Override
+  public JComponent component() {
+    return panel;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    debug.refresh(state);
+  }
+
+  /** The rows. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class Rows extends AbstractTableModel {
+    private List<CallRow> calls = List.of();
+
+    void show(List<CallRow> wanted) {
+      if (!wanted.equals(calls)) {
+        calls = wanted;
+        fireTableDataChanged();
+      }
+    }
+
+    @Override
+    public int getRowCount() {
+      return calls.size();
+    }
+
+    @Override
+    public int getColumnCount() {
+      return 2;
+    }
+
+    @Override
+    public String getColumnName(int column) {
+      return column == 0 ? "Thread or call" : "Where";
+    }
+
+    @Override
+    public Object getValueAt(int row, int column) {
+      return calls.get(row);
+    }
+  }
+
+  /** Threads in bold, their calls below them. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class Cell extends DefaultTableCellRenderer {
+    @Override
+    public Component getTableCellRendererComponent(
+        JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+      super.getTableCellRendererComponent(table, "", selected, focused, row, column);
+      CallRow call = (CallRow) value;
+      setText(column == 0 ? call.name() : call.place());
+      setIcon(column == 0 && !call.isThread() ? new Twisty(0, false, false) : null);
+      setFont(call.isThread() ? table.getFont().deriveFont(Font.BOLD) : table.getFont());
+      if (!selected) {
+        setForeground(column == 0 ? table.getForeground() : Palette.quiet());
+      }
+      return this;
+    }
+  }
+}

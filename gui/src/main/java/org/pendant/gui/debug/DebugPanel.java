@@ -1,0 +1,78 @@
+package org.pendant.gui.debug;
+
+import java.awt.BorderLayout;
+import java.awt.CardLayout;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JTextArea;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.gui.workbench.Palette;
+
+/** A debugger panel: why the program is held, then its content, or what to do to get one. */
+@SuppressWarnings("serial") // never written to a stream
+final class DebugPanel extends JPanel {
+  private static final String CONTENT = "content";
+  private static final String NOTE = "note";
+
+  private final JTextArea status = text("debug-status", "Why the program is held");
+  private final JTextArea note = text("debug-note", "What to do");
+  private final JPanel top = new JPanel(new MigLayout("insets 6 8 6 8, fillx", "[grow]", "[]"));
+  private final CardLayout cards = new CardLayout();
+  private final JPanel middle = new JPanel(cards);
+
+  DebugPanel(String name, JComponent content) {
+    super(new BorderLayout());
+    setName(name);
+    top.add(status, "growx, wmin 0");
+    top.setVisible(false);
+    JPanel empty = new JPanel(new MigLayout("insets 16, fill", "[grow]", "[center]"));
+    empty.add(note, "growx, wmin 0, aligny center");
+    middle.add(content, CONTENT);
+    middle.add(empty, NOTE);
+    add(top, BorderLayout.NORTH);
+    add(middle);
+    updateUI();
+  }
+
+  private static JTextArea text(String name, String accessibleName) {
+    JTextArea text = new JTextArea();
+    text.setName(name);
+    text.getAccessibleContext().setAccessibleName(accessibleName);
+    text.setEditable(false);
+    text.setOpaque(false);
+    text.setLineWrap(true);
+    text.setWrapStyleWord(true);
+    text.setBorder(null);
+    text.setFocusable(false);
+    text.putClientProperty("FlatLaf.style", "font: $defaultFont");
+    return text;
+  }
+
+  /** Takes the colours of a new theme. */
+  @Override
+  public void updateUI() {
+    super.updateUI();
+    if (status != null) {
+      status.setForeground(Palette.warning());
+      note.setForeground(Palette.quiet());
+    }
+  }
+
+  /** Shows the content under a status line; empty text for none. */
+  void showContent(String why) {
+    if (!status.getText().equals(why)) {
+      status.setText(why);
+    }
+    top.setVisible(!why.isEmpty());
+    cards.show(middle, CONTENT);
+  }
+
+  /** Shows a sentence in place of the content. */
+  void showNote(String sentence) {
+    if (!note.getText().equals(sentence)) {
+      note.setText(sentence);
+    }
+    top.setVisible(false);
+    cards.show(middle, NOTE);
+  }
+}

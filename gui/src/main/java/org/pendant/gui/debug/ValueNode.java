@@ -1,0 +1,36 @@
+package org.pendant.gui.debug;
+
+import java.util.List;
+import org.pendant.controller.debug.Variable;
+
+/**
+ * A value and those of its parts that were asked for.
+ *
+ * @param parts the first of them; empty unless they were asked for
+ * @param failure why there is no value or no part; empty if nothing failed
+ */
+record ValueNode(Variable variable, List<ValueNode> parts, String failure) {
+  ValueNode {
+    parts = List.copyOf(parts);
+  }
+
+  static ValueNode of(Variable variable) {
+    return new ValueNode(variable, List.of(), "");
+  }
+
+  static ValueNode failed(Variable variable, String failure) {
+    return new ValueNode(variable, List.of(), failure);
+  }
+
+  /**
+   * Values under a heading.
+   *
+   * @param title empty for none
+   * @param scope in which their expressions are meant
+   */
+  record Group(String title, Scope scope, List<ValueNode> nodes) {
+    Group {
+      nodes = List.copyOf(nodes);
+    }
+  }
+}

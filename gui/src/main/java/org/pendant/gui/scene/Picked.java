@@ -1,0 +1,19 @@
+package org.pendant.gui.scene;
+
+import org.pendant.controller.world.Vector3;
+import org.pendant.gui.scene.mesh.Link;
+
+/** What the pointer is on. */
+public sealed interface Picked {
+  /** Where it is hit, in the base frame, m. */
+  Vector3 pointInBaseM();
+
+  /** How far from the eye, m. */
+  double distanceM();
+
+  /** A body of the arm. */
+  record OnLink(Link link, Vector3 pointInBaseM, double distanceM) implements Picked {}
+
+  /** The tool centre point, or near enough to be meant. */
+  record OnTcp(Vector3 pointInBaseM, double distanceM) implements Picked {}
+}

@@ -1,0 +1,145 @@
+package org.pendant.gui.scene;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.pendant.controller.state.ArmState;
+import org.pendant.controller.world.Scene;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.pose.Pose;
+
+/**
+ * What there is to see at one instant. Immutable; two that are equal look the same.
+ *
+ * @param arm the arm; its shape is known by its id
+ * @param kinematics of this very arm, calibration included
+ * @param positionRad where its joints are, rad
+ * @param ghostRad where a translucent second arm is, rad: a target or a preview
+ * @param tcpInFlange the tool centre point, m and rad
+ * @param framesInBase frames to draw besides those of the base and the tool centre point
+ * @param world what stands around the arm
+ * @param touched names of the objects of the world that the tool touches
+ * @param trace where the tool centre point has been
+ * @param theme colours
+ */
+public record SceneModel(
+    ArmDescription arm,
+    ForwardKinematics kinematics,
+    Joints positionRad,
+    Optional<Joints> ghostRad,
+    Pose tcpInFlange,
+    List<Pose> framesInBase,
+    Scene world,
+    Set<String> touched,
+    Trace trace,
+    Theme theme) {
+
+  /** Copies the collections. */
+  public SceneModel {
+    framesInBase = List.copyOf(framesInBase);
+    touched = Set.copyOf(touched);
+  }
+
+  /** An arm alone, its tool centre point on the flange. */
+  public static SceneModel of(ArmDescription arm, Joints positionRad) {
+    return new SceneModel(
+        arm,
+        new ForwardKinematics(arm.dh()),
+        positionRad,
+        Optional.empty(),
+        Pose.ZERO,
+        List.of(),
+        Scene.EMPTY,
+        Set.of(),
+        Trace.EMPTY,
+        Theme.LIGHT);
+  }
+
+  /** The arm as a snapshot of the controller has it, with its active tool centre point. */
+  public SceneModel at(ArmState state) {
+    return new SceneModel(
+        arm,
+        state.kinematics(),
+        state.actualPositionRad(),
+        ghostRad,
+        state.tool().inFlange(),
+        framesInBase,
+        world,
+        touched,
+        trace,
+        theme);
+  }
+
+  public SceneModel withGhost(Optional<Joints> positionOfGhostRad) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        positionOfGhostRad,
+        tcpInFlange,
+        framesInBase,
+        world,
+        touched,
+        trace,
+        theme);
+  }
+
+  public SceneModel withTool(Pose tcp) {
+    return new SceneModel(
+        arm, kinematics, positionRad, ghostRad, tcp, framesInBase, world, touched, trace, theme);
+  }
+
+  public SceneModel withFrames(List<Pose> frames) {
+    return new SceneModel(
+        arm, kinematics, positionRad, ghostRad, tcpInFlange, frames, world, touched, trace, theme);
+  }
+
+  public SceneModel withWorld(Scene surroundings, Set<String> touchedNames) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        framesInBase,
+        surroundings,
+        touchedNames,
+        trace,
+        theme);
+  }
+
+  public SceneModel withTrace(Trace way) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        framesInBase,
+        world,
+        touched,
+        way,
+        theme);
+  }
+
+  public SceneModel withTheme(Theme colours) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        framesInBase,
+        world,
+        touched,
+        trace,
+        colours);
+  }
+
+  /** Pose of the tool centre point in the base frame. */
+  public Pose tcpInBase() {
+    return kinematics.tcpPose(positionRad, tcpInFlange);
+  }
+}

@@ -1,0 +1,42 @@
+package org.pendant.gui.scene.mesh;
+
+import java.util.EnumMap;
+import java.util.Map;
+import org.pendant.models.arm.DhLengths;
+import org.pendant.models.shape.ArmShape;
+
+/**
+ * The bodies of an arm as triangles, made from its measures: housings with covers over the joints,
+ * tubes that grow out of them with fillets, a dark gap where one link turns on the other. About
+ * 25,000 triangles; making them takes some tenths of a second.
+ */
+public final class ArmMeshes {
+  private final Map<Link, Mesh> meshes = new EnumMap<>(Link.class);
+
+  /**
+   * @param shape what the arm looks like
+   * @param dh its lengths: they say where the bodies meet
+   */
+  public ArmMeshes(ArmShape shape, DhLengths dh) {
+    JointFaces faces = JointFaces.of(shape, dh);
+    Knuckles knuckles = new Knuckles(shape, dh, faces);
+    Limbs limbs = new Limbs(shape, faces);
+    meshes.put(Link.BASE, Foot.of(shape.base(), faces.j1() - JointFaces.HALF_GAP_M));
+    meshes.put(Link.SHOULDER, knuckles.shoulder());
+    meshes.put(Link.UPPER_ARM, limbs.upperArm());
+    meshes.put(Link.FOREARM, limbs.forearm());
+    meshes.put(Link.WRIST_1, knuckles.wrist1());
+    meshes.put(Link.WRIST_2, knuckles.wrist2());
+    meshes.put(Link.WRIST_3, knuckles.wrist3());
+  }
+
+  /** One body, in the frame at its near end ({@link ArmShape}). */
+  public Mesh of(Link link) {
+    return meshes.get(link);
+  }
+
+  /** Triangles of all bodies. */
+  public int triangleCount() {
+    return meshes.values().stream().mapToInt(Mesh::triangleCount).sum();
+  }
+}

@@ -1,0 +1,129 @@
+package org.pendant.gui.scene.view;
+
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import org.pendant.gui.scene.gl.OffscreenScene;
+
+/**
+ * Draws the newest picture that was asked for, one at a time, elsewhere; whatever was asked for in
+ * between is dropped. While pictures follow each other and drawing is slow, they are drawn coarse;
+ * {@link #settle} has the last one drawn again in full.
+ *
+ * <p>Belongs to the thread of its executor, the dispatch thread.
+ */
+final class PictureLoop {
+  /** A full picture that took longer than this is too slow for things that move, ns. */
+  private static final long SLOW_NS = 70_000_000;
+
+  private final Painter painter;
+  private final Executor dispatcher;
+  private final LongSupplier nowNs;
+  private final Consumer<BufferedImage> show;
+  private Optional<PictureRequest> wanted = Optional.empty();
+  private Optional<PictureRequest> drawn = Optional.empty();
+  private Optional<BufferedImage> shown = Optional.empty();
+  private Optional<BufferedImage> spare = Optional.empty();
+  private long fullNs;
+  private boolean busy;
+  private boolean settled;
+  private boolean drawnCoarse;
+
+  /** Draws elsewhere. */
+  @FunctionalInterface
+  interface Painter {
+    /** Draws a picture into an image of its size. */
+    CompletableFuture<BufferedImage> draw(PictureRequest request, BufferedImage into);
+  }
+
+  /**
+   * @param dispatcher runs what follows a picture
+   * @param nowNs a clock for how long drawing takes, ns
+   * @param show takes each new picture; it may be kept until the next one comes
+   */
+  PictureLoop(
+      Painter painter, Executor dispatcher, LongSupplier nowNs, Consumer<BufferedImage> show) {
+    this.painter = painter;
+    this.dispatcher = dispatcher;
+    this.nowNs = nowNs;
+    this.show = show;
+  }
+
+  /** Wants this picture from now on; answers whether it wanted another one before. */
+  boolean want(PictureRequest request) {
+    if (wanted.equals(Optional.of(request))) {
+      return false;
+    }
+    boolean following = wanted.isPresent() && sameSize(wanted.get(), request);
+    wanted = Optional.of(request);
+    settled = !following;
+    if (!busy) {
+      draw(request);
+    }
+    return true;
+  }
+
+  /** Nothing has changed for a while: what was drawn coarse deserves to be drawn in full. */
+  void settle() {
+    settled = true;
+    if (!busy && drawnCoarse) {
+      draw(wanted.orElseThrow());
+    }
+  }
+
+  private static boolean sameSize(PictureRequest a, PictureRequest b) {
+    return a.widthPx() == b.widthPx() && a.heightPx() == b.heightPx();
+  }
+
+  private void draw(PictureRequest request) {
+    boolean coarse = !settled && fullNs > SLOW_NS;
+    PictureRequest size = coarse ? request.coarse() : request;
+    busy = true;
+    long startNs = nowNs.getAsLong();
+    var _ =
+        painter
+            .draw(size, image(size))
+            .whenComplete(
+                (image, failure) ->
+                    dispatcher.execute(
+                        () -> {
+                          if (!coarse) {
+                            fullNs = nowNs.getAsLong() - startNs;
+                          }
+                          drawnCoarse = coarse;
+                          finished(request, image, failure);
+                        }));
+  }
+
+  private void finished(PictureRequest request, BufferedImage image, Throwable failure) {
+    busy = false;
+    if (failure != null) {
+      throw new IllegalStateException("the scene could not be drawn", failure);
+    }
+    drawn = Optional.of(request);
+    spare = shown;
+    shown = Optional.of(image);
+    show.accept(image);
+    PictureRequest newest = wanted.orElseThrow();
+    if (!request.equals(newest) || (drawnCoarse && settled)) {
+      draw(newest);
+    }
+  }
+
+  /** What is on the screen. */
+  Optional<PictureRequest> drawn() {
+    return drawn;
+  }
+
+  /** The image before the shown one, if it has the size; nobody looks at it any more. */
+  private BufferedImage image(PictureRequest request) {
+    return spare
+        .filter(
+            image ->
+                image.getWidth() == request.widthPx() && image.getHeight() == request.heightPx())
+        .orElseGet(() -> OffscreenScene.image(request.widthPx(), request.heightPx()));
+  }
+}

@@ -1,0 +1,269 @@
+package org.pendant.gui.scene.view;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.EventQueue;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.geom.AffineTransform;
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.UnaryOperator;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingConstants;
+import javax.swing.Timer;
+import org.pendant.controller.world.Vector3;
+import org.pendant.gui.scene.Camera;
+import org.pendant.gui.scene.Outline;
+import org.pendant.gui.scene.Picked;
+import org.pendant.gui.scene.SceneModel;
+import org.pendant.gui.scene.StandardView;
+import org.pendant.gui.scene.gl.OffscreenScene;
+import org.pendant.gui.scene.gl.SceneUnavailable;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Shows models in 3D. A lightweight component: pictures are drawn elsewhere ({@link
+ * OffscreenScene}) at the pixels of the screen, and only when the model, the camera or the size has
+ * changed. OpenGL is started when the component becomes part of a window; where there is none the
+ * component says why.
+ *
+ * <p>Only the dispatch thread calls it.
+ */
+public final class SceneView extends JPanel {
+  private static final long serialVersionUID = 1L;
+
+  /** Distance at which the tool fills a good part of the picture, as a share of the arm's reach. */
+  private static final double TOOL_SHARE = 0.6;
+
+  /** Nothing changed for this long: time to draw in full. */
+  private static final int REST_MS = 150;
+
+  private transient Optional<OffscreenScene> scene = Optional.empty();
+  private transient Optional<PictureLoop> loop = Optional.empty();
+  private transient Optional<SceneModel> model = Optional.empty();
+  private transient Optional<Camera> camera = Optional.empty();
+  private transient Optional<BufferedImage> picture = Optional.empty();
+
+  private final Timer rest = new Timer(REST_MS, event -> loop.ifPresent(PictureLoop::settle));
+
+  /** Counts the windows it was part of, so that what was started for an earlier one is dropped. */
+  private int window;
+
+  /** A view that shows nothing until {@link #setModel}. */
+  public SceneView() {
+    super(new BorderLayout());
+    assert EventQueue.isDispatchThread();
+    setName("scene");
+    setFocusable(true);
+    getAccessibleContext().setAccessibleName("3D view");
+    getAccessibleContext()
+        .setAccessibleDescription(
+            "Arrows turn the view, shift and arrows move it, plus and minus zoom, Enter looks at"
+                + " the tool, Home at the whole robot");
+    CameraMouse mouse = new CameraMouse(this);
+    addMouseListener(mouse);
+    addMouseMotionListener(mouse);
+    addMouseWheelListener(mouse);
+    CameraKeys.bind(this);
+    rest.setRepeats(false);
+    addComponentListener(
+        new ComponentAdapter() {
+          @Override
+          public void componentResized(ComponentEvent event) {
+            want();
+          }
+        });
+  }
+
+  /** Shows this model from now on. Another arm than before is shown whole. */
+  public void setModel(SceneModel next) {
+    assert EventQueue.isDispatchThread();
+    boolean otherArm =
+        model.map(current -> !current.arm().id().equals(next.arm().id())).orElse(true);
+    model = Optional.of(next);
+    if (otherArm) {
+      camera = Optional.empty();
+    }
+    want();
+  }
+
+  /** Looks at the robot from a standard direction, so that all of it is seen. */
+  public void look(StandardView direction) {
+    model.ifPresent(shown -> setCamera(Camera.of(direction, Outline.of(shown), aspect())));
+  }
+
+  /** Shows all of the robot, from the same direction. */
+  public void fit() {
+    model.ifPresent(shown -> change(current -> current.fitted(Outline.of(shown), aspect())));
+  }
+
+  /** Looks at the tool centre point from near by. */
+  public void zoomToTool() {
+    model.ifPresent(
+        shown -> {
+          Pose tcp = shown.tcpInBase();
+          double distanceM = TOOL_SHARE * shown.arm().reachM();
+          change(current -> current.zoomedTo(new Vector3(tcp.x(), tcp.y(), tcp.z()), distanceM));
+        });
+  }
+
+  /** From where it is seen; empty until there is a model and a size. */
+  public Optional<Camera> camera() {
+    return camera;
+  }
+
+  /** Looks from there from now on. */
+  public void setCamera(Camera next) {
+    assert EventQueue.isDispatchThread();
+    camera = Optional.of(next);
+    want();
+  }
+
+  /** Changes the camera, if there is one yet. */
+  void change(UnaryOperator<Camera> step) {
+    camera.ifPresent(current -> setCamera(step.apply(current)));
+  }
+
+  /** What is under a point of the component; nothing while nothing is shown. */
+  public CompletableFuture<Optional<Picked>> pick(int x, int y) {
+    Optional<PictureRequest> drawn = loop.flatMap(PictureLoop::drawn);
+    if (drawn.isEmpty() || scene.isEmpty()) {
+      return CompletableFuture.completedFuture(Optional.empty());
+    }
+    PictureRequest shown = drawn.get();
+    return scene
+        .get()
+        .pick(shown.camera().ray(x + 0.5, y + 0.5, getWidth(), getHeight()), shown.model());
+  }
+
+  @Override
+  public void addNotify() {
+    super.addNotify();
+    int started = ++window;
+    Thread.ofVirtual().name("scene start").start(() -> start(started));
+  }
+
+  @Override
+  public void removeNotify() {
+    window++;
+    scene.ifPresent(SceneView::closeElsewhere);
+    scene = Optional.empty();
+    loop = Optional.empty();
+    picture = Optional.empty();
+    super.removeNotify();
+  }
+
+  /** Starts OpenGL; not on the dispatch thread, as that may take a second. */
+  private void start(int startedFor) {
+    try {
+      OffscreenScene opened = OffscreenScene.open();
+      EventQueue.invokeLater(() -> started(opened, startedFor));
+    } catch (SceneUnavailable e) {
+      EventQueue.invokeLater(() -> explain(e.getMessage()));
+    }
+  }
+
+  private void started(OffscreenScene opened, int startedFor) {
+    if (startedFor != window) {
+      closeElsewhere(opened);
+      return;
+    }
+    scene = Optional.of(opened);
+    loop =
+        Optional.of(
+            new PictureLoop(
+                (request, into) -> opened.draw(request.model(), request.camera(), into),
+                EventQueue::invokeLater,
+                System::nanoTime,
+                image -> show(image, startedFor)));
+    want();
+  }
+
+  private static void closeElsewhere(OffscreenScene scene) {
+    Thread.ofVirtual().name("scene end").start(scene::close);
+  }
+
+  private void explain(String reason) {
+    removeAll();
+    String text = reason.replace("&", "&amp;").replace("<", "&lt;");
+    JLabel note =
+        new JLabel(
+            "<html><div style='width:300px;text-align:center'><b>No 3D view</b><br>"
+                + text
+                + "</div></html>",
+            SwingConstants.CENTER);
+    note.setName("scene-unavailable");
+    add(note);
+    revalidate();
+    repaint();
+  }
+
+  private void show(BufferedImage image, int startedFor) {
+    if (startedFor == window) {
+      picture = Optional.of(image);
+      repaint();
+    }
+  }
+
+  private void want() {
+    if (model.isEmpty() || getWidth() < 1 || getHeight() < 1) {
+      return;
+    }
+    if (camera.isEmpty()) {
+      camera = Optional.of(Camera.of(StandardView.ISO, Outline.of(model.get()), aspect()));
+    }
+    AffineTransform device = device();
+    int widthPx = pixels(getWidth() * device.getScaleX());
+    int heightPx = pixels(getHeight() * device.getScaleY());
+    PictureRequest request = new PictureRequest(model.get(), camera.get(), widthPx, heightPx);
+    if (loop.isPresent() && loop.get().want(request)) {
+      rest.restart();
+    }
+  }
+
+  private AffineTransform device() {
+    return getGraphicsConfiguration() == null
+        ? new AffineTransform()
+        : getGraphicsConfiguration().getDefaultTransform();
+  }
+
+  private static int pixels(double length) {
+    return Math.clamp(Math.round(length), 1, OffscreenScene.LARGEST_PX);
+  }
+
+  private double aspect() {
+    return (double) Math.max(1, getWidth()) / Math.max(1, getHeight());
+  }
+
+  @Override
+  protected void paintComponent(Graphics graphics) {
+    if (picture.isEmpty()) {
+      graphics.setColor(
+          model.map(shown -> new Color(shown.theme().bottomRgb())).orElse(getBackground()));
+      graphics.fillRect(0, 0, getWidth(), getHeight());
+      return;
+    }
+    Graphics2D own = (Graphics2D) graphics.create();
+    AffineTransform place = own.getTransform();
+    // Pixel by pixel, whatever the scale of the screen.
+    own.setTransform(
+        AffineTransform.getTranslateInstance(place.getTranslateX(), place.getTranslateY()));
+    own.setRenderingHint(
+        RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+    own.drawImage(
+        picture.get(),
+        0,
+        0,
+        pixels(getWidth() * place.getScaleX()),
+        pixels(getHeight() * place.getScaleY()),
+        null);
+    own.dispose();
+    want(); // on another screen there may be more pixels
+  }
+}

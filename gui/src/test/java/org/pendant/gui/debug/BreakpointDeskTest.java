@@ -1,0 +1,106 @@
+package org.pendant.gui.debug;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.debug.Breakpoint;
+
+final class BreakpointDeskTest {
+  private final DebugFixture fixture =
+      new DebugFixture(
+          "def program():",
+          "  i = 0",
+          "  while i < 5:",
+          "    i = i + 1",
+          "",
+          "    sync()",
+          "  end",
+          "end");
+  private final DebugPresenter debug = fixture.debug();
+  private final BreakpointDesk desk = debug.breakpoints();
+
+  @Test
+  void aConditionSaysWhereTheProgramStops() {
+    fixture.breakAt(4);
+    desk.change(Breakpoint.at(4).when("i == 3"));
+    debug.addWatch("i");
+    fixture.run();
+    assertEquals("i = 3", DebugFixture.rows(debug.watchTree()).getFirst());
+  }
+
+  @Test
+  void hitsAreCountedAndTheFirstOnesPassed() {
+    fixture.breakAt(4);
+    desk.change(Breakpoint.at(4).fromHit(3));
+    fixture.run();
+    assertEquals("Breakpoint on line 4, hit 3", debug.stopText());
+    assertEquals(3, desk.state(desk.all().getFirst()).orElseThrow().hits());
+  }
+
+  @Test
+  void aDisabledBreakpointStopsNothing() {
+    fixture.breakAt(4);
+    desk.change(Breakpoint.at(4).disabled());
+    fixture.run();
+    assertFalse(debug.held());
+  }
+
+  @Test
+  void breakpointsChangeWhileTheProgramIsHeld() {
+    fixture.breakAt(4);
+    fixture.run();
+    fixture.breakAt(6);
+    debug.resume();
+    fixture.advance();
+    assertEquals("Breakpoint on line 6", debug.stopText());
+  }
+
+  @Test
+  void aBreakpointOnAnEmptyLineTellsWhereItStops() {
+    fixture.breakAt(5);
+    fixture.run();
+    assertEquals(
+        OptionalInt.of(6), desk.state(desk.all().getFirst()).orElseThrow().statementLine());
+    assertEquals("5 (stops on 6)", new Shown(desk).place(), "the table says so");
+  }
+
+  /** The table with what the desk has. */
+  private record Shown(BreakpointDesk desk) {
+    String place() {
+      BreakpointTableModel model = new BreakpointTableModel(desk);
+      model.show();
+      return model.getValueAt(0, BreakpointTableModel.LINE).toString();
+    }
+  }
+
+  @Test
+  void conditionsMoveWithTheirLines() {
+    BreakpointList list = new BreakpointList();
+    list.set(Breakpoint.at(4).when("i == 3"));
+    list.set(Breakpoint.at(9));
+    list.setLines(new TreeSet<>(List.of(5, 9)));
+    assertEquals(List.of(Breakpoint.at(5).when("i == 3"), Breakpoint.at(9)), list.all());
+  }
+
+  @Test
+  void aNumberOfAHitIsAWholeNumberAboveZero() {
+    assertEquals("", BreakpointTableModel.hitRefusal(" 12 "));
+    assertEquals(
+        "From hit is '0', must be a whole number, at least 1",
+        BreakpointTableModel.hitRefusal("0"));
+  }
+
+  @Test
+  void everyBreakpointCanBeRemoved() {
+    fixture.breakAt(4, 6);
+    desk.removeAll();
+    assertTrue(desk.all().isEmpty());
+    fixture.run();
+    assertFalse(debug.held());
+  }
+}

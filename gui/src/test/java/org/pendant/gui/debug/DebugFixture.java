@@ -1,0 +1,157 @@
+package org.pendant.gui.debug;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.concurrent.CompletableFuture;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.Reply;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.gui.session.ProgramDocument;
+import org.pendant.gui.session.Programs;
+import org.pendant.gui.session.Session;
+import org.pendant.gui.workbench.Actions;
+import org.pendant.gui.workbench.Settings;
+import org.pendant.gui.workbench.Workbench;
+
+/** A program, a controller that the test drives, and the presenter between them. */
+final class DebugFixture implements Workbench {
+  private final Controller controller = new Controller(ControllerOptions.headless());
+  private final Map<String, String> remembered = new HashMap<>();
+  private final List<String> told = new ArrayList<>();
+  private final ProgramDocument document;
+  private final DebugPresenter debug;
+
+  DebugFixture(String... lines) {
+    document = ProgramDocument.untitled("test.script", String.join("\n", lines) + "\n");
+    debug =
+        new DebugPresenter(
+            this, new Programs(document), new SessionLink(this::submit, Runnable::run));
+  }
+
+  /** Carries a command out at once, in a frame of its own. */
+  private CompletableFuture<Reply> submit(Command command) {
+    CompletableFuture<Reply> reply = controller.submit(command);
+    controller.advance();
+    return reply;
+  }
+
+  DebugPresenter debug() {
+    return debug;
+  }
+
+  /** Sets breakpoints in place of all others. */
+  void breakAt(Integer... lines) {
+    SortedSet<Integer> all = new TreeSet<>(List.of(lines));
+    debug.breakpoints().linesChanged(document, all);
+  }
+
+  /** Starts the program and runs it until it is held or has ended. */
+  void run() {
+    debug.breakpoints().beforeRun(document);
+    var _ =
+        submit(
+            new Command.StartProgram(controller.load(document.source()).program().orElseThrow()));
+    advance();
+  }
+
+  /** Runs the program until it is held or has ended. */
+  void advance() {
+    controller.runUntil(
+        () ->
+            controller.state().debug().held()
+                || controller.state().program().state() == ProgramState.STOPPED,
+        5000);
+    refresh();
+  }
+
+  /** Lets frames go by. */
+  void frames(int count) {
+    for (int i = 0; i < count; i++) {
+      controller.advance();
+    }
+    refresh();
+  }
+
+  private void refresh() {
+    debug.refresh(controller.state());
+  }
+
+  /** Each row as {@code name = value}, indented by its level. */
+  static List<String> rows(ValueTree tree) {
+    return tree.rows().stream().map(DebugFixture::text).toList();
+  }
+
+  private static String text(ValueRow row) {
+    return switch (row) {
+      case ValueRow.Heading heading -> heading.title();
+      case ValueRow.Value value ->
+          " ".repeat(value.level())
+              + value.name()
+              + " = "
+              + value.text()
+              + (value.changed() ? " *" : "");
+      case ValueRow.More more -> more.text();
+      case ValueRow.Problem problem -> "! " + problem.text();
+    };
+  }
+
+  /** The row of a value. */
+  static ValueRow.Value row(ValueTree tree, String name) {
+    return tree.rows().stream()
+        .filter(row -> row instanceof ValueRow.Value value && value.name().equals(name))
+        .map(ValueRow.Value.class::cast)
+        .findFirst()
+        .orElseThrow(() -> new AssertionError(name + " is not among " + rows(tree)));
+  }
+
+  List<String> told() {
+    return told;
+  }
+
+  @Override
+  public Session session() {
+    throw new UnsupportedOperationException("the test drives the controller");
+  }
+
+  @Override
+  public Actions actions() {
+    throw new UnsupportedOperationException("there are no actions");
+  }
+
+  @Override
+  public Settings settings() {
+    return new Settings() {
+      @Override
+      public Optional<String> get(String name) {
+        return Optional.ofNullable(remembered.get(name));
+      }
+
+      @Override
+      public void put(String name, String text) {
+        remembered.put(name, text);
+      }
+    };
+  }
+
+  @Override
+  public void show(String viewId) {
+    told.add("show " + viewId);
+  }
+
+  @Override
+  public void showSource(int line, int column) {
+    told.add("source " + line + ":" + column);
+  }
+
+  @Override
+  public void notify(String text) {
+    told.add(text);
+  }
+}
