@@ -76,7 +76,7 @@ final class DockPlanTest {
     assertEquals(List.of("scene"), plan.views(Side.LEFT));
     assertEquals(List.of("variables"), plan.views(Side.RIGHT));
     assertEquals(List.of("problems"), plan.views(Side.BOTTOM));
-    assertEquals(320, plan.size(Side.RIGHT));
+    assertEquals(420, plan.size(Side.RIGHT));
   }
 
   @Test
@@ -102,6 +102,6 @@ final class DockPlanTest {
     plan.setSize(Side.RIGHT, 500);
     plan.reset(home());
     assertEquals(List.of("run", "log"), plan().views(Side.MAIN));
-    assertEquals(320, plan().size(Side.RIGHT));
+    assertEquals(420, plan().size(Side.RIGHT));
   }
 }
