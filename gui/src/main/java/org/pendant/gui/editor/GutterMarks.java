@@ -92,6 +92,8 @@ final class GutterMarks {
     executionBand.ifPresent(area::removeLineHighlight);
     execution = Optional.empty();
     executionBand = Optional.empty();
+    // the band of the line that runs must not lie under that of the caret
+    area.setHighlightCurrentLine(line < 1);
     if (line < 1 || line > area.getLineCount()) {
       return;
     }

@@ -5,7 +5,7 @@ package org.pendant.gui.scene;
  * also seen by people who confuse hues, and stand out from light and dark grounds alike.
  */
 public final class SpeedColours {
-  private static final int[] STOPS = {0x2B5FD9, 0x8A4FC9, 0xD4568F, 0xF58A3C};
+  private static final int[] STOPS = {0x2648BE, 0x8A4FC9, 0xD85C8C, 0xF9913C};
 
   private SpeedColours() {}
 

@@ -41,7 +41,16 @@ final class ScenePanel implements View, GhostArm {
 
   ScenePanel(Workbench workbench) {
     this.workbench = workbench;
-    JPanel bar = new JPanel(new WrappingRow(4));
+    JPanel bar =
+        new JPanel(new WrappingRow(4)) {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          public void updateUI() {
+            super.updateUI();
+            setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
+          }
+        };
     for (StandardView direction : StandardView.values()) {
       String word = direction.name().toLowerCase(Locale.ROOT);
       String title = word.substring(0, 1).toUpperCase(Locale.ROOT) + word.substring(1);
@@ -52,7 +61,6 @@ final class ScenePanel implements View, GhostArm {
     workbench
         .actions()
         .add(Action.of("scene.clear", "3D: forget where the tool was", "", trace::clear));
-    bar.setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
     panel.add(bar, BorderLayout.NORTH);
     panel.add(picture, BorderLayout.CENTER);
   }

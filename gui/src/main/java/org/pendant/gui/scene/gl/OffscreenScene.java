@@ -47,8 +47,7 @@ public final class OffscreenScene implements AutoCloseable {
       return CompletableFuture.supplyAsync(() -> start(thread, opener), thread).join();
     } catch (CompletionException e) {
       thread.shutdown();
-      if (e.getCause() instanceof CompletionException inner
-          && inner.getCause() instanceof SceneUnavailable why) {
+      if (e.getCause() instanceof SceneUnavailable why) {
         throw why;
       }
       throw e;

@@ -117,7 +117,8 @@ final class SceneRenderer implements AutoCloseable {
       return;
     }
     inShadow = Optional.of(caster);
-    glDisable(GL_CULL_FACE);
+    glEnable(GL_CULL_FACE);
+    glFrontFace(GL_CCW);
     shadow.begin();
     depth.use().set("toClip", toShadow);
     place(depth, places);

@@ -12,7 +12,11 @@ import org.joml.Vector3f;
  */
 final class Tubing {
   private static final int FILLET_STEPS = 7;
-  private static final int STRAIGHT_STEPS = 8;
+
+  /** The radius of limbs changes on the way, that of necks does not. */
+  private static final int STEPS_OF_LIMB = 8;
+
+  private static final int STEPS_OF_NECK = 2;
   private static final int BEVEL_STEPS = 3;
 
   /** Rounding of a free end, m. */
@@ -72,7 +76,9 @@ final class Tubing {
       double sizeM = sizeM(near.get(), angleRad, entersNearM, roomM);
       startM = entersNearM + sizeM;
       List<Knot> fillet = fillet(near.get(), angleRad, entersNearM, startM, sizeM);
-      knots.add(new Knot(pipe.point(0, 0, 0), pipe.direction(0, 0, -1)));
+      Vector3f inwards = pipe.direction(0, 0, -1);
+      knots.add(new Knot(pipe.point(0, 0, 0), inwards));
+      knots.add(new Knot(fillet.getLast().point, inwards));
       knots.addAll(fillet.reversed());
     } else {
       startM = BEVEL_M;
@@ -81,12 +87,15 @@ final class Tubing {
     }
     double sizeM = sizeM(far, angleRad, entersFarM, roomM);
     double endM = entersFarM - sizeM;
-    for (int i = 1; i < STRAIGHT_STEPS; i++) {
-      double z = startM + (endM - startM) * i / STRAIGHT_STEPS;
+    int steps = near.isPresent() ? STEPS_OF_LIMB : STEPS_OF_NECK;
+    for (int i = 1; i < steps; i++) {
+      double z = startM + (endM - startM) * i / steps;
       knots.add(new Knot(pipe.point(angleRad, pipe.radiusM(z), z), pipe.normal(angleRad, z)));
     }
     knots.addAll(fillet(far, angleRad, entersFarM, endM, sizeM));
-    knots.add(new Knot(pipe.point(0, 0, lengthM), pipe.direction(0, 0, 1)));
+    Vector3f inwards = pipe.direction(0, 0, 1);
+    knots.add(new Knot(knots.getLast().point, inwards));
+    knots.add(new Knot(pipe.point(0, 0, lengthM), inwards));
     return knots;
   }
 

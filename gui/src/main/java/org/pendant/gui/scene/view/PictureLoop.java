@@ -29,6 +29,7 @@ final class PictureLoop {
   private Optional<BufferedImage> spare = Optional.empty();
   private long fullNs;
   private boolean busy;
+  private boolean ended;
   private boolean settled;
   private boolean drawnCoarse;
 
@@ -98,8 +99,16 @@ final class PictureLoop {
                         }));
   }
 
+  /** Asks for no picture any more; one that is being drawn is not shown. */
+  void end() {
+    ended = true;
+  }
+
   private void finished(PictureRequest request, BufferedImage image, Throwable failure) {
     busy = false;
+    if (ended) {
+      return;
+    }
     if (failure != null) {
       throw new IllegalStateException("the scene could not be drawn", failure);
     }

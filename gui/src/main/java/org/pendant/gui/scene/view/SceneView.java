@@ -152,6 +152,7 @@ public final class SceneView extends JPanel {
   @Override
   public void removeNotify() {
     window++;
+    loop.ifPresent(PictureLoop::end);
     scene.ifPresent(SceneView::closeElsewhere);
     scene = Optional.empty();
     loop = Optional.empty();

@@ -23,7 +23,7 @@ public final class StatusLine extends JPanel {
     told.getAccessibleContext().setAccessibleName("Last notice");
     punctual.setName("status-frames");
     punctual.getAccessibleContext().setAccessibleName("Lateness of frames");
-    add(told, "growx");
+    add(told, "growx, wmin 0");
     add(punctual);
   }
 

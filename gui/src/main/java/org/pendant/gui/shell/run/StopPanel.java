@@ -3,6 +3,7 @@ package org.pendant.gui.shell.run;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
+import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -60,7 +61,7 @@ final class StopPanel {
     area.setLineWrap(true);
     area.setWrapStyleWord(true);
     area.setOpaque(false);
-    area.setBorder(null);
+    area.setBorder(BorderFactory.createEmptyBorder());
     area.setToolTipText(meaning);
     area.getAccessibleContext().setAccessibleName(meaning);
     return area;

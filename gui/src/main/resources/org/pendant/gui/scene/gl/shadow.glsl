@@ -1,4 +1,4 @@
-// How much of the light arrives, 0 to 1. Five looks, each of them smoothed over four pixels by the hardware.
+// How much of the light arrives, 0 to 1. Four looks, each of them smoothed over four pixels by the hardware.
 uniform sampler2DShadow shadowMap;
 
 float lit(vec3 at) {
@@ -6,10 +6,9 @@ float lit(vec3 at) {
     return 1.0;
   }
   vec2 pixel = 1.0 / vec2(textureSize(shadowMap, 0));
-  float sum = texture(shadowMap, at);
-  sum += texture(shadowMap, vec3(at.xy + pixel * vec2(1.7, 0.6), at.z));
-  sum += texture(shadowMap, vec3(at.xy + pixel * vec2(-0.6, 1.7), at.z));
-  sum += texture(shadowMap, vec3(at.xy + pixel * vec2(-1.7, -0.6), at.z));
-  sum += texture(shadowMap, vec3(at.xy + pixel * vec2(0.6, -1.7), at.z));
-  return sum / 5.0;
+  float sum = texture(shadowMap, vec3(at.xy + pixel * vec2(1.5, 0.5), at.z));
+  sum += texture(shadowMap, vec3(at.xy + pixel * vec2(-0.5, 1.5), at.z));
+  sum += texture(shadowMap, vec3(at.xy + pixel * vec2(-1.5, -0.5), at.z));
+  sum += texture(shadowMap, vec3(at.xy + pixel * vec2(0.5, -1.5), at.z));
+  return sum / 4.0;
 }

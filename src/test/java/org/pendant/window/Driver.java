@@ -1,0 +1,205 @@
+package org.pendant.window;
+
+import java.awt.AWTException;
+import java.awt.Component;
+import java.awt.EventQueue;
+import java.awt.Frame;
+import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.event.WindowEvent;
+import java.io.BufferedReader;
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.lang.reflect.InvocationTargetException;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import javax.imageio.ImageIO;
+import javax.swing.JComboBox;
+import javax.swing.JTabbedPane;
+import javax.swing.JTable;
+import javax.swing.RepaintManager;
+import org.pendant.gui.shell.Desktop;
+
+/**
+ * The process that a window is in: opens the desktop, then does what each line of standard input
+ * asks for and answers with a line of standard output, {@code ok} or {@code no} and a text.
+ */
+final class Driver {
+  private final PaintGuard guard = new PaintGuard();
+  private final Hands hands;
+
+  private Driver() throws AWTException {
+    hands = new Hands();
+  }
+
+  /** Serves requests until standard input or the desktop ends. */
+  public static void main(String[] arguments) throws AWTException, IOException {
+    Driver driver = new Driver();
+    RepaintManager.setCurrentManager(driver.guard);
+    Desktop desktop = Desktop.open();
+    Thread.ofPlatform().name("end").daemon().start(() -> endWith(desktop));
+    BufferedReader requests =
+        new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
+    PrintStream replies = new PrintStream(System.out, true, StandardCharsets.UTF_8);
+    for (String line = requests.readLine(); line != null; line = requests.readLine()) {
+      replies.println(driver.reply(line));
+    }
+    // The test has gone, and so has whoever could close the window.
+    Runtime.getRuntime().halt(1);
+  }
+
+  /** The process ends when the desktop has been closed, as {@code ./pendant} does. */
+  private static void endWith(Desktop desktop) {
+    try {
+      desktop.awaitClosed();
+      Runtime.getRuntime().halt(0);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private String reply(String line) {
+    String[] words = line.split("\t", 2);
+    try {
+      return "ok\t"
+          + serve(words[0], words.length > 1 ? words[1].translateEscapes() : "")
+              .replace("\\", "\\\\")
+              .replace("\n", "\\n");
+    } catch (IllegalArgumentException | IOException e) {
+      return "no\t" + e.getMessage();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return "no\tinterrupted";
+    }
+  }
+
+  private String serve(String verb, String what) throws IOException, InterruptedException {
+    switch (verb) {
+      case "press" -> hands.press(what);
+      case "type" -> hands.type(what);
+      case "hold" -> hands.hold(place(what));
+      case "release" -> hands.release();
+      case "click" -> {
+        hands.hold(place(what));
+        hands.release();
+      }
+      case "click-text" -> {
+        hands.hold(dispatched(() -> Eyes.place(inside(what))));
+        hands.release();
+      }
+      case "click-cell" -> {
+        hands.hold(dispatched(() -> cell(what)));
+        hands.release();
+      }
+      case "choose" -> dispatched(() -> choose(what));
+      case "close" -> dispatched(Driver::close);
+      case "size" -> dispatched(() -> size(what));
+      case "picture" -> ImageIO.write(SmallPicture.of(hands.look(screen())), "png", new File(what));
+      case "colours" -> {
+        return Long.toString(Eyes.colours(hands.look(place(what))));
+      }
+      case "shows" -> {
+        return dispatched(() -> Boolean.toString(Eyes.find(what).isPresent()));
+      }
+      case "enabled" -> {
+        return dispatched(() -> Boolean.toString(find(what).isEnabled()));
+      }
+      case "focused" -> {
+        return dispatched(() -> Boolean.toString(Eyes.focused(find(what))));
+      }
+      case "words" -> {
+        return dispatched(() -> Eyes.words(find(what)));
+      }
+      case "brightness" -> {
+        return Long.toString(Eyes.brightness(hands.look(place(what))));
+      }
+      case "complaints" -> {
+        return String.join("\n", guard.complaints());
+      }
+      default -> throw new IllegalArgumentException("no such request: " + verb);
+    }
+    return "";
+  }
+
+  private static Component find(String name) {
+    return Eyes.find(name)
+        .orElseThrow(() -> new IllegalArgumentException("nothing visible is named " + name));
+  }
+
+  /** {@code container=text}: for what has no stable name of its own. */
+  private static Component inside(String what) {
+    String[] words = what.split("=", 2);
+    return Eyes.inside(find(words[0]), words[1])
+        .orElseThrow(() -> new IllegalArgumentException("nothing reads " + words[1]));
+  }
+
+  /** {@code table=text}. */
+  private static Rectangle cell(String what) {
+    String[] words = what.split("=", 2);
+    if (!(find(words[0]) instanceof JTable table)) {
+      throw new IllegalArgumentException(words[0] + " is not a table");
+    }
+    return Eyes.cell(table, words[1])
+        .orElseThrow(() -> new IllegalArgumentException("no cell reads " + words[1]));
+  }
+
+  private static Rectangle place(String name) throws InterruptedException {
+    return dispatched(() -> Eyes.place(find(name)));
+  }
+
+  private static Rectangle screen() {
+    return new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
+  }
+
+  /** {@code box=item}: what a combo box lists by arrow keys depends on what was chosen before. */
+  private static String choose(String what) {
+    String[] words = what.split("=", 2);
+    switch (find(words[0])) {
+      case JComboBox<?> box -> {
+        for (int i = 0; i < box.getItemCount(); i++) {
+          if (words[1].equals(box.getItemAt(i).toString())) {
+            box.setSelectedIndex(i);
+            return "";
+          }
+        }
+      }
+      case JTabbedPane tabs -> {
+        int index = tabs.indexOfTab(words[1]);
+        if (index >= 0) {
+          tabs.setSelectedIndex(index);
+          return "";
+        }
+      }
+      default -> {}
+    }
+    throw new IllegalArgumentException(words[0] + " does not offer " + words[1]);
+  }
+
+  private static String close() {
+    Frame frame = (Frame) find("pendant");
+    frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING));
+    return "";
+  }
+
+  private static String size(String what) {
+    String[] words = what.split("x", 2);
+    find("pendant").setBounds(0, 0, Integer.parseInt(words[0]), Integer.parseInt(words[1]));
+    return "";
+  }
+
+  private static <T> T dispatched(Callable<T> question) throws InterruptedException {
+    FutureTask<T> task = new FutureTask<>(question);
+    try {
+      EventQueue.invokeAndWait(task);
+      return task.get();
+    } catch (ExecutionException e) {
+      throw new IllegalArgumentException(e.getCause().getMessage(), e);
+    } catch (InvocationTargetException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+}

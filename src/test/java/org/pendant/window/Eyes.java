@@ -1,0 +1,157 @@
+package org.pendant.window;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.KeyboardFocusManager;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Window;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JTable;
+import javax.swing.JTree;
+import javax.swing.ListCellRenderer;
+import javax.swing.SwingUtilities;
+import javax.swing.text.JTextComponent;
+
+/** Finds what is visible and reads it. Only the dispatch thread calls it. */
+final class Eyes {
+  private Eyes() {}
+
+  /** What is visible under {@code name}, in any window. */
+  static Optional<Component> find(String name) {
+    return Stream.of(Window.getWindows())
+        .filter(Window::isShowing)
+        .flatMap(Eyes::all)
+        .filter(each -> name.equals(each.getName()) && each.isShowing())
+        .findFirst();
+  }
+
+  /** Where the cell that reads {@code text} is on the screen. */
+  static Optional<Rectangle> cell(JTable table, String text) {
+    for (int row = 0; row < table.getRowCount(); row++) {
+      for (int column = 0; column < table.getColumnCount(); column++) {
+        if (cell(table, row, column).equals(text)) {
+          Rectangle cell = table.getCellRect(row, column, false);
+          Point corner = table.getLocationOnScreen();
+          cell.translate(corner.x, corner.y);
+          return Optional.of(cell);
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Whether keys go to {@code component} or to something in it. */
+  static boolean focused(Component component) {
+    Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+    return owner != null && SwingUtilities.isDescendingFrom(owner, component);
+  }
+
+  /** The button inside {@code component} that reads {@code text}. */
+  static Optional<Component> inside(Component component, String text) {
+    return all(component)
+        .filter(each -> each instanceof AbstractButton button && text.equals(button.getText()))
+        .filter(Component::isShowing)
+        .findFirst();
+  }
+
+  private static Stream<Component> all(Component component) {
+    return component instanceof Container container
+        ? Stream.concat(
+            Stream.of(component), Stream.of(container.getComponents()).flatMap(Eyes::all))
+        : Stream.of(component);
+  }
+
+  /** The words that people read on a component and on what is in it, a line for each row. */
+  static String words(Component component) {
+    return switch (component) {
+      case JTextComponent text -> text.getText();
+      case JLabel label -> label.getText() == null ? "" : label.getText();
+      case AbstractButton button -> button.getText();
+      case JComboBox<?> box -> String.valueOf(box.getSelectedItem());
+      case JTable table -> lines(table.getRowCount(), row -> row(table, row));
+      case JList<?> list -> lines(list.getModel().getSize(), index -> item(list, index));
+      case JTree tree -> lines(tree.getRowCount(), row -> node(tree, row));
+      case Container container ->
+          String.join(
+              " ",
+              Stream.of(container.getComponents())
+                  .filter(Component::isVisible)
+                  .map(Eyes::words)
+                  .filter(words -> !words.isBlank())
+                  .toList());
+      default -> "";
+    };
+  }
+
+  private static String lines(int count, IntFunction<String> line) {
+    return String.join("\n", IntStream.range(0, count).mapToObj(line).toList());
+  }
+
+  private static String row(JTable table, int row) {
+    List<String> cells = new ArrayList<>();
+    for (int column = 0; column < table.getColumnCount(); column++) {
+      cells.add(cell(table, row, column));
+    }
+    return String.join(" | ", cells);
+  }
+
+  private static String cell(JTable table, int row, int column) {
+    return words(table.prepareRenderer(table.getCellRenderer(row, column), row, column));
+  }
+
+  private static <T> String item(JList<T> list, int index) {
+    ListCellRenderer<? super T> renderer = list.getCellRenderer();
+    return words(
+        renderer.getListCellRendererComponent(
+            list, list.getModel().getElementAt(index), index, false, false));
+  }
+
+  private static String node(JTree tree, int row) {
+    Object node = tree.getPathForRow(row).getLastPathComponent();
+    return words(
+        tree.getCellRenderer()
+            .getTreeCellRendererComponent(tree, node, false, true, true, row, false));
+  }
+
+  /** Where the visible part of {@code component} is on the screen. */
+  static Rectangle place(Component component) {
+    Rectangle place =
+        component instanceof JComponent inside
+            ? inside.getVisibleRect()
+            : new Rectangle(component.getSize());
+    Point corner = component.getLocationOnScreen();
+    place.translate(corner.x, corner.y);
+    return place;
+  }
+
+  /** How many colours a picture has. */
+  static long colours(BufferedImage picture) {
+    return pixels(picture).distinct().count();
+  }
+
+  /** Mean brightness of a picture, 0 to 255. */
+  static long brightness(BufferedImage picture) {
+    return Math.round(
+        pixels(picture)
+            .map(rgb -> ((rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255)) / 3)
+            .average()
+            .orElse(0));
+  }
+
+  private static IntStream pixels(BufferedImage picture) {
+    int width = picture.getWidth();
+    return IntStream.of(picture.getRGB(0, 0, width, picture.getHeight(), null, 0, width));
+  }
+}

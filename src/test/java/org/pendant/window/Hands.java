@@ -1,0 +1,85 @@
+package org.pendant.window;
+
+import java.awt.AWTException;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.KeyStroke;
+
+/** Mouse and keys of the display, on an American keyboard. */
+final class Hands {
+  private static final String SHIFTED = "~!@#$%^&*()_+{}|:\"<>?";
+  private static final String PLAIN = "`1234567890-=[]\\;',./";
+
+  private final Robot robot;
+
+  Hands() throws AWTException {
+    robot = new Robot();
+  }
+
+  /** Presses the left button at the middle of {@code place} and keeps it down. */
+  void hold(Rectangle place) {
+    robot.mouseMove((int) place.getCenterX(), (int) place.getCenterY());
+    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+  }
+
+  /** Lets the button go. */
+  void release() {
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+  }
+
+  /** Presses and releases keys, such as {@code control shift P}. */
+  void press(String keys) {
+    KeyStroke stroke = KeyStroke.getKeyStroke(keys);
+    if (stroke == null) {
+      throw new IllegalArgumentException("no such keys: " + keys);
+    }
+    List<Integer> held =
+        Stream.of(
+                InputEvent.CTRL_DOWN_MASK, KeyEvent.VK_CONTROL,
+                InputEvent.SHIFT_DOWN_MASK, KeyEvent.VK_SHIFT,
+                InputEvent.ALT_DOWN_MASK, KeyEvent.VK_ALT)
+            .toList();
+    for (int i = 0; i < held.size(); i += 2) {
+      if ((stroke.getModifiers() & held.get(i)) != 0) {
+        robot.keyPress(held.get(i + 1));
+      }
+    }
+    robot.keyPress(stroke.getKeyCode());
+    robot.keyRelease(stroke.getKeyCode());
+    for (int i = 0; i < held.size(); i += 2) {
+      if ((stroke.getModifiers() & held.get(i)) != 0) {
+        robot.keyRelease(held.get(i + 1));
+      }
+    }
+  }
+
+  /** Types ASCII text; a line feed is Enter. */
+  void type(String text) {
+    text.chars().forEach(each -> type((char) each));
+  }
+
+  private void type(char character) {
+    int shifted = SHIFTED.indexOf(character);
+    boolean shift = shifted >= 0 || Character.isUpperCase(character);
+    char key = shifted >= 0 ? PLAIN.charAt(shifted) : Character.toLowerCase(character);
+    int code = KeyEvent.getExtendedKeyCodeForChar(key);
+    if (shift) {
+      robot.keyPress(KeyEvent.VK_SHIFT);
+    }
+    robot.keyPress(code);
+    robot.keyRelease(code);
+    if (shift) {
+      robot.keyRelease(KeyEvent.VK_SHIFT);
+    }
+  }
+
+  /** What the display shows at {@code place}. */
+  BufferedImage look(Rectangle place) {
+    return robot.createScreenCapture(place);
+  }
+}

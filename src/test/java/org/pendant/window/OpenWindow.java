@@ -1,0 +1,272 @@
+package org.pendant.window;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
+
+/**
+ * A desktop in a process of its own, worked with real mouse and key events. Components are named as
+ * their {@code setName} says, keys as in {@link javax.swing.KeyStroke#getKeyStroke(String)}.
+ */
+final class OpenWindow implements AutoCloseable {
+  /** Far longer than anything here takes. */
+  private static final long PATIENCE_NS = TimeUnit.SECONDS.toNanos(20);
+
+  private static final int LOOK_AGAIN_MS = 20;
+
+  private final Process process;
+  private final PrintStream requests;
+  private final BufferedReader replies;
+
+  private OpenWindow(Process process) {
+    this.process = process;
+    requests = new PrintStream(process.getOutputStream(), true, StandardCharsets.UTF_8);
+    replies =
+        new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
+  }
+
+  /**
+   * Opens one and waits until it is visible.
+   *
+   * @param folder for its settings and recovered texts
+   * @param options for its JVM
+   */
+  static OpenWindow open(VirtualDisplay display, Path folder, String... options)
+      throws IOException {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(
+        List.of(
+            "-ea",
+            "-XX:+UseSerialGC",
+            "-XX:TieredStopAtLevel=1",
+            "--enable-native-access=ALL-UNNAMED",
+            "--sun-misc-unsafe-memory-access=allow"));
+    command.addAll(List.of(options));
+    command.addAll(List.of("-cp", System.getProperty("java.class.path"), Driver.class.getName()));
+    ProcessBuilder builder =
+        new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT);
+    builder.environment().put("DISPLAY", display.name());
+    builder.environment().put("XDG_CONFIG_HOME", folder.toString());
+    OpenWindow window = new OpenWindow(builder.start());
+    window.awaitShown("pendant");
+    return window;
+  }
+
+  /** Presses and releases keys, such as {@code shift F5}. */
+  void press(String keys) {
+    ask("press", keys);
+  }
+
+  /** Types text where the focus is. */
+  void type(String text) {
+    ask("type", text);
+  }
+
+  /** Clicks when the component is visible and enabled. */
+  void click(String name) {
+    awaitEnabled(name);
+    ask("click", name);
+  }
+
+  /** Clicks the button that reads {@code text} inside a component. */
+  void clickText(String name, String text) {
+    ask("click-text", name + "=" + text);
+  }
+
+  /** Clicks the cell of a table that reads {@code text}. */
+  void clickCell(String name, String text) {
+    ask("click-cell", name + "=" + text);
+  }
+
+  /** Presses the mouse button on a component and keeps it down until {@link #release}. */
+  void hold(String name) {
+    awaitEnabled(name);
+    ask("hold", name);
+  }
+
+  /** Lets the mouse button go. */
+  void release() {
+    ask("release", "");
+  }
+
+  /** Opens a program by the dialog, and gives the focus back to the window. */
+  void open(Path file) {
+    press("control O");
+    awaitFocus("open-dialog");
+    type(file + "\n");
+    awaitWords("program-name", String.valueOf(file.getFileName()));
+    awaitHidden("open-dialog");
+    // Without a window manager nobody else gives it.
+    click("rail-run");
+    awaitFocus("pendant");
+  }
+
+  /** Chooses an item of a combo box, or a tab, by its text. */
+  void choose(String name, String item) {
+    awaitShown(name);
+    ask("choose", name + "=" + item);
+  }
+
+  /** Does an action of the palette by its title. */
+  void perform(String title) {
+    press("control shift P");
+    awaitFocus("palette-query");
+    type(title);
+    await("first action is " + title, () -> words("palette-list").startsWith(title));
+    press("ENTER");
+    await("palette closed", () -> !shows("palette-query"));
+  }
+
+  /** Asks the window to close, as its frame's button does. */
+  void askToClose() {
+    ask("close", "");
+  }
+
+  /** Makes the window as large as {@code size}, such as {@code 1024x700}. */
+  void resize(String size) {
+    ask("size", size);
+  }
+
+  /** Whether a component is visible. */
+  boolean shows(String name) {
+    return Boolean.parseBoolean(ask("shows", name));
+  }
+
+  /** What can be read on a visible component. */
+  String words(String name) {
+    return ask("words", name);
+  }
+
+  /** How many different colours the pixels of a component have. */
+  long colours(String name) {
+    return Long.parseLong(ask("colours", name));
+  }
+
+  /** How bright the pixels of a component are on average, 0 to 255. */
+  long brightness(String name) {
+    return Long.parseLong(ask("brightness", name));
+  }
+
+  /** Writes a picture of the display. */
+  void picture(Path file) {
+    ask("picture", file.toString());
+  }
+
+  /** What touched the window outside of the dispatch thread; empty if nothing did. */
+  String complaints() {
+    return ask("complaints", "");
+  }
+
+  /** Lets the window refresh itself several times, so that a picture of it is whole. */
+  void settle() {
+    AtomicInteger looks = new AtomicInteger();
+    await("all is painted", () -> looks.incrementAndGet() > 25);
+  }
+
+  /** Waits until a component is visible. */
+  void awaitShown(String name) {
+    await(name + " is visible", () -> shows(name));
+  }
+
+  /** Waits until a component is not visible. */
+  void awaitHidden(String name) {
+    await(name + " is hidden", () -> !shows(name));
+  }
+
+  /** Waits until a component can be used. */
+  void awaitEnabled(String name) {
+    awaitShown(name);
+    await(name + " is enabled", () -> Boolean.parseBoolean(ask("enabled", name)));
+  }
+
+  /** Waits until keys go to a component or to something in it. */
+  void awaitFocus(String name) {
+    awaitShown(name);
+    await(name + " has the focus", () -> Boolean.parseBoolean(ask("focused", name)));
+  }
+
+  /** Waits until a component reads {@code part} somewhere. */
+  void awaitWords(String name, String part) {
+    awaitShown(name);
+    await(name + " reads " + part, () -> words(name).contains(part));
+  }
+
+  /** Waits until a condition holds; fails when it does not for long. */
+  void await(String what, BooleanSupplier condition) {
+    long deadlineNs = System.nanoTime() + PATIENCE_NS;
+    while (!condition.getAsBoolean()) {
+      if (ended()) {
+        fail("the window is gone, waiting until " + what);
+      }
+      if (System.nanoTime() > deadlineNs) {
+        fail("waited in vain until " + what + "; the window reads: " + summary());
+      }
+    }
+  }
+
+  private String summary() {
+    String words = words("pendant").replace('\n', ' ');
+    return words.substring(0, Math.min(words.length(), 1_000));
+  }
+
+  /** Waits a moment for the process, so that questions do not crowd its dispatch thread. */
+  private boolean ended() {
+    try {
+      return process.waitFor(LOOK_AGAIN_MS, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return fail("interrupted", e);
+    }
+  }
+
+  private String ask(String verb, String what) {
+    requests.println(verb + "\t" + what.replace("\\", "\\\\").replace("\n", "\\n"));
+    try {
+      String reply = replies.readLine();
+      if (reply == null) {
+        return fail("the window's process ended at " + verb + " " + what);
+      }
+      String[] words = reply.split("\t", 2);
+      return words[0].equals("ok")
+          ? words[1].translateEscapes()
+          : fail(verb + " " + what + ": " + words[1]);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Waits until the desktop has been closed and its process has ended. */
+  void awaitEnd() {
+    long deadlineNs = System.nanoTime() + PATIENCE_NS;
+    while (!ended()) {
+      if (System.nanoTime() > deadlineNs) {
+        fail("the window has not ended");
+      }
+    }
+    assertEquals(0, process.exitValue());
+  }
+
+  /** Ends the process as a crash does. */
+  void kill() {
+    process.destroyForcibly();
+    process.onExit().join();
+  }
+
+  @Override
+  public void close() {
+    kill();
+  }
+}

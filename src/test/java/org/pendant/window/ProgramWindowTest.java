@@ -1,0 +1,106 @@
+package org.pendant.window;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
+
+/** Writing, running and debugging programs in the window. */
+final class ProgramWindowTest {
+  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+
+  private final OpenWindow window = desk.window();
+
+  @Test
+  void runByKeyMovesTheArmAndLogsWhatItSays() {
+    desk.program("movej([0.3, -1.5, -1.5, -1.5, 1.5, 0], a=5, v=3)", "textmsg(\"arrived\")");
+    window.press("F5");
+    window.awaitWords("run-joints-Base", "17.19");
+    window.awaitWords("program-state", "stopped");
+    window.click("rail-log");
+    window.awaitWords("log-table", "arrived");
+  }
+
+  @Test
+  void pausedProgramGoesOnAndStops() {
+    desk.run("while True:", "  sync()", "end");
+    window.awaitWords("program-state", "running");
+    window.press("F6");
+    window.awaitWords("program-state", "paused");
+    window.press("F5");
+    window.awaitWords("program-state", "running");
+    window.press("shift F5");
+    window.awaitWords("program-state", "stopped");
+  }
+
+  @Test
+  void popupIsAnsweredByKeyboardAndStopStaysInSight() {
+    desk.run("popup(\"take the part\", \"Please\", blocking=True)", "textmsg(\"taken\")");
+    window.awaitWords("popup-title", "Please");
+    window.awaitWords("popup-text", "take the part");
+    window.awaitEnabled("program-stop");
+    window.awaitFocus("popup-continue");
+    window.press("SPACE");
+    window.awaitHidden("popup-text");
+    window.awaitWords("run-messages", "taken");
+  }
+
+  @Test
+  void mistakeIsExplainedWhileTyping() {
+    desk.program("i = 1");
+    window.click("rail-script");
+    window.click("script-text");
+    window.awaitFocus("script-text");
+    window.press("control HOME");
+    window.type("j = k\n");
+    window.awaitWords("program-name", "\u2022");
+    window.perform("Show Problems");
+    window.awaitWords("problems-table", "variable k is never assigned");
+    window.click("script-text");
+    window.press("control Z");
+    window.press("control Z");
+    window.press("control S");
+  }
+
+  @Test
+  void forcedInputIsSeenByTheProgram() {
+    desk.run(
+        "while not get_standard_digital_in(3):",
+        "  sync()",
+        "end",
+        "set_standard_digital_out(5, True)",
+        "textmsg(\"part seen\")");
+    window.click("rail-io");
+    window.click("digital-in-3");
+    window.awaitWords("program-state", "stopped");
+    window.click("rail-run");
+    window.awaitWords("run-messages", "part seen");
+    window.click("rail-io");
+    window.click("digital-in-3");
+  }
+
+  @Test
+  void programIsHeldAtABreakpointSteppedAndGivenAnotherValue() {
+    desk.program("count = 1", "count = count + 1", "textmsg(\"it is \", count)");
+    window.click("rail-script");
+    window.click("script-text");
+    window.awaitFocus("script-text");
+    window.press("control HOME");
+    window.press("DOWN");
+    window.press("F9");
+    window.press("F5");
+    window.awaitWords("program-state", "held");
+    window.perform("Show Variables");
+    window.awaitWords("variables-table", "count | 1");
+    window.press("F10");
+    window.awaitWords("variables-table", "count | 2");
+    window.clickCell("variables-table", "2");
+    window.press("F2");
+    window.awaitFocus("variables-table-field");
+    window.press("control A");
+    window.type("41\n");
+    window.awaitWords("variables-table", "count | 41");
+    window.press("F5");
+    window.awaitWords("program-state", "stopped");
+    window.click("rail-run");
+    window.awaitWords("run-messages", "it is 41");
+  }
+}

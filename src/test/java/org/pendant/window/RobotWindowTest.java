@@ -1,0 +1,119 @@
+package org.pendant.window;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
+
+/** The arm, its stops and the look of the window. */
+final class RobotWindowTest {
+  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+
+  private final OpenWindow window = desk.window();
+
+  @Test
+  void heldButtonTurnsAJointAndLettingGoStopsIt() {
+    window.click("rail-move");
+    window.awaitShown("move-joint-base");
+    String before = window.words("move-joint-base");
+    window.hold("move-base-up");
+    window.await("the base turns", () -> !window.words("move-joint-base").equals(before));
+    window.release();
+    awaitRest();
+    String rest = window.words("move-joint-base");
+    assertNotEquals(before, rest);
+  }
+
+  /** Two readings with half a second of robot time between them. */
+  private void awaitRest() {
+    window.await(
+        "the base rests",
+        () -> {
+          String position = window.words("move-joint-base");
+          double timeS = timeS();
+          window.await("time goes by", () -> timeS() > timeS + 0.2);
+          return position.equals(window.words("move-joint-base"));
+        });
+  }
+
+  private double timeS() {
+    return Double.parseDouble(window.words("robot-time").replace(" s", "").strip());
+  }
+
+  @Test
+  void emergencyStopSwitchesOffAndTheArmComesBack() {
+    window.click("rail-io");
+    window.click("safety-emergency-stop");
+    window.awaitWords("safety-mode", "mergency");
+    window.click("rail-run");
+    window.awaitShown("stop-card");
+    window.click("rail-io");
+    window.click("safety-emergency-stop");
+    window.click("rail-run");
+    makeReady();
+    window.awaitHidden("stop-card");
+  }
+
+  @Test
+  void protectiveStopIsExplainedAndUnlocked() {
+    desk.program("sleep(0.1)", "protective_stop()", "sleep(1)");
+    window.press("F5");
+    window.awaitWords("safety-mode", "rotective stop");
+    window.awaitWords("stop-card", "C0");
+    window.awaitWords("stop-card", "the program asks for it");
+    makeReady();
+    window.awaitHidden("stop-card");
+    window.awaitWords("safety-mode", "normal");
+  }
+
+  /** Does what the footer offers until the arm can run programs. */
+  private void makeReady() {
+    window.await(
+        "the arm is ready",
+        () -> {
+          window.press("F4");
+          return window.words("readiness").equals("Ready");
+        });
+  }
+
+  @Test
+  void anotherRobotIsSwitchedOn() {
+    window.choose("robot", "UR10e");
+    window.awaitWords("status-text", "ur10e");
+    window.awaitWords("readiness", "Ready");
+    window.choose("robot", "UR5e");
+    window.awaitWords("status-text", "ur5e");
+    window.awaitWords("readiness", "Ready");
+  }
+
+  @Test
+  void coloursChangeInTheOpenWindow() {
+    window.perform("Colours: Dark");
+    window.await("the window is dark", () -> window.brightness("header") < 100);
+    window.perform("Colours: Light");
+    window.await("the window is light", () -> window.brightness("header") > 155);
+    assertEquals("UR5e", window.words("robot"));
+  }
+
+  @Test
+  void actionIsFoundByItsFirstLetters() {
+    window.press("control shift P");
+    window.awaitFocus("palette-query");
+    window.type("show lo");
+    window.awaitWords("palette-list", "Show Log");
+    window.press("ENTER");
+    window.awaitShown("log-view");
+  }
+
+  @Test
+  void armIsDrawn() {
+    window.awaitShown("scene");
+    assumeFalse(
+        window.shows("scene-unavailable"),
+        () -> "no 3D here: " + window.words("scene-unavailable"));
+    // A blank picture has one colour, a shaded arm on its ground has hundreds.
+    window.await("the arm is drawn", () -> window.colours("scene") > 100);
+  }
+}

@@ -1,0 +1,133 @@
+package org.pendant.window;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * Writes pictures of every screen for the documentation, and to look at: in both themes, at three
+ * sizes. Run it by {@code src/test/window/shots}.
+ */
+final class Shots {
+  private static final List<String> SCREENS = List.of("run", "script", "move", "io", "log", "plot");
+
+  private final OpenWindow window;
+  private final Path folder;
+  private final String suffix;
+
+  private Shots(OpenWindow window, Path folder, String suffix) {
+    this.window = window;
+    this.folder = folder;
+    this.suffix = suffix;
+  }
+
+  /**
+   * Writes pictures of a usual window into the folder that the first argument names, and of a small
+   * and of a doubled one into the second.
+   */
+  public static void main(String[] arguments) throws IOException {
+    Path usual = Files.createDirectories(Path.of(arguments[0]));
+    Path others = Files.createDirectories(Path.of(arguments[1]));
+    for (String theme : List.of("Light", "Dark")) {
+      take(usual, theme, "1440x900", "1440x900", 1);
+      take(others, theme, "1024x700", "1024x700", 1);
+      // The window counts in pixels before scaling.
+      take(others, theme, "2048x1400", "1024x700", 2);
+    }
+  }
+
+  private static void take(Path folder, String theme, String display, String size, int scale)
+      throws IOException {
+    Path settings = Files.createTempDirectory("pendant-shots");
+    try (VirtualDisplay screen = VirtualDisplay.start(display);
+        OpenWindow window = OpenWindow.open(screen, settings, "-Dsun.java2d.uiScale=" + scale)) {
+      window.resize(size);
+      window.perform("Colours: " + theme);
+      new Shots(window, folder, scale == 1 ? "-" + size : "-" + size + "-double")
+          .everyScreen(theme);
+    }
+  }
+
+  private void everyScreen(String theme) throws IOException {
+    window.click("rail-run");
+    window.press("F5");
+    window.awaitWords("run-messages", "trying all the same");
+    window.await(
+        "the arm is on its way", () -> !window.words("run-joints-Base").equals("0.00\u00b0"));
+    window.press("F6");
+    window.awaitWords("program-state", "paused");
+    for (String screen : SCREENS) {
+      window.click("rail-" + screen);
+      shoot(screen, theme);
+    }
+    window.press("shift F5");
+    window.awaitWords("program-state", "stopped");
+    debugger(theme);
+    window.press("control shift P");
+    window.awaitFocus("palette-query");
+    window.type("show");
+    window.awaitWords("palette-list", "Show Log");
+    shoot("palette", theme);
+    window.press("ESCAPE");
+    window.awaitHidden("palette-query");
+    popup(theme);
+    stopCard(theme);
+  }
+
+  private void debugger(String theme) throws IOException {
+    window.click("rail-script");
+    window.click("script-text");
+    window.awaitFocus("script-text");
+    window.press("control HOME");
+    for (int line = 1; line < 22; line++) {
+      window.press("DOWN");
+    }
+    window.press("F9");
+    window.press("F5");
+    window.awaitWords("program-state", "held");
+    window.perform("Show Variables");
+    window.perform("Show Call stack");
+    shoot("debug", theme);
+    window.press("shift F5");
+    window.awaitWords("program-state", "stopped");
+    window.perform("Show 3D");
+    window.perform("Fold or unfold the dock at the bottom");
+  }
+
+  private void popup(String theme) throws IOException {
+    program("popup(\"Put the next tray into the cell.\", \"Tray is full\", blocking=True)");
+    window.press("F5");
+    window.awaitShown("popup-text");
+    shoot("popup", theme);
+    window.press("shift F5");
+    window.awaitHidden("popup-text");
+  }
+
+  private void stopCard(String theme) throws IOException {
+    program("sleep(0.1)", "protective_stop()", "sleep(1)");
+    window.press("F5");
+    window.awaitShown("stop-card");
+    shoot("stop", theme);
+    window.press("shift F5");
+    window.await(
+        "the arm is ready",
+        () -> {
+          window.press("F4");
+          return window.words("readiness").equals("Ready");
+        });
+  }
+
+  private void program(String... lines) throws IOException {
+    Path file = Files.createTempDirectory("pendant-shot").resolve("station.script");
+    Files.write(file, List.of(lines));
+    window.open(file);
+  }
+
+  private void shoot(String what, String theme) throws IOException {
+    Path file = folder.resolve(what + "-" + theme.toLowerCase(Locale.ROOT) + suffix + ".png");
+    window.settle();
+    window.picture(file);
+  }
+}
