@@ -1,8 +1,6 @@
 package org.pendant.gui.scene.gl;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertSame;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -187,29 +185,5 @@ final class OffscreenSceneTest {
             .join();
 
     assertTrue(picked.orElseThrow() instanceof Picked.OnTcp);
-  }
-
-  @Test
-  void anImageTooLargeIsRefused() {
-    IllegalArgumentException refused =
-        assertThrows(IllegalArgumentException.class, () -> OffscreenScene.image(5000, 20));
-
-    assertEquals("image is 5000x20, each side must be 1 to 4096", refused.getMessage());
-  }
-
-  @Test
-  void aMachineWithoutGraphicsIsToldSo() {
-    SceneUnavailable none = new SceneUnavailable("no graphics");
-
-    SceneUnavailable thrown =
-        assertThrows(
-            SceneUnavailable.class,
-            () ->
-                OffscreenScene.open(
-                    () -> {
-                      throw none;
-                    }));
-
-    assertSame(none, thrown);
   }
 }
