@@ -7,6 +7,7 @@ import javax.swing.JLabel;
 import javax.swing.SwingConstants;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
+import org.pendant.gui.layout.Card;
 
 /** The flags, eight lamps a row with their numbers below. */
 final class FlagCard {

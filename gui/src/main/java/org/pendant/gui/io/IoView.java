@@ -1,10 +1,7 @@
 package org.pendant.gui.io;
 
 import java.awt.BorderLayout;
-import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.LayoutManager;
-import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.BorderFactory;
@@ -14,11 +11,11 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.ScrollPaneConstants;
-import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.gui.layout.CardColumns;
+import org.pendant.gui.layout.Card;
+import org.pendant.gui.layout.CardSheet;
 import org.pendant.gui.layout.Typed;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.gui.workbench.View;
@@ -86,7 +83,7 @@ public final class IoView implements View {
 
   private JPanel cards() {
     SignalLabels labels = new SignalLabels(workbench.settings());
-    JPanel cards = new CardSheet(new CardColumns(GAP, WIDEST_CARD));
+    JPanel cards = new CardSheet(GAP, WIDEST_CARD);
     for (SignalBank bank :
         List.of(
             SignalBank.STANDARD_IN,
@@ -138,38 +135,5 @@ public final class IoView implements View {
     safety.refresh();
     flags.refresh();
     readings.refresh(state);
-  }
-
-  /** As wide as the window, unless that is narrower than a card. */
-  @SuppressWarnings("serial") // never written to a stream
-  private static final class CardSheet extends JPanel implements Scrollable {
-    CardSheet(LayoutManager layout) {
-      super(layout);
-    }
-
-    @Override
-    public Dimension getPreferredScrollableViewportSize() {
-      return getPreferredSize();
-    }
-
-    @Override
-    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-      return 2 * getFontMetrics(getFont()).getHeight();
-    }
-
-    @Override
-    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
-      return visible.height;
-    }
-
-    @Override
-    public boolean getScrollableTracksViewportWidth() {
-      return getParent().getWidth() >= getMinimumSize().width;
-    }
-
-    @Override
-    public boolean getScrollableTracksViewportHeight() {
-      return false;
-    }
   }
 }

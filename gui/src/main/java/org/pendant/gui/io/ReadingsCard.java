@@ -7,6 +7,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.layout.Card;
 import org.pendant.models.arm.Joints;
 
 /** What the sensors of the arm and the control box read. */

@@ -5,6 +5,7 @@ import java.util.Map;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import org.pendant.controller.safety.SafetyInput;
+import org.pendant.gui.layout.Card;
 
 /** The inputs that demand safety functions. */
 final class SafetyCard {

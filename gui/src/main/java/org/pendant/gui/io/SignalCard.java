@@ -10,6 +10,7 @@ import javax.swing.JLabel;
 import javax.swing.JTextField;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
+import org.pendant.gui.layout.Card;
 
 /** The signals of one group, a row each: level, name and, for inputs, a button for a pulse. */
 final class SignalCard {

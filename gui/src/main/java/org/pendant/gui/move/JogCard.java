@@ -19,6 +19,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.jog.JogDirection;
 import org.pendant.controller.jog.JogDirection.Kind;
 import org.pendant.controller.jog.JogFrame;
+import org.pendant.gui.layout.Card;
 import org.pendant.gui.workbench.Palette;
 
 /** The pads that move and turn the tool, by mouse, finger or keys. */

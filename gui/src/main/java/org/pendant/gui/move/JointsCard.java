@@ -10,6 +10,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.gui.layout.Card;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.models.arm.Joints;
 

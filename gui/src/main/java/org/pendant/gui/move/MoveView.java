@@ -13,6 +13,7 @@ import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.layout.CardSheet;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.Actions;
 import org.pendant.gui.workbench.View;
@@ -21,6 +22,9 @@ import org.pendant.models.arm.ArmLibrary;
 
 /** The screen that moves the arm by hand. */
 public final class MoveView implements View {
+  private static final int GAP = 16;
+  private static final int WIDEST_CARD = 520;
+
   private final Workbench workbench;
   private final MovePresenter presenter;
   private final JPanel content = new JPanel(new BorderLayout());
@@ -101,7 +105,7 @@ public final class MoveView implements View {
   }
 
   private JScrollPane cards() {
-    JPanel sheet = new CardSheet();
+    JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
     sheet.add(stack(jog.component(), pose.component()));
     sheet.add(stack(joints.component(), tool.component()));
     JScrollPane scroll =

@@ -3,6 +3,7 @@ package org.pendant.gui.move;
 import java.util.Objects;
 import javax.swing.JTextField;
 import javax.swing.SwingConstants;
+import org.pendant.gui.layout.Card;
 import org.pendant.gui.layout.Typed;
 
 /** A field for one number of a {@link Draft}; red-rimmed, with the reason as tip, if it is none. */

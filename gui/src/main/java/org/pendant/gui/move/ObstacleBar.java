@@ -5,6 +5,7 @@ import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.gui.layout.Card;
 import org.pendant.gui.workbench.Palette;
 
 /** Tells why the arm cannot be moved, with the button that changes it. */

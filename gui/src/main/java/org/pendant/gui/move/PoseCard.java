@@ -7,6 +7,7 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.gui.layout.Card;
 import org.pendant.gui.workbench.Palette;
 
 /** The pose of the TCP: read it, type another one, and go there. */

@@ -7,6 +7,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.gui.layout.Card;
 import org.pendant.gui.workbench.Palette;
 
 /** What is on the flange: the TCP, and the payload. */

@@ -1,19 +1,21 @@
-package org.pendant.gui.move;
+package org.pendant.gui.layout;
 
 import java.awt.Dimension;
 import java.awt.Rectangle;
 import javax.swing.JPanel;
 import javax.swing.Scrollable;
-import org.pendant.gui.layout.CardColumns;
 
 /** Cards that scroll upwards; as wide as the window, unless that is narrower than a card. */
 @SuppressWarnings("serial") // never written to a stream
-final class CardSheet extends JPanel implements Scrollable {
-  private static final int GAP = 16;
-  private static final int WIDEST_CARD = 520;
-
-  CardSheet() {
-    super(new CardColumns(GAP, WIDEST_CARD));
+public final class CardSheet extends JPanel implements Scrollable {
+  /**
+   * An empty sheet.
+   *
+   * @param gap space around and between the cards, in pixels before scaling
+   * @param widestCard how wide a card becomes at most, in pixels before scaling
+   */
+  public CardSheet(int gap, int widestCard) {
+    super(new CardColumns(gap, widestCard));
   }
 
   @Override

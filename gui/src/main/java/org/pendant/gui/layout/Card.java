@@ -1,7 +1,8 @@
-package org.pendant.gui.io;
+package org.pendant.gui.layout;
 
 import java.awt.Color;
 import java.util.Locale;
+import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -10,14 +11,14 @@ import org.pendant.gui.workbench.Palette;
 
 /** A titled panel with rounded corners. */
 @SuppressWarnings("serial") // never written to a stream
-final class Card extends JPanel {
+public final class Card extends JPanel {
 
   /**
    * An empty card.
    *
    * @param columns of the grid below the title, as MigLayout reads them
    */
-  Card(String title, String columns) {
+  public Card(String title, String columns) {
     super(new MigLayout("insets 12 16 12 16, gap 8 4, wrap, hidemode 3", columns));
     putClientProperty("FlatLaf.style", "arc: 16");
     setName("card-" + title.toLowerCase(Locale.ROOT).replace(' ', '-'));
@@ -33,10 +34,17 @@ final class Card extends JPanel {
   }
 
   /** Names a control for tests, screen readers and the pointer. */
-  static <C extends JComponent> C named(C component, String name, String tip) {
+  public static <C extends JComponent> C named(C component, String name, String tip) {
     component.setName(name);
     component.setToolTipText(tip);
     component.getAccessibleContext().setAccessibleName(tip);
     return component;
+  }
+
+  /** Makes buttons little wider than their texts. */
+  public static void compact(JButton... buttons) {
+    for (JButton each : buttons) {
+      each.putClientProperty("FlatLaf.style", "minimumWidth: 0; margin: 2,8,2,8");
+    }
   }
 }
