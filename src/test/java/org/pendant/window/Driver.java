@@ -100,7 +100,9 @@ final class Driver {
       case "size" -> dispatched(() -> size(what));
       case "picture" -> ImageIO.write(SmallPicture.of(hands.look(screen())), "png", new File(what));
       case "colours" -> {
-        return Long.toString(Eyes.colours(hands.look(place(what))));
+        Rectangle seen = place(what);
+        // a component that the window has not laid out yet shows nothing
+        return seen.isEmpty() ? "0" : Long.toString(Eyes.colours(hands.look(seen)));
       }
       case "shows" -> {
         return dispatched(() -> Boolean.toString(Eyes.find(what).isPresent()));
