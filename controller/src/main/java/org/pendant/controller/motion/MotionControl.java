@@ -28,12 +28,6 @@ public final class MotionControl {
   /** Frames at rest after which the arm counts as steady: 500 ms (manual 16.39). */
   private static final int STEADY_FRAMES = 250;
 
-  /** A joint that has to be slowed down turns at this part of its limit. */
-  private static final double LIMITED_SPEED_SHARE = 0.999;
-
-  /** Room for rounding in the speeds of a motion. */
-  private static final double SPEED_TOLERANCE = 1 + 1e-9;
-
   /** Room for the mean speed of a frame, which may exceed the speeds at both of its ends. */
   private static final double MEAN_SPEED_TOLERANCE = 1.01;
 
@@ -163,8 +157,7 @@ public final class MotionControl {
     position.copyTo(previous);
     Optional<MotionFailure> failure = sampleAfter(motion, framesBefore, before);
     if (failure.isEmpty() && !stopping && scaling > 0) {
-      double largest =
-          Math.min(jointSpeedScaling(), limiter.largestScaling(sample.position, sample.speed));
+      double largest = limiter.largestScaling(sample.position, sample.speed);
       if (!(largest >= SLOWEST_SCALING)) {
         failure = Optional.of(tooSlow());
       } else if (largest < scaling) {
@@ -184,17 +177,6 @@ public final class MotionControl {
       owner.ifPresent(MotionTicket::finish);
       forget();
     }
-  }
-
-  /** How fast path time may run so that no joint turns faster than the arm's drives can. */
-  private double jointSpeedScaling() {
-    double largestShare = 0;
-    for (int i = 0; i < Joints.COUNT; i++) {
-      largestShare = Math.max(largestShare, Math.abs(sample.speed[i]) / maxSpeed[i]);
-    }
-    return scaling * largestShare <= SPEED_TOLERANCE
-        ? Double.POSITIVE_INFINITY
-        : LIMITED_SPEED_SHARE / largestShare;
   }
 
   /** Samples the motion a frame further, its time running evenly from one scaling to the next. */
