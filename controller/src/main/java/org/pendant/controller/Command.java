@@ -1,13 +1,24 @@
 package org.pendant.controller;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.ToolCentre;
 import org.pendant.controller.debug.Debugger;
+import org.pendant.controller.freedrive.FreeAxes;
+import org.pendant.controller.freedrive.FreedriveFrame;
+import org.pendant.controller.io.InputOwners;
+import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.jog.Jogging;
 import org.pendant.controller.machine.Program;
+import org.pendant.controller.message.Answer;
+import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.safety.SafetyInput;
+import org.pendant.controller.variables.VariablePath;
+import org.pendant.controller.variables.VariableTracer;
+import org.pendant.controller.world.HandGrip;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
@@ -38,6 +49,38 @@ public sealed interface Command {
   record SetInput(String name, boolean level) implements Command {}
 
   /**
+   * Changes signals, all of them or, when one is refused, none. A signal that somebody else has
+   * taken is refused with the owner's name. By hand, outputs are refused while a program runs or is
+   * paused.
+   *
+   * @param writer who asks: the name under which {@link ClaimSignal} takes signals, or {@link
+   *     InputOwners#BY_HAND}
+   */
+  record WriteSignals(String writer, List<SignalWrite> writes) implements Command {
+    /** Copies the list. */
+    public WriteSignals {
+      writes = List.copyOf(writes);
+    }
+
+    /** A change by hand. */
+    public WriteSignals(SignalWrite write) {
+      this(InputOwners.BY_HAND, List.of(write));
+    }
+  }
+
+  /**
+   * Takes a signal, so that nobody else may write it; refused with the owner's name when it is
+   * taken.
+   *
+   * @param owner such as an RTDE client
+   * @param signal see {@link InputOwners}
+   */
+  record ClaimSignal(String owner, String signal) implements Command {}
+
+  /** Gives back all signals that {@code owner} has taken. */
+  record ReleaseSignals(String owner) implements Command {}
+
+  /**
    * Moves the speed slider.
    *
    * @param fraction 0 to 1
@@ -46,6 +89,15 @@ public sealed interface Command {
 
   /** Closes a popup; a program that it paused goes on. */
   record AnswerPopup(long number) implements Command {}
+
+  /**
+   * Answers a question of a program. An answer of another kind is refused, and the question stays
+   * open; a whole number answers a question for a number as well.
+   */
+  record AnswerQuestion(long number, Answer answer) implements Command {}
+
+  /** Refuses to answer a question: the program stops (manual 18.73). */
+  record CancelQuestion(long number) implements Command {}
 
   /**
    * Hands a line of statements to interpreter mode (manual 13).
@@ -94,6 +146,45 @@ public sealed interface Command {
   record PushTool(Wrench wrenchAtTcpInBase) implements Command {}
 
   /**
+   * Pushes the arm at a point of one of its links until told otherwise, besides {@link PushTool}. A
+   * hand holds one place only: another push or pull takes the place of it.
+   *
+   * @param link the link that joint {@code link} (0 to 5) moves; 5 is the flange
+   * @param pointInLinkM where, in the Denavit-Hartenberg frame behind that joint, -4 to 4 m each
+   * @param forceInBaseN along the axes of the base, -10,000 to 10,000 N each; all 0 lets go
+   */
+  record PushLink(int link, Vector3 pointInLinkM, Vector3 forceInBaseN) implements Command {}
+
+  /**
+   * Pulls the arm at a point of one of its links towards a place, with at most {@link
+   * HandGrip#LARGEST_PULL_N} and half of what the motors can give, as long as this is repeated: at
+   * the latest every {@link HandGrip#DEAD_MAN_S} of robot time. The arm follows in freedrive;
+   * otherwise it resists.
+   *
+   * @param link as in {@link PushLink}
+   * @param pointInLinkM as in {@link PushLink}
+   * @param placeInBaseM in the base frame, -100 to 100 m each
+   */
+  record PullLink(int link, Vector3 pointInLinkM, Vector3 placeInBaseM) implements Command {}
+
+  /** Ends {@link PushLink} and {@link PullLink}. */
+  record LetGo() implements Command {}
+
+  /**
+   * Lets the arm be guided by hand as long as this is repeated: at the latest every {@link
+   * Jogging#DEAD_MAN_S} of robot time, or the arm holds where it is. Refused while a program runs
+   * or is paused, while the arm is stopped or off, and when the declared payload is wrong; the
+   * reply to a repetition tells why freedrive has ended.
+   *
+   * @param axes which axes are free
+   * @param frame whose axes these are
+   */
+  record StartFreedrive(FreeAxes axes, FreedriveFrame frame) implements Command {}
+
+  /** Ends {@link StartFreedrive}: the arm holds where it is. */
+  record EndFreedrive() implements Command {}
+
+  /**
    * Hangs something on the flange, whatever programs declare.
    *
    * @param load what it is; empty for what programs declare
@@ -119,6 +210,20 @@ public sealed interface Command {
    */
   record Debug(Consumer<Debugger> request) implements Command {}
 
+  /**
+   * Reads chosen variables of programs in every frame from now on, into {@link
+   * org.pendant.controller.state.ControllerState#traced}. Refused if that were more than {@link
+   * VariableTracer#MOST}, those of other owners included.
+   *
+   * @param owner who wants them, a name that nobody else uses; takes the place of its last wish
+   * @param paths what it wants; empty for nothing any more
+   */
+  record TraceVariables(String owner, List<VariablePath> paths) implements Command {
+    public TraceVariables {
+      paths = List.copyOf(paths);
+    }
+  }
+
   /** Ends {@link Jog}: the arm comes to rest on its path. */
   record StopJog() implements Command {}
 
@@ -126,11 +231,21 @@ public sealed interface Command {
   record SetTool(ToolCentre tool) implements Command {}
 
   /**
-   * Declares the payload, a point mass; refused while the arm moves or a program runs or is paused.
-   * The force sensor is zeroed.
+   * Declares the payload; refused while the arm moves or a program runs or is paused. The force
+   * sensor is zeroed.
    *
    * @param massKg 0 to four times what the arm is made for, kg
    * @param cogInFlangeM its centre of gravity in the flange frame, m
+   * @param inertiaKgM2 about the centre of gravity, along the axes of the flange; empty for that of
+   *     a point
    */
-  record DeclarePayload(double massKg, Vector3 cogInFlangeM) implements Command {}
+  record DeclarePayload(double massKg, Vector3 cogInFlangeM, Optional<Inertia> inertiaKgM2)
+      implements Command {}
+
+  /**
+   * Writes a line to the log for somebody who speaks to the controller by a protocol.
+   *
+   * @param text bytes, one {@code char} a byte
+   */
+  record WriteLog(LogEntry.Level level, String text) implements Command {}
 }

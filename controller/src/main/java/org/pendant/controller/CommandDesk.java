@@ -8,10 +8,14 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.debug.Debugger;
+import org.pendant.controller.io.InputOwners;
+import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.Program;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.machine.ScriptFailure;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.variables.VariableTracer;
 import org.pendant.models.dynamics.Payload;
 
 /**
@@ -28,17 +32,20 @@ final class CommandDesk {
   private final Machine machine;
   private final Debugger debugger;
   private final HandDesk hand;
+  private final VariableTracer tracer;
   private final BlockingQueue<Submitted> arrived = new ArrayBlockingQueue<>(CAPACITY);
   private final List<Submitted> secondaries = new ArrayList<>();
   private final List<Answered> answered = new ArrayList<>();
 
   private record Answered(Submitted command, Reply reply) {}
 
-  CommandDesk(ControlBox box, Machine machine, Debugger debugger, HandDesk hand) {
+  CommandDesk(
+      ControlBox box, Machine machine, Debugger debugger, HandDesk hand, VariableTracer tracer) {
     this.box = box;
     this.machine = machine;
     this.debugger = debugger;
     this.hand = hand;
+    this.tracer = tracer;
   }
 
   /** Any thread: leaves a command for the next frame. */
@@ -51,13 +58,18 @@ final class CommandDesk {
     return reply;
   }
 
-  /** Carries out what has arrived, in its order. */
-  void drain() {
+  /**
+   * Carries out what has arrived, in its order.
+   *
+   * @param afterEach runs after each command: the next one may end what this one has begun
+   */
+  void drain(Runnable afterEach) {
     for (Submitted next = arrived.poll(); next != null; next = arrived.poll()) {
       if (next.command() instanceof Command.RunSecondary) {
         secondaries.add(next);
       } else {
         answered.add(new Answered(next, carryOut(next.command())));
+        afterEach.run();
       }
     }
   }
@@ -89,9 +101,17 @@ final class CommandDesk {
         case Command.ResumeProgram resume -> resume();
         case Command.RunSecondary secondary -> runSecondary(secondary.program());
         case Command.SetInput set -> done(() -> box.io().setInput(set.name(), set.level()));
+        case Command.WriteSignals write -> granted(write(write.writer(), write.writes()));
+        case Command.ClaimSignal claim ->
+            granted(box.signals().owners().claim(claim.signal(), claim.owner()));
+        case Command.ReleaseSignals release ->
+            done(() -> box.signals().owners().release(release.owner()));
         case Command.SetSpeedFraction set ->
             done(() -> box.motion().setSpeedFraction(set.fraction()));
         case Command.AnswerPopup answer -> answer(answer.number());
+        case Command.AnswerQuestion given ->
+            done(() -> box.questions().answer(given.number(), given.answer()));
+        case Command.CancelQuestion cancel -> done(() -> cancel(cancel.number()));
         case Command.Interpret line ->
             new Reply.Interpreted(machine.interpreter().submit(line.line()));
         case Command.SkipInterpreted skip -> done(machine.interpreter()::skip);
@@ -107,13 +127,28 @@ final class CommandDesk {
         case Command.SetSafetyInput set ->
             done(() -> box.safety().setInput(set.input(), set.active()));
         case Command.PushTool push -> done(() -> box.world().apply(push.wrenchAtTcpInBase()));
+        case Command.PushLink push ->
+            done(
+                () ->
+                    box.world().grip().push(push.link(), push.pointInLinkM(), push.forceInBaseN()));
+        case Command.PullLink pull ->
+            done(
+                () ->
+                    box.world().grip().pull(pull.link(), pull.pointInLinkM(), pull.placeInBaseM()));
+        case Command.LetGo release -> done(box.world().grip()::letGo);
+        case Command.StartFreedrive start -> granted(hand.guide(start.axes(), start.frame()));
+        case Command.EndFreedrive end -> done(hand::endGuiding);
         case Command.AttachLoad attach -> done(() -> attach(attach.load()));
         case Command.Debug debug -> done(() -> debug.request().accept(debugger));
         case Command.Jog jog -> granted(hand.jog(jog.move(), jog.speedFraction()));
+        case Command.TraceVariables trace -> done(() -> tracer.trace(trace.owner(), trace.paths()));
         case Command.StopJog stop -> done(hand::stop);
         case Command.SetTool set -> granted(hand.setTool(set.tool()));
         case Command.DeclarePayload declare ->
-            granted(hand.declarePayload(declare.massKg(), declare.cogInFlangeM()));
+            granted(
+                hand.declarePayload(
+                    declare.massKg(), declare.cogInFlangeM(), declare.inertiaKgM2()));
+        case Command.WriteLog write -> done(() -> box.log().protocol(write.level(), write.text()));
       };
     } catch (IllegalArgumentException e) {
       return new Reply.Refused(e.getMessage());
@@ -130,6 +165,27 @@ final class CommandDesk {
 
   private static Reply granted(Optional<String> refusal) {
     return refusal.map(why -> (Reply) new Reply.Refused(why)).orElse(DONE);
+  }
+
+  /** Why a change of signals is refused; nothing has changed then. */
+  private Optional<String> write(String writer, List<SignalWrite> writes) {
+    boolean outputs =
+        !writer.equals(InputOwners.BY_HAND) || machine.state() == ProgramState.STOPPED;
+    for (SignalWrite write : writes) {
+      Optional<String> refusal = box.signals().owners().refusal(write.name(), writer);
+      if (refusal.isPresent()) {
+        return refusal;
+      }
+      if (!write.input() && !outputs) {
+        return Optional.of(
+            write.name()
+                + " belongs to program "
+                + machine.programName()
+                + ": outputs are set by hand only while none runs");
+      }
+    }
+    writes.forEach(box.signals()::write);
+    return Optional.empty();
   }
 
   private Reply powerOff() {
@@ -164,7 +220,7 @@ final class CommandDesk {
   }
 
   private Reply resume() {
-    if (machine.state() != ProgramState.PAUSED) {
+    if (machine.state() != ProgramState.PAUSED && !machine.pausing()) {
       return new Reply.Refused("no program is paused");
     }
     Optional<String> refusal = box.safety().programRefusal();
@@ -187,18 +243,26 @@ final class CommandDesk {
     return DONE;
   }
 
+  private void cancel(long number) {
+    box.questions().cancel(number);
+    machine.stop();
+  }
+
   private Reply runSecondary(Program program) {
     Optional<ScriptFailure> failure = machine.runSecondary(program);
     failure.ifPresent(
         why ->
             box.log()
                 .error(
+                    why.code(),
                     "secondary program "
                         + program.name()
                         + ", line "
                         + why.line()
                         + ": "
-                        + why.message()));
+                        + why.message(),
+                    new LogEntry.Place(
+                        program.source().name(), Debugger.MAIN, program.name(), why.line())));
     return failure.map(why -> (Reply) new Reply.Refused(why.message())).orElse(DONE);
   }
 }

@@ -17,6 +17,7 @@ import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.value.Value;
+import org.pendant.controller.variables.VariableTracer;
 import org.pendant.language.source.Source;
 
 /**
@@ -46,11 +47,13 @@ public final class Controller {
     this.builtins = builtins;
     box = new ControlBox(options.boxSetup());
     options.inputs().forEach(this::setInput);
+    options.signals().forEach(box.signals()::write);
     machine = new Machine(builtins, box);
     Debugger debugger = new Debugger(machine);
     HandDesk hand = new HandDesk(box, machine);
-    desk = new CommandDesk(box, machine, debugger, hand);
-    frame = new Frame(box, machine, debugger, desk, hand);
+    VariableTracer tracer = new VariableTracer(machine);
+    desk = new CommandDesk(box, machine, debugger, hand, tracer);
+    frame = new Frame(box, machine, debugger, desk, hand, tracer);
   }
 
   private void setInput(String name, boolean level) {

@@ -1,11 +1,13 @@
 package org.pendant.controller;
 
 import java.time.InstantSource;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.box.BoxSetup;
+import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.world.Scene;
@@ -24,8 +26,9 @@ public final class ControllerOptions {
   private String robotId = DEFAULT_ROBOT;
   private Joints startRad = BoxSetup.START_RAD;
   private long seed;
-  private Operator operator = Operator.headless(Map.of());
+  private Operator operator = Operator.headless(List.of());
   private Map<String, Boolean> inputs = Map.of();
+  private List<SignalWrite> signals = List.of();
   private ArmChoice armChoice = ArmChoice.DYNAMIC;
   private double encoderNoiseRad;
   private Scene scene = Scene.EMPTY;
@@ -50,6 +53,7 @@ public final class ControllerOptions {
     copy.seed = seed;
     copy.operator = operator;
     copy.inputs = inputs;
+    copy.signals = signals;
     copy.armChoice = armChoice;
     copy.encoderNoiseRad = encoderNoiseRad;
     copy.scene = scene;
@@ -86,6 +90,11 @@ public final class ControllerOptions {
    */
   public ControllerOptions withInputs(Map<String, Boolean> levels) {
     return changed(copy -> copy.inputs = Map.copyOf(levels));
+  }
+
+  /** With signals that are set from the start, in this order. */
+  public ControllerOptions withSignals(List<SignalWrite> writes) {
+    return changed(copy -> copy.signals = List.copyOf(writes));
   }
 
   /** With another simulation of the arm. */
@@ -126,9 +135,18 @@ public final class ControllerOptions {
     return robotId;
   }
 
+  /** Limits and planes. */
+  public SafetyConfiguration safety() {
+    return safety.orElseGet(() -> SafetyConfiguration.standard(ArmLibrary.load(robotId)));
+  }
+
   /** What is around the arm and on its flange. */
   public Scene scene() {
     return scene;
+  }
+
+  List<SignalWrite> signals() {
+    return signals;
   }
 
   Map<String, Boolean> inputs() {
@@ -145,7 +163,7 @@ public final class ControllerOptions {
         armChoice,
         encoderNoiseRad,
         scene,
-        safety.orElseGet(() -> SafetyConfiguration.standard(arm)),
+        safety(),
         poweredOn,
         systemTime);
   }

@@ -8,6 +8,7 @@ import org.pendant.controller.machine.Ending;
 import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.machine.ScriptFailure;
+import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.safety.FrameFacts;
 import org.pendant.controller.state.ArmReadings;
@@ -15,6 +16,8 @@ import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.SafetyStatus;
+import org.pendant.controller.variables.VariableSampler;
+import org.pendant.controller.variables.VariableTracer;
 import org.pendant.language.source.SourceRange;
 
 /** What happens in one frame of 2 ms, in its order. One thread at a time calls {@link #advance}. */
@@ -24,7 +27,10 @@ final class Frame {
   private final CommandDesk desk;
   private final Debugger debugger;
   private final HandDesk hand;
+  private final VariableSampler sampler;
+  private final VariableTracer tracer;
 
+  private final StopWitness witness = new StopWitness();
   private ProgramState followed = ProgramState.STOPPED;
   private ProgramStatus program = ProgramStatus.NONE;
   private Optional<Ending> internalEnding = Optional.empty();
@@ -36,14 +42,24 @@ final class Frame {
   /** The program is paused because a safety function stopped the arm. */
   private boolean heldBySafety;
 
+  private boolean stoppedUnexpectedly;
+
   private volatile ControllerState state;
 
-  Frame(ControlBox box, Machine machine, Debugger debugger, CommandDesk desk, HandDesk hand) {
+  Frame(
+      ControlBox box,
+      Machine machine,
+      Debugger debugger,
+      CommandDesk desk,
+      HandDesk hand,
+      VariableTracer tracer) {
     this.box = box;
     this.machine = machine;
     this.debugger = debugger;
     this.desk = desk;
     this.hand = hand;
+    this.tracer = tracer;
+    sampler = new VariableSampler(machine);
     state = snapshot();
   }
 
@@ -70,7 +86,8 @@ final class Frame {
   }
 
   private void applyCommands() {
-    desk.drain();
+    desk.drain(this::followProgram);
+    box.signals().runState().power(box.drivePower());
     followProgram();
   }
 
@@ -101,6 +118,7 @@ final class Frame {
   }
 
   private void checkSafety() {
+    int line = machine.line();
     endAfterLostPath();
     if (box.isShutDown()) {
       stopProgram();
@@ -119,6 +137,8 @@ final class Frame {
       case OFF_NOW -> stopProgram();
       case RESUME -> goOn();
     }
+    followStop();
+    witness.look(box, line);
     box.settle();
   }
 
@@ -132,7 +152,8 @@ final class Frame {
         box.flangeWrenchInBase(),
         box.motion().steady(),
         box.motion().moving(),
-        machine.state() == ProgramState.RUNNING);
+        machine.state() == ProgramState.RUNNING,
+        box.freedrive().active());
   }
 
   /** Holds the program if it runs; returns whether it did. */
@@ -150,7 +171,8 @@ final class Frame {
 
   /** What held the program is over by itself. */
   private void goOn() {
-    if (heldBySafety && machine.state() == ProgramState.PAUSED && !box.popups().blocked()) {
+    boolean waits = machine.state() == ProgramState.PAUSED || machine.pausing();
+    if (heldBySafety && waits && !box.popups().blocked()) {
       machine.resume();
       followProgram();
     }
@@ -166,7 +188,7 @@ final class Frame {
     } else if (faultFrame == 0) {
       faultFrame = box.frame();
     } else if (box.frame() == faultFrame + 2 && !failed()) {
-      box.log().error("protective stop: " + box.motion().fault().get().message());
+      box.log().safety(Level.ERROR, "", "protective stop: " + box.motion().fault().get().message());
       machine.stop();
       followProgram();
     }
@@ -187,31 +209,86 @@ final class Frame {
     if (now == followed) {
       return;
     }
+    ProgramState before = followed;
     followed = now;
     switch (now) {
       case RUNNING -> {
         internalEnding = Optional.empty();
         heldBySafety = false;
+        box.signals().runState().started(before == ProgramState.PAUSED);
         box.motion().resume();
       }
-      case PAUSED -> box.motion().pause();
+      case PAUSED -> {
+        box.freedrive().end();
+        box.signals().runState().held(unexpected());
+        box.motion().pause();
+      }
       case STOPPED -> {
+        box.freedrive().end();
         box.motion().abort();
         box.motion().resume();
-        box.popups().closeBlocking();
+        closePopups();
         box.safety().programStopped();
+        box.signals().runState().held(unexpected());
         if (machine.ending().orElseThrow() instanceof Ending.Failed failed) {
           ScriptFailure why = failed.failure();
           box.log()
               .ending(
+                  why.code(),
                   "program "
                       + machine.programName()
                       + " stopped in line "
                       + why.line()
                       + ": "
-                      + why.message());
+                      + why.message(),
+                  machine.failurePlace());
         }
       }
+    }
+  }
+
+  /** What a program says on its last line stays to be read, unless somebody has stopped it. */
+  private void closePopups() {
+    switch (machine.ending().orElseThrow()) {
+      case Ending.Stopped stopped -> box.popups().closeAll();
+      case Ending.Finished finished -> box.popups().closeBlocking();
+      case Ending.Halted halted -> box.popups().closeBlocking();
+      case Ending.Failed failed -> box.popups().closeBlocking();
+    }
+  }
+
+  /** Whether something nobody has planned holds or ends the program (manual 19.6). */
+  private boolean unexpected() {
+    return failed()
+        || internalEnding.isPresent()
+        || box.motion().fault().isPresent()
+        || unexpectedStop();
+  }
+
+  private boolean unexpectedStop() {
+    return switch (box.safety().safetyMode()) {
+      case PROTECTIVE_STOP, VIOLATION, FAULT -> true;
+      case NORMAL,
+          REDUCED,
+          RECOVERY,
+          SAFEGUARD_STOP,
+          SYSTEM_EMERGENCY_STOP,
+          ROBOT_EMERGENCY_STOP,
+          VALIDATE_JOINT_ID,
+          UNDEFINED,
+          AUTOMATIC_MODE_SAFEGUARD_STOP,
+          SYSTEM_THREE_POSITION_ENABLING_STOP,
+          TEACH_PENDANT_THREE_POSITION_ENABLING_STOP ->
+          false;
+    };
+  }
+
+  /** A program that has just been paused, by a request for a stop say, meets the stop itself. */
+  private void followStop() {
+    boolean before = stoppedUnexpectedly;
+    stoppedUnexpectedly = unexpectedStop();
+    if (stoppedUnexpectedly && !before && followed == ProgramState.PAUSED) {
+      box.signals().runState().held(true);
     }
   }
 
@@ -238,13 +315,19 @@ final class Frame {
         box.timeS(),
         armState(),
         ArmReadings.of(box),
-        SafetyStatus.of(box),
+        SafetyStatus.of(box, witness.place()),
         programStatus(),
         debugger.state(),
         box.io().levels(),
+        box.signals().state(),
+        box.freedrive().state(box.actualPositionRad()),
+        sampler.read(),
+        tracer.read(),
         box.popups().open(),
+        box.questions().open(),
         box.log().takeNew(),
         box.popups().takeNew(),
+        box.questions().takeNew(),
         box.log().newest());
   }
 

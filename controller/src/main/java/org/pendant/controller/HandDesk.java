@@ -2,7 +2,10 @@ package org.pendant.controller;
 
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.freedrive.FreeAxes;
+import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.jog.Jogging;
 import org.pendant.controller.machine.Machine;
@@ -23,16 +26,35 @@ final class HandDesk {
   private final ControlBox box;
   private final Machine machine;
   private final Jogging jogging;
+  private final HandGuiding guiding;
 
   HandDesk(ControlBox box, Machine machine) {
     this.box = box;
     this.machine = machine;
     jogging = new Jogging(box);
+    guiding = new HandGuiding(box);
   }
 
   /** Looks at how a move by hand goes; after the step of the motion. */
   void step() {
     jogging.step();
+    guiding.step();
+    guiding.followInput(
+        box.signals().freedriveDemanded(), () -> programRefusal("an input asks for freedrive"));
+  }
+
+  Optional<String> guide(FreeAxes axes, FreedriveFrame frame) {
+    Optional<String> refusal = programRefusal("the arm is guided by hand");
+    if (refusal.isEmpty()) {
+      jogging.giveUp();
+      refusal = guiding.hold(axes, frame);
+    }
+    return refusal;
+  }
+
+  /** Ends {@link #guide}: the arm holds where it is. */
+  void endGuiding() {
+    guiding.release();
   }
 
   /** Each of these answers why not, empty if it is done. */
@@ -48,6 +70,7 @@ final class HandDesk {
   /** A program takes the arm over. */
   void giveUp() {
     jogging.giveUp();
+    guiding.release();
   }
 
   Optional<String> setTool(ToolCentre tool) {
@@ -69,7 +92,7 @@ final class HandDesk {
     return new Vector3(p.rx(), p.ry(), p.rz()).length();
   }
 
-  Optional<String> declarePayload(double massKg, Vector3 cogM) {
+  Optional<String> declarePayload(double massKg, Vector3 cogM, Optional<Inertia> inertia) {
     Optional<String> refusal = settingRefusal("the payload is changed");
     if (refusal.isEmpty()) {
       refusal = massRefusal(massKg);
@@ -78,7 +101,15 @@ final class HandDesk {
       refusal = distanceRefusal("the centre of gravity", cogM.x(), cogM.y(), cogM.z());
     }
     if (refusal.isEmpty()) {
-      box.declarePayload(Payload.of(massKg, cogM.x(), cogM.y(), cogM.z()), 0);
+      refusal = inertia.flatMap(Inertia::problem).map(why -> "the inertia is refused: " + why);
+    }
+    if (refusal.isEmpty()) {
+      Inertia i = inertia.orElse(Inertia.NONE);
+      box.declarePayload(
+          new Payload(
+              massKg, cogM.x(), cogM.y(), cogM.z(), i.ixx(), i.iyy(), i.izz(), i.ixy(), i.ixz(),
+              i.iyz()),
+          0);
     }
     return refusal;
   }

@@ -12,6 +12,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.BoxSetup;
+import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.ToolCentre;
 import org.pendant.controller.jog.JogDirection;
 import org.pendant.controller.jog.JogFrame;
@@ -51,6 +52,10 @@ final class JoggingTest {
 
   private void done(Command command) {
     assertEquals(new Reply.Done(), ask(command));
+  }
+
+  private static Command payload(double massKg, double x, double y, double z) {
+    return new Command.DeclarePayload(massKg, new Vector3(x, y, z), Optional.empty());
   }
 
   private String refusal(Command command) {
@@ -399,15 +404,21 @@ final class JoggingTest {
     ToolCentre tool = new ToolCentre(new Pose(0, 0, 0.12, 0, 0, 0), "gripper");
     done(new Command.SetTool(tool));
     assertEquals(tool, arm().tool());
-    done(new Command.DeclarePayload(1.5, new Vector3(0, 0, 0.05)));
+    done(payload(1.5, 0, 0, 0.05));
     assertEquals(1.5, controller.state().readings().payload().massKg());
     assertEquals(0.05, controller.state().readings().payload().cogZM());
-    assertEquals(
-        "the mass is 50 kg, must be 0 to 20 kg on ur5e",
-        refusal(new Command.DeclarePayload(50, new Vector3(0, 0, 0))));
+    assertEquals("the mass is 50 kg, must be 0 to 20 kg on ur5e", refusal(payload(50, 0, 0, 0)));
     assertEquals(
         "the centre of gravity is at [0, 0, 50] m, each must be -4 to 4 m",
-        refusal(new Command.DeclarePayload(1, new Vector3(0, 0, 50))));
+        refusal(payload(1, 0, 0, 50)));
+    Vector3 middle = new Vector3(0, 0, 0);
+    Inertia plate = new Inertia(0.01, 0.01, 0.02, 0, 0, 0);
+    done(new Command.DeclarePayload(2, middle, Optional.of(plate)));
+    assertEquals(0.02, controller.state().readings().payload().izz());
+    assertEquals(
+        "the inertia is refused: the first three must not be negative",
+        refusal(
+            new Command.DeclarePayload(2, middle, Optional.of(new Inertia(-1, 1, 1, 0, 0, 0)))));
     assertEquals(
         "the TCP is at [0, 9, 0] m, each must be -4 to 4 m",
         refusal(new Command.SetTool(new ToolCentre(new Pose(0, 9, 0, 0, 0, 0), ""))));

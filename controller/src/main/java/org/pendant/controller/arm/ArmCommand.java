@@ -29,4 +29,15 @@ public sealed interface ArmCommand {
    * @param frictionCompensated whether the motors also overcome most of the friction
    */
   record Torque(Joints torqueNm, boolean frictionCompensated) implements ArmCommand {}
+
+  /**
+   * The arm is guided by hand: the motors hold the arm's own weight and that of the declared
+   * payload, overcome most of the friction, add torques, and resist the joint speeds. The
+   * resistance acts on the speeds at the end of the frame, so any is stable.
+   *
+   * @param torqueNm added at each joint, Nm
+   * @param dampingNmSPerRad by how much each motor lowers its torque for each rad/s, Nm s/rad, at
+   *     least 0
+   */
+  record Guide(Joints torqueNm, Joints dampingNmSPerRad) implements ArmCommand {}
 }

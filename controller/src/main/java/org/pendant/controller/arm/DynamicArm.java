@@ -114,6 +114,11 @@ public final class DynamicArm implements SimulatedArm {
         freeMotors.add(torques);
         drive(freeMotors);
       }
+      case ArmCommand.Guide guided -> {
+        servos.release();
+        freeMotors.guide(guided);
+        drive(freeMotors);
+      }
     }
     heat.step(sensors);
     last = command;
@@ -199,7 +204,13 @@ public final class DynamicArm implements SimulatedArm {
 
   @Override
   public void jumpTo(Joints positionRad) {
+    jumpTo(positionRad, Joints.ZERO);
+  }
+
+  /** As {@link #jumpTo(Joints)}, with joint speeds in rad/s. */
+  void jumpTo(Joints positionRad, Joints speedRadPerS) {
     body.jumpTo(positionRad);
+    speedRadPerS.copyTo(body.qd);
     servos.release();
     flange.update(body.q, body.qd, body.qdd);
     measureMotion();

@@ -9,7 +9,7 @@ import org.pendant.models.dynamics.ArmDynamics;
 /**
  * Motors that hold the weight of arm and declared payload by the controller's model and add the
  * torques of a command; if wanted they take over most of the friction, at rest too, as a drive can
- * that measures the torque behind its gear.
+ * that measures the torque behind its gear, and resist the speeds.
  */
 final class FreeMotors implements Drives {
   /** Share of the friction that is taken over: not all, or the arm would drift. */
@@ -20,7 +20,9 @@ final class FreeMotors implements Drives {
   private final ArmDynamics model;
   private final ArmDescription arm;
   private final double[] weightNm = new double[N];
-  private ArmCommand.Torque command = new ArmCommand.Torque(Joints.ZERO, false);
+  private Joints torqueNm = Joints.ZERO;
+  private Joints dampingNmSPerRad = Joints.ZERO;
+  private boolean frictionCompensated;
 
   FreeMotors(ArmDescription arm, ArmDynamics model) {
     this.arm = arm;
@@ -29,18 +31,27 @@ final class FreeMotors implements Drives {
 
   /** Takes the torques of a frame. */
   void add(ArmCommand.Torque command) {
-    this.command = command;
+    torqueNm = command.torqueNm();
+    dampingNmSPerRad = Joints.ZERO;
+    frictionCompensated = command.frictionCompensated();
+  }
+
+  /** Takes torques and resistance of a frame. */
+  void guide(ArmCommand.Guide command) {
+    torqueNm = command.torqueNm();
+    dampingNmSPerRad = command.dampingNmSPerRad();
+    frictionCompensated = true;
   }
 
   @Override
   public void prepare(double remainingS, double stepS, ArmBody body, JointStep step) {
     model.gravity(body.middleQ, weightNm);
-    double left = command.frictionCompensated() ? 1 - COMPENSATED : 1;
+    double left = frictionCompensated ? 1 - COMPENSATED : 1;
     List<Actuator> actuators = arm.actuators();
     for (int i = 0; i < N; i++) {
       Actuator actuator = actuators.get(i);
-      step.driveNm[i] = command.torqueNm().get(i) + weightNm[i];
-      step.slopeNmSPerRad[i] = 0;
+      step.driveNm[i] = torqueNm.get(i) + weightNm[i];
+      step.slopeNmSPerRad[i] = dampingNmSPerRad.get(i);
       step.limitNm[i] = arm.joints().get(i).maxTorqueNm();
       step.coulombNm[i] = left * actuator.coulombNm();
       step.viscousNmSPerRad[i] = left * actuator.viscousNmSPerRad();
@@ -49,7 +60,7 @@ final class FreeMotors implements Drives {
 
   @Override
   public void stepped(double remainingS, double stepS, ArmBody body, JointStep step) {
-    if (!command.frictionCompensated()) {
+    if (!frictionCompensated) {
       return;
     }
     for (int i = 0; i < N; i++) {
@@ -62,7 +73,7 @@ final class FreeMotors implements Drives {
 
   @Override
   public double targetNm(int joint) {
-    return command.torqueNm().get(joint) + weightNm[joint];
+    return torqueNm.get(joint) + weightNm[joint];
   }
 
   @Override

@@ -1,8 +1,12 @@
 package org.pendant.controller.arm;
 
 import java.util.Arrays;
+import java.util.Optional;
+import org.pendant.controller.world.ContactWorld;
+import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
@@ -11,40 +15,85 @@ import org.pendant.models.pose.Wrench;
  * An arm without mass, friction or delay: it is always exactly where it should be. Its motors feel
  * nothing, it touches nothing, and without a target it stays where it is, at once. Only the flange
  * feels something: the weight and inertia of the load in the target motion.
+ *
+ * <p>Guided by hand it has no target, and something must yield to the hand: it then moves as the
+ * {@link DynamicArm} would.
  */
 public final class IdealArm implements SimulatedArm {
+  private final DynamicArm.Setup setup;
   private final Flange flange;
   private final ArmSensors sensors = new ArmSensors();
+  private Optional<DynamicArm> yielding = Optional.empty();
   private Payload load = Payload.NONE;
+  private Pose tcpInFlange = Pose.ZERO;
+  private double[] mounting3 = {0, 0, ArmDynamics.STANDARD_GRAVITY_M_PER_S2};
   private Joints positionRad;
   private Joints speedRadPerS = Joints.ZERO;
   private ArmCommand last = ArmCommand.BRAKES_ON;
 
   /**
-   * An arm at rest.
+   * An arm at rest that nothing ever touches.
    *
    * @param arm what it is made of
    * @param startRad where its joints are at first, rad
    */
   public IdealArm(ArmDescription arm, Joints startRad) {
-    flange = new Flange(arm);
+    this(
+        new DynamicArm.Setup(
+            arm, startRad, new ArmDynamics(arm), new ContactWorld(Scene.EMPTY), 0, 0));
+  }
+
+  /** An arm at rest; model and world count when it is guided, the noise never. */
+  public IdealArm(DynamicArm.Setup setup) {
+    this.setup =
+        new DynamicArm.Setup(
+            setup.arm(), setup.startRad(), setup.model(), setup.world(), 0, setup.seed());
+    flange = new Flange(setup.arm());
     Arrays.fill(sensors.temperatureC, JointHeat.AMBIENT_C);
     sensors.toolTemperatureC = JointHeat.AMBIENT_C;
-    move(startRad, Joints.ZERO, Joints.ZERO);
+    move(setup.startRad(), Joints.ZERO, Joints.ZERO);
   }
 
   @Override
   public void step(ArmCommand command) {
-    if (command.equals(last)) {
-      return;
-    }
+    ArmCommand before = last;
     last = command;
-    switch (command) {
-      case ArmCommand.Servo target ->
-          move(target.positionRad(), target.speedRadPerS(), target.accelerationRadPerS2());
-      case ArmCommand.Torque torque -> move(positionRad, Joints.ZERO, Joints.ZERO);
-      case ArmCommand.BrakesOn brakes -> move(positionRad, Joints.ZERO, Joints.ZERO);
+    if (command instanceof ArmCommand.Guide guide) {
+      yieldTo(guide, before instanceof ArmCommand.Guide);
+    } else if (!command.equals(before)) {
+      obey(command);
     }
+  }
+
+  private void obey(ArmCommand command) {
+    if (command instanceof ArmCommand.Servo target) {
+      move(target.positionRad(), target.speedRadPerS(), target.accelerationRadPerS2());
+    } else {
+      move(positionRad, Joints.ZERO, Joints.ZERO);
+    }
+  }
+
+  private void yieldTo(ArmCommand.Guide guide, boolean goesOn) {
+    DynamicArm arm = yielding.orElseGet(this::newYielding);
+    yielding = Optional.of(arm);
+    if (!goesOn) {
+      arm.jumpTo(positionRad, speedRadPerS);
+    }
+    arm.step(guide);
+    ArmSensors felt = arm.sensors();
+    if (!Arrays.equals(felt.positionRad, sensors.positionRad)
+        || !Arrays.equals(felt.speedRadPerS, sensors.speedRadPerS)
+        || !Arrays.equals(felt.accelerationRadPerS2, sensors.accelerationRadPerS2)) {
+      move(felt.positionRad(), felt.speedRadPerS(), felt.accelerationRadPerS2());
+    }
+  }
+
+  private DynamicArm newYielding() {
+    DynamicArm arm = new DynamicArm(setup);
+    arm.setLoad(load);
+    arm.setToolCentre(tcpInFlange);
+    arm.setMounting(mounting3[0], mounting3[1], mounting3[2]);
+    return arm;
   }
 
   @Override
@@ -86,21 +135,29 @@ public final class IdealArm implements SimulatedArm {
   @Override
   public void setLoad(Payload load) {
     this.load = load;
+    yielding.ifPresent(arm -> arm.setLoad(load));
   }
 
   @Override
   public void setMounting(double x, double y, double z) {
+    mounting3 = new double[] {x, y, z};
+    yielding.ifPresent(arm -> arm.setMounting(x, y, z));
     flange.mount(x, y, z);
     move(positionRad, speedRadPerS, sensors.accelerationRadPerS2());
   }
 
-  /** Has no effect: an ideal arm touches nothing. */
+  /** Counts when the arm is guided; otherwise an ideal arm touches nothing. */
   @Override
-  public void setToolCentre(Pose tcpInFlange) {}
+  public void setToolCentre(Pose tcpInFlange) {
+    this.tcpInFlange = tcpInFlange;
+    yielding.ifPresent(arm -> arm.setToolCentre(tcpInFlange));
+  }
 
-  /** Has no effect: an ideal arm needs no model. */
+  /** Counts when the arm is guided; otherwise an ideal arm needs no model. */
   @Override
-  public void modelChanged() {}
+  public void modelChanged() {
+    yielding.ifPresent(DynamicArm::modelChanged);
+  }
 
   @Override
   public Joints positionRad() {

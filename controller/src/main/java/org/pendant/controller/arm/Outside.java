@@ -28,13 +28,17 @@ final class Outside {
   private final double[] ahead = new double[N];
   private final double[] flange12 = new double[Transforms.SIZE];
   private final double[] twist6 = new double[6];
+  private final GripLoad grip;
   private Wrench applied;
+  private long gripChange;
 
   Outside(ArmDescription arm, ContactWorld world) {
     this.world = world;
     forward = new ForwardKinematics(arm.dh());
     jacobian = new Jacobian(arm.dh());
+    grip = new GripLoad(world.grip(), arm, forward);
     applied = world.applied();
+    gripChange = world.grip().changes();
   }
 
   void setToolCentre(Pose tcpInFlange) {
@@ -49,6 +53,7 @@ final class Outside {
    */
   void lookAhead(ArmBody body) {
     applied = world.applied();
+    gripChange = world.grip().changes();
     predict(body, FrameTime.FRAME_S);
     jacobian.at(ahead, Pose.ZERO, jacobian36);
     feelAhead(body);
@@ -71,6 +76,7 @@ final class Outside {
     Jacobian.twist(jacobian36, body.qd, twist6);
     world.wrench(flange12, tcpInFlange3, twist6, wrench6);
     Jacobian.transposed(jacobian36, wrench6, torqueNm);
+    grip.add(ahead, body.qd, torqueNm, wrench6);
   }
 
   /** Whether the tool touched something when it was felt for last. */
@@ -78,8 +84,8 @@ final class Outside {
     return world.inContact();
   }
 
-  /** Whether another wrench is applied than was felt last. */
+  /** Whether a hand pushes otherwise than was felt last. */
   boolean changed() {
-    return !world.applied().equals(applied);
+    return !world.applied().equals(applied) || world.grip().changes() != gripChange;
   }
 }

@@ -1,7 +1,7 @@
 package org.pendant.controller.box;
 
 import java.time.InstantSource;
-import java.util.Map;
+import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.SafetyConfiguration;
@@ -66,7 +66,7 @@ public record BoxSetup(
         arm,
         START_RAD,
         0,
-        Operator.headless(Map.of()),
+        Operator.headless(List.of()),
         ArmChoice.IDEAL,
         0,
         Scene.EMPTY,

@@ -9,9 +9,13 @@ import org.pendant.controller.arm.ForceSensor;
 import org.pendant.controller.arm.IdealArm;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.arm.WarmUp;
+import org.pendant.controller.freedrive.Freedrive;
 import org.pendant.controller.io.DigitalIo;
+import org.pendant.controller.io.Signals;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.message.PopupBoard;
+import org.pendant.controller.message.PromptNumbers;
+import org.pendant.controller.message.QuestionBoard;
 import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.safety.RobotMode;
@@ -59,12 +63,15 @@ public final class ControlBox {
   private final ForceSensor forceSensor = new ForceSensor();
   private final SpeedCaps speedCaps;
   private final MotionControl motion;
+  private final MotionSettings motionSettings;
   private final DriveTarget driveTarget = new DriveTarget();
+  private final Freedrive freedrive;
   private final PositionHistory history;
   private final SafetySystem safety;
-  private final DigitalIo io = new DigitalIo();
+  private final Signals signals = new Signals();
   private final MessageLog log = new MessageLog();
   private final PopupBoard popups;
+  private final QuestionBoard questions;
   private final RandomGenerator random;
   private ToolCentre tool = ToolCentre.FLANGE;
   private boolean cogAtTool;
@@ -94,25 +101,32 @@ public final class ControlBox {
         new SafetySystem(setup.arm(), model.dynamics(), setup.safety(), log, setup.poweredOn());
     speedCaps = new SpeedCaps(setup.arm(), model.dynamics(), safety);
     motion = new MotionControl(setup.arm(), setup.startRad(), speedCaps);
+    motionSettings = new MotionSettings(setup.arm());
+    freedrive =
+        new Freedrive(
+            new Freedrive.Setup(
+                setup.arm(), arm, model.dynamics(), model::payload, safety, speedCaps, motion));
     actualRad = setup.startRad();
     history = new PositionHistory(actualRad);
-    popups = new PopupBoard(setup.operator());
+    PromptNumbers numbers = new PromptNumbers();
+    popups = new PopupBoard(setup.operator(), log, numbers);
+    questions = new QuestionBoard(setup.operator(), log, numbers);
     // not the service-loaded generators: looking one up costs more than a short program's run
     random = new SplittableRandom(setup.seed());
   }
 
   private SimulatedArm newArm() {
+    DynamicArm.Setup own =
+        new DynamicArm.Setup(
+            setup.arm(),
+            setup.startRad(),
+            model.dynamics(),
+            world,
+            setup.encoderNoiseRad(),
+            setup.seed());
     return switch (setup.armChoice()) {
-      case IDEAL -> new IdealArm(setup.arm(), setup.startRad());
-      case DYNAMIC ->
-          new DynamicArm(
-              new DynamicArm.Setup(
-                  setup.arm(),
-                  setup.startRad(),
-                  model.dynamics(),
-                  world,
-                  setup.encoderNoiseRad(),
-                  setup.seed()));
+      case IDEAL -> new IdealArm(own);
+      case DYNAMIC -> new DynamicArm(own);
     };
   }
 
@@ -189,6 +203,16 @@ public final class ControlBox {
     return motion;
   }
 
+  /** Guiding the arm by hand. */
+  public Freedrive freedrive() {
+    return freedrive;
+  }
+
+  /** How moves are planned. */
+  public MotionSettings motionSettings() {
+    return motionSettings;
+  }
+
   /** The arm that follows. */
   public SimulatedArm arm() {
     return arm;
@@ -196,7 +220,12 @@ public final class ControlBox {
 
   /** Digital inputs, outputs and flags. */
   public DigitalIo io() {
-    return io;
+    return signals.digital();
+  }
+
+  /** Every signal: digital and analog ones, registers, the tool connector. */
+  public Signals signals() {
+    return signals;
   }
 
   /** The log. */
@@ -207,6 +236,11 @@ public final class ControlBox {
   /** The popups on the screen. */
   public PopupBoard popups() {
     return popups;
+  }
+
+  /** The questions that wait for the operator. */
+  public QuestionBoard questions() {
+    return questions;
   }
 
   /** Random numbers from the box's seed. */
@@ -227,6 +261,8 @@ public final class ControlBox {
     this.tool = tool;
     arm.setToolCentre(tool.inFlange());
     speedCaps.setTool(tool.inFlange());
+    motion.setTool(tool.inFlange());
+    freedrive.setTool(tool.inFlange());
     if (cogAtTool) {
       declareAtTool(model.targetPayload().massKg());
     }
@@ -258,6 +294,7 @@ public final class ControlBox {
     if (!model.changing()) {
       payloadChanged();
       zeroForceSensor();
+      freedrive.payloadChanged();
     }
   }
 
@@ -320,9 +357,14 @@ public final class ControlBox {
     return flangeWrench;
   }
 
+  /** Whether the arm has power, on its brakes or without them. */
+  public boolean drivePower() {
+    return safety.robotMode() != RobotMode.POWER_OFF;
+  }
+
   /** The current that the tool takes, A. */
   public double toolCurrentA() {
-    return safety.robotMode() == RobotMode.POWER_OFF ? 0 : TOOL_ELECTRONICS_A;
+    return drivePower() ? TOOL_ELECTRONICS_A : 0;
   }
 
   /** The temperature inside the control box, degrees Celsius. */
@@ -391,6 +433,7 @@ public final class ControlBox {
       model.stepTransition();
       payloadChanged();
     }
+    world.grip().beginFrame();
     arm.step(command());
     wrenchKnown = false;
     Joints position = arm.positionRad();
@@ -398,14 +441,22 @@ public final class ControlBox {
       actualRad = position;
     }
     history.add(actualRad);
+    if (freedrive.active()) {
+      freedrive.follow(actualRad, arm.speedRadPerS());
+    }
     if (model.transitionEnded()) {
       zeroForceSensor();
+      freedrive.payloadChanged();
     }
   }
 
   private ArmCommand command() {
     return switch (safety.robotMode()) {
       case RUNNING -> {
+        if (freedrive.active()) {
+          driveTarget.forget();
+          yield freedrive.command();
+        }
         if (driveTarget.beside() && safety.stop().isEmpty()) {
           driveTarget.stepBack();
         }
@@ -418,6 +469,9 @@ public final class ControlBox {
 
   /** Lets target and arm agree where no path joins them; after the safety functions of a frame. */
   public void settle() {
+    if (safety.robotMode() != RobotMode.RUNNING || safety.stop().isPresent()) {
+      freedrive.end();
+    }
     if (safety.robotMode() != RobotMode.RUNNING) {
       if (motion.moving() || !motion.positionRad().equals(actualRad)) {
         motion.adopt(actualRad);
@@ -453,6 +507,7 @@ public final class ControlBox {
 
   /** A program starts: clears what belongs to the one before. */
   public void programStarted() {
+    freedrive.end();
     motion.resume();
     motion.clearFault();
     log.programStarted();

@@ -119,19 +119,14 @@ final class MotionArguments {
   }
 
   /**
-   * Arguments a, v, t and r of a move, from {@code index} on. When t is given, a and v may be 0:
-   * the move then takes what acceleration it needs.
+   * Arguments a, v and t of a move, from {@code index} on. When t is given, a and v may be 0: the
+   * move then takes what acceleration it needs.
    */
   static MoveLimits moveLimits(Call call, int index) throws ScriptError {
     double durationS = notNegative(call, index + 2);
     boolean timed = durationS > 0;
     double acceleration = timed ? notNegative(call, index) : positive(call, index);
     double speed = timed ? notNegative(call, index + 1) : positive(call, index + 1);
-    if (notNegative(call, index + 3) > 0) {
-      call.box()
-          .log()
-          .warnOnce("moves do not blend yet: r is not used, the arm stops at each goal");
-    }
     return new MoveLimits(acceleration, speed, durationS);
   }
 }

@@ -5,10 +5,10 @@ import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.Outcome;
-import org.pendant.controller.motion.Motion;
-import org.pendant.controller.motion.MoveJ;
-import org.pendant.controller.motion.MoveL;
+import org.pendant.controller.motion.MotionPath;
+import org.pendant.controller.motion.Move;
 import org.pendant.controller.motion.MoveLimits;
+import org.pendant.controller.motion.Routes;
 import org.pendant.controller.motion.StopJ;
 import org.pendant.controller.motion.StopL;
 import org.pendant.controller.value.Kind;
@@ -100,53 +100,65 @@ final class MotionBuiltins {
   }
 
   private static Outcome movej(Call call) throws ScriptError {
-    MoveLimits limits = MotionArguments.moveLimits(call, 1);
     ControlBox box = call.box();
+    Pose tcp = box.tool().inFlange();
     if (call.kind(0) == Kind.POSE) {
       Pose goal = MotionArguments.pose(call, 0);
-      Pose tcp = box.tool().inFlange();
-      return MotionWait.move(
-          call,
-          "movej",
-          (from, speed) -> moveTo(box, from, reach(box, goal, tcp, from), goal, limits));
+      return move(call, "movej", from -> toJoints(box, from, reach(box, goal, tcp, from), goal));
     }
     Joints goal = MotionArguments.jointsInRange(call, 0, "q");
-    Pose waypoint = box.forward().tcpPose(goal, box.tool().inFlange());
-    return MotionWait.move(
-        call, "movej", (from, speed) -> moveTo(box, from, goal, waypoint, limits));
+    Pose waypoint = box.forward().tcpPose(goal, tcp);
+    return move(call, "movej", from -> toJoints(box, from, goal, waypoint));
   }
 
-  private static Motion moveTo(
-      ControlBox box, Joints from, Joints goal, Pose waypoint, MoveLimits limits) {
-    MoveJ move = new MoveJ(box.armDescription(), from, goal, waypoint, limits);
-    if (move.stretched()) {
-      box.log()
-          .warning(
-              "movej: t is "
-                  + Value.of(limits.durationS()).text()
-                  + " s, the joints need "
-                  + Value.of(move.durationS()).text()
-                  + " s; the move takes that long");
-    }
-    return move;
+  private static MotionPath toJoints(ControlBox box, Joints from, Joints goal, Pose waypoint) {
+    return Routes.joints(box.armDescription(), from, goal, waypoint, box.tool().inFlange());
   }
 
   private static Outcome movel(Call call) throws ScriptError {
-    MoveLimits limits = MotionArguments.moveLimits(call, 1);
     ControlBox box = call.box();
     Pose tcp = box.tool().inFlange();
     Pose goal =
         call.kind(0) == Kind.POSE
             ? MotionArguments.pose(call, 0)
             : box.forward().tcpPose(MotionArguments.jointsInRange(call, 0, "pose"), tcp);
-    ArmDescription arm = box.armDescription();
-    return MotionWait.move(
+    return move(
         call,
         "movel",
-        (from, speed) -> {
+        from -> {
           reach(box, goal, tcp, from);
-          return new MoveL(arm, from, box.forward().tcpPose(from, tcp), goal, tcp, limits);
+          Pose start = box.forward().tcpPose(from, tcp);
+          return Routes.line(box.armDescription(), from, start, goal, tcp);
         });
+  }
+
+  /** Arguments a, v, t and r of movej and movel, from the second on. */
+  private static Outcome move(Call call, String function, Move.Route route) throws ScriptError {
+    MoveLimits limits = MotionArguments.moveLimits(call, 1);
+    double radiusM = MotionArguments.notNegative(call, 4);
+    ControlBox box = call.box();
+    Move.Route checked =
+        from -> {
+          MotionPath path = route.from(from);
+          warnOfStretching(box, function, path, limits);
+          return path;
+        };
+    return MotionWait.move(call, function, new Move(checked, limits, radiusM, box.motionSettings().jerkRampS()));
+  }
+
+  private static void warnOfStretching(
+      ControlBox box, String function, MotionPath path, MoveLimits limits) {
+    double neededS = path.length() / path.fastestRate();
+    if (limits.timed() && neededS > limits.durationS()) {
+      box.log()
+          .warning(
+              function
+                  + ": t is "
+                  + Value.of(limits.durationS()).text()
+                  + " s, the joints need more than "
+                  + Value.of(neededS).text()
+                  + " s; the move takes longer");
+    }
   }
 
   /** Joint positions near {@code from} that put the TCP at the goal. */

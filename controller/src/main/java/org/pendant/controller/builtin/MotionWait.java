@@ -1,10 +1,13 @@
 package org.pendant.controller.builtin;
 
+import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
 import org.pendant.controller.call.Wait;
 import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.motion.MotionPlan;
+import org.pendant.controller.motion.Move;
 import org.pendant.controller.motion.MotionTicket;
 import org.pendant.controller.value.NoneValue;
 import org.pendant.controller.value.ScriptError;
@@ -24,13 +27,27 @@ final class MotionWait implements Wait {
     this.abortable = abortable;
   }
 
-  /** Starts a move from rest. */
-  static MotionWait move(Call call, String function, MotionPlan plan) throws ScriptError {
+  /** Starts a move, or leaves it out where its blend overlaps with the one before. */
+  static Outcome move(Call call, String function, Move move) throws ScriptError {
+    if (call.program().foresees(move)) {
+      return call.answer();
+    }
     try {
-      return new MotionWait(function, call.box().motion().start(plan), true);
+      Optional<MotionTicket> ticket = call.box().motion().start(move);
+      if (ticket.isPresent()) {
+        return new MotionWait(function, ticket.get(), true);
+      }
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
+    call.box()
+        .log()
+        .warning(
+            "Overlapping Blends: "
+                + function
+                + " is left out, its blend radius reaches into that of the move before; motion"
+                + " version 2 would make both smaller");
+    return call.answer();
   }
 
   /** Starts a stop from whatever the arm does. */
@@ -57,6 +74,16 @@ final class MotionWait implements Wait {
       ticket.endEarly();
     }
     return abortable;
+  }
+
+  @Override
+  public boolean wantsOutlook() {
+    return ticket.wantsOutlook();
+  }
+
+  @Override
+  public void outlook(List<Move> next) {
+    ticket.outlook(next);
   }
 
   @Override

@@ -2,6 +2,8 @@ package org.pendant.controller.builtin;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.box.Inertia;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ListValue;
@@ -20,12 +22,6 @@ final class PayloadArguments {
 
   /** Farthest centre of gravity along each axis of the flange, m. */
   private static final double FARTHEST_COG_M = 4;
-
-  /** Largest component of an inertia, kg m² (manual 16.52). */
-  private static final double LARGEST_INERTIA_KG_M2 = 133;
-
-  /** What rounding may do to an inertia, relative to its largest component. */
-  private static final double ROUNDING = 1e-9;
 
   private PayloadArguments() {}
 
@@ -69,35 +65,13 @@ final class PayloadArguments {
 
   /** An inertia [Ixx, Iyy, Izz, Ixy, Ixz, Iyz] that a body can have, kg m². */
   static double[] inertiaKgM2(Call call, int index) throws ScriptError {
-    double[] i = MotionArguments.bounded(call, index, 6, LARGEST_INERTIA_KG_M2, "kg m\u00b2");
-    if (i[0] < 0 || i[1] < 0 || i[2] < 0) {
-      throw call.refuse(index, "the first three must not be negative");
+    double[] elements =
+        MotionArguments.bounded(call, index, 6, Inertia.LARGEST_KG_M2, "kg m\u00b2");
+    Optional<String> problem = Inertia.of(elements).problem();
+    if (problem.isPresent()) {
+      throw call.refuse(index, problem.get());
     }
-    if (!turnsWithEnergy(i)) {
-      throw call.refuse(
-          index, "no body has it: Ixy, Ixz and Iyz are too large beside Ixx, Iyy and Izz");
-    }
-    return i;
-  }
-
-  /**
-   * Whether a turn about any axis has an energy of 0 or more: no principal minor is negative. With
-   * other inertias the equations of motion have no solution.
-   */
-  private static boolean turnsWithEnergy(double[] i) {
-    double largest = 0;
-    for (double each : i) {
-      largest = Math.max(largest, Math.abs(each));
-    }
-    double room = ROUNDING * largest * largest;
-    double determinant =
-        i[0] * (i[1] * i[2] - i[5] * i[5])
-            - i[3] * (i[3] * i[2] - i[5] * i[4])
-            + i[4] * (i[3] * i[5] - i[1] * i[4]);
-    return i[0] * i[1] - i[3] * i[3] >= -room
-        && i[0] * i[2] - i[4] * i[4] >= -room
-        && i[1] * i[2] - i[5] * i[5] >= -room
-        && determinant >= -room * largest;
+    return elements;
   }
 
   /** Poses of the flange, from a list of poses of the active TCP. */

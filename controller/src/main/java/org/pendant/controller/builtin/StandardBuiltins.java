@@ -19,6 +19,8 @@ public final class StandardBuiltins {
     StringBuiltins.declareIn(builtins);
     AssertBuiltins.declareIn(builtins);
     MotionBuiltins.declareIn(builtins);
+    MotionSettingBuiltins.declareIn(builtins);
+    FreedriveBuiltins.declareIn(builtins);
     KinematicsBuiltins.declareIn(builtins);
     StateBuiltins.declareIn(builtins);
     DynamicsBuiltins.declareIn(builtins);
@@ -29,7 +31,14 @@ public final class StandardBuiltins {
     BaseLightBuiltins.declareIn(builtins);
     TimeBuiltins.declareIn(builtins);
     LogBuiltins.declareIn(builtins);
+    OperatorBuiltins.declareIn(builtins);
     IoBuiltins.declareIn(builtins);
+    AnalogBuiltins.declareIn(builtins);
+    RegisterBuiltins.declareIn(builtins);
+    PortBuiltins.declareIn(builtins);
+    ToolIoBuiltins.declareIn(builtins);
+    InputActionBuiltins.declareIn(builtins);
+    RunStateBuiltins.declareIn(builtins);
     InterpreterBuiltins.declareIn(builtins);
     return builtins;
   }

@@ -1,5 +1,6 @@
 package org.pendant.controller.call;
 
+import org.pendant.controller.motion.Move;
 import org.pendant.controller.value.ScriptError;
 
 /** What a built-in function may do to the program that calls it. */
@@ -10,6 +11,16 @@ public interface ProgramControl {
    * counts the same.
    */
   long frame();
+
+  /**
+   * Tells that the program is about to move.
+   *
+   * @return whether that is all that is wanted, and nothing is to move
+   * @throws ScriptError when enough is known
+   */
+  default boolean foresees(Move move) throws ScriptError {
+    return false;
+  }
 
   /** Pauses the program as the pause button does; script time stands still until resumed. */
   void pause();

@@ -1,6 +1,8 @@
 package org.pendant.controller.call;
 
+import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.motion.Move;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 
@@ -27,6 +29,14 @@ public non-sealed interface Wait extends Outcome {
   default boolean abort() {
     return false;
   }
+
+  /** Whether what the thread will do after this shapes what it waits for: a move that blends. */
+  default boolean wantsOutlook() {
+    return false;
+  }
+
+  /** Answers {@link #wantsOutlook}: the moves that come next, as far as can be foreseen. */
+  default void outlook(List<Move> next) {}
 
   /** The thread was killed or the program stopped; the wait is polled no more. */
   default void cancel() {}

@@ -208,8 +208,9 @@ public final class Debugger {
   }
 
   /**
-   * Changes a variable of a held program, or an element or member of one, by the rules of an
-   * assignment in the call.
+   * Changes a variable, or an element or member of one, by the rules of an assignment in the call.
+   * A program that is not held goes on with the new value: to it, nothing happens between two
+   * frames.
    *
    * @param expression a literal or any other expression
    * @return what it is now
@@ -217,7 +218,6 @@ public final class Debugger {
    */
   public Variable assign(int thread, int depth, String target, String expression)
       throws ScriptError {
-    refuseUnlessHeld();
     probe.assign(thread, depth, target, expression);
     return evaluate(thread, depth, target);
   }

@@ -1,5 +1,5 @@
 /**
- * The digital signals of the control box: inputs, outputs and flags. Open {@link
- * org.pendant.controller.io.DigitalIo} first.
+ * The signals of the control box: digital and analog ones, flags, registers, the tool connector.
+ * Open {@link org.pendant.controller.io.Signals} first.
  */
 package org.pendant.controller.io;

@@ -1,12 +1,15 @@
 package org.pendant.controller.machine;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.Stream;
 import org.pendant.controller.call.Builtins;
 import org.pendant.language.check.FunctionScope;
 import org.pendant.language.check.ProgramForm;
 import org.pendant.language.check.Scopes;
 import org.pendant.language.source.Source;
+import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.ParameterDeclaration;
 import org.pendant.language.syntax.Statement;
 import org.pendant.language.syntax.Statement.Definition;
@@ -45,7 +48,22 @@ final class Compiler {
         form.kind() == ProgramForm.Kind.SECONDARY,
         scopes,
         linkage.definitions(),
+        mainFunction(),
         linkage.tables());
+  }
+
+  /** The function that the last statement of a fragment calls. */
+  private OptionalInt mainFunction() {
+    if (form.kind() == ProgramForm.Kind.FRAGMENT
+        && !form.body().isEmpty()
+        && form.body().getLast() instanceof Statement.Evaluate last
+        && last.expression() instanceof Expression.Call call) {
+      Optional<Definition> called = scopes.mainScope().function(call.function());
+      if (called.isPresent()) {
+        return OptionalInt.of(linkage.function(called.get()));
+      }
+    }
+    return OptionalInt.empty();
   }
 
   private ScriptFunction compileMain() {

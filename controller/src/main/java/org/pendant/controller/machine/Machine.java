@@ -7,6 +7,7 @@ import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.call.ProgramControl;
+import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 
@@ -17,15 +18,23 @@ import org.pendant.controller.value.Value;
 public final class Machine {
   private final Builtins builtins;
   private final ControlBox box;
+  private final Foresight foresight;
   private final Translation translation;
   private final Interpreter interpreter;
   private Optional<ProgramRun> run = Optional.empty();
+  private Optional<VariableSlots> variableSlots = Optional.empty();
   private ProgramState state = ProgramState.STOPPED;
+
+  /** A pause has been asked for, and the motion needs to know where it leads on before. */
+  private boolean pausing;
+
   private Optional<Ending> ending = Optional.empty();
   private String programName = "";
   private Sentry sentry = Sentry.NONE;
   private boolean held;
   private Optional<ScriptFailure> failure = Optional.empty();
+  private Optional<LogEntry.Place> failurePlace = Optional.empty();
+  private Optional<ProgramRun> underWayBeside = Optional.empty();
 
   public Machine(Builtins builtins, ControlBox box) {
     this(builtins, box, Translation.WHEN_HOT);
@@ -35,8 +44,10 @@ public final class Machine {
   Machine(Builtins builtins, ControlBox box, Translation translation) {
     this.builtins = builtins;
     this.box = box;
+    foresight = new Foresight(box);
     this.translation = translation;
     this.interpreter = new Interpreter(builtins);
+    box.log().placeBy(this::place);
   }
 
   /**
@@ -52,9 +63,11 @@ public final class Machine {
         new ProgramRun(
             program, builtins, box, new Control(), interpreter::next, translation, sentry);
     run = Optional.of(started);
+    variableSlots = Optional.of(new VariableSlots(started));
     interpreter.programStarted(started);
     programName = program.name();
     ending = Optional.empty();
+    pausing = false;
     state = ProgramState.RUNNING;
     sentry.programStarted();
   }
@@ -74,6 +87,7 @@ public final class Machine {
             thread -> false,
             translation,
             Sentry.NONE);
+    underWayBeside = Optional.of(secondary);
     try {
       if (secondary.advance() == Scheduler.FrameResult.RUNNING) {
         ScriptThread main = secondary.main();
@@ -88,6 +102,7 @@ public final class Machine {
     } catch (ThreadFailure thrown) {
       return Optional.of(ProgramFailure.of(thrown.thread(), thrown.error()));
     } finally {
+      underWayBeside = Optional.empty();
       secondary.endAll();
     }
   }
@@ -110,17 +125,22 @@ public final class Machine {
       switch (running.advance()) {
         case RUNNING -> {}
         case HELD -> held = true;
-        case PAUSED -> state = ProgramState.PAUSED;
+        case PAUSED -> pause();
         case HALTED -> end(new Ending.Halted());
         case FINISHED -> end(new Ending.Finished());
       }
     } catch (ThreadFailure thrown) {
       fail(thrown.thread(), ProgramFailure.of(thrown.thread(), thrown.error()));
     }
+    if (!held && state == ProgramState.RUNNING) {
+      lookAhead(running);
+      pauseWhenPossible();
+    }
     return held;
   }
 
   private void fail(ScriptThread thread, ScriptFailure why) {
+    failurePlace = Optional.of(run.orElseThrow().placeOf(thread));
     if (sentry.stopsAtFailure(thread.id(), why)) {
       failure = Optional.of(why);
       held = true;
@@ -135,6 +155,7 @@ public final class Machine {
     run.orElseThrow().endAll();
     interpreter.programEnded();
     state = ProgramState.STOPPED;
+    pausing = false;
     ending = Optional.of(how);
     sentry.programEnded();
   }
@@ -175,15 +196,45 @@ public final class Machine {
     return failure;
   }
 
-  /** Stops script time where it stands. */
+  /**
+   * Stops script time where it stands, and the motion. When the arm only comes to rest behind the
+   * point where its move is handed over, threads go on until the next move is known: the path would
+   * be another one if that were said too late.
+   */
   public void pause() {
     if (state == ProgramState.RUNNING) {
+      box.motion().pause();
+      pausing = true;
+      pauseWhenPossible();
+    }
+  }
+
+  /** Whether threads only run on until the arm's path to rest is known. */
+  public boolean pausing() {
+    return pausing;
+  }
+
+  private void pauseWhenPossible() {
+    if (pausing && !box.motion().handsOverBeforeRest()) {
+      pausing = false;
       state = ProgramState.PAUSED;
     }
   }
 
+  /** A move that has just begun and will blend is told which move comes next. */
+  private void lookAhead(ProgramRun running) {
+    for (ScriptThread thread : running.threads()) {
+      if (thread.state == ScriptThread.State.WAITING && thread.wait.wantsOutlook()) {
+        thread.wait.outlook(foresight.after(running, thread));
+      }
+    }
+  }
+
   public void resume() {
-    if (state == ProgramState.PAUSED) {
+    if (pausing) {
+      pausing = false;
+      box.motion().resume();
+    } else if (state == ProgramState.PAUSED) {
       state = ProgramState.RUNNING;
     }
   }
@@ -209,6 +260,16 @@ public final class Machine {
     return ending;
   }
 
+  /** What the script that runs just now is at; between turns the main thread of the program. */
+  private Optional<LogEntry.Place> place() {
+    return underWayBeside.or(this::run).map(ProgramRun::place);
+  }
+
+  /** Where the last program that failed did so. */
+  public Optional<LogEntry.Place> failurePlace() {
+    return failurePlace;
+  }
+
   /** The name of the running or last program, empty before the first. */
   public String programName() {
     return programName;
@@ -217,6 +278,14 @@ public final class Machine {
   /** Copies of the global variables of the running or last program, by name. */
   public SortedMap<String, Value> globals() {
     return run.map(ProgramRun::globals).orElse(Collections.emptySortedMap());
+  }
+
+  /**
+   * Where the variables of the running or last program are kept; another object for each start of a
+   * program, empty before the first.
+   */
+  public Optional<VariableSlots> variableSlots() {
+    return variableSlots;
   }
 
   /** Ends the running movej or movel of the main thread early (manual 13.5); false if none. */

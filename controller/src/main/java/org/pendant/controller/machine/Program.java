@@ -1,9 +1,11 @@
 package org.pendant.controller.machine;
 
+import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import org.pendant.controller.call.Builtin;
 import org.pendant.controller.value.Value;
 import org.pendant.language.check.Scopes;
@@ -21,6 +23,7 @@ public final class Program {
   private final boolean secondary;
   private final Scopes scopes;
   private final IdentityHashMap<Definition, Integer> functionNumbers;
+  private final OptionalInt mainFunction;
   private final Tables tables;
 
   /**
@@ -62,12 +65,14 @@ public final class Program {
       boolean secondary,
       Scopes scopes,
       IdentityHashMap<Definition, Integer> functionNumbers,
+      OptionalInt mainFunction,
       Tables tables) {
     this.name = name;
     this.source = source;
     this.secondary = secondary;
     this.scopes = scopes;
     this.functionNumbers = functionNumbers;
+    this.mainFunction = mainFunction;
     this.tables = tables;
   }
 
@@ -103,6 +108,32 @@ public final class Program {
       }
     }
     return best == Integer.MAX_VALUE ? OptionalInt.empty() : OptionalInt.of(best);
+  }
+
+  /** The names of its global variables, in the order of their first assignment. */
+  Set<String> globals() {
+    return scopes.globals();
+  }
+
+  /**
+   * The names of the variables that can be looked at while it runs: the global ones, and for a
+   * fragment those of the function that its last statement calls.
+   */
+  public List<String> variables() {
+    List<String> names = new ArrayList<>(scopes.globals());
+    if (mainFunction.isPresent()) {
+      names.addAll(tables.functions().get(mainFunction.getAsInt()).variables());
+    }
+    names.removeIf(String::isEmpty);
+    return names;
+  }
+
+  /**
+   * The number of the function in which a fragment spends its time, because its last statement
+   * calls that; empty for any other program, whose own function is its main level.
+   */
+  OptionalInt mainFunction() {
+    return mainFunction;
   }
 
   Scopes scopes() {

@@ -15,6 +15,7 @@ import org.pendant.controller.call.Builtin;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.ProgramControl;
+import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.value.Registers;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
@@ -234,6 +235,23 @@ final class ProgramRun {
   /** Whether the thread that runs just now is the main thread. */
   boolean runningMain() {
     return scheduler.isRunning(main());
+  }
+
+  /** What the thread that runs just now is at, or the main thread between turns. */
+  LogEntry.Place place() {
+    return placeOf(scheduler.executing().orElse(main()));
+  }
+
+  /** What {@code thread} is at. */
+  LogEntry.Place placeOf(ScriptThread thread) {
+    if (thread.depth == 0) {
+      return new LogEntry.Place(program.source().name(), thread.id(), program.name(), 1);
+    }
+    return new LogEntry.Place(
+        thread.functions[thread.depth - 1].source().name(),
+        thread.id(),
+        thread.functions[0].name(),
+        thread.line());
   }
 
   /** The static slot of each global variable. */

@@ -35,6 +35,7 @@ final class Scheduler {
   private final Sentry sentry;
   private final List<ScriptThread> order = new ArrayList<>();
   private ScriptThread running;
+  private boolean executing;
   private long frame;
 
   // where the round of the frame is
@@ -63,6 +64,11 @@ final class Scheduler {
   /** Whether {@code thread} has its turn just now. */
   boolean isRunning(ScriptThread thread) {
     return running == thread;
+  }
+
+  /** The thread that executes something just now; empty between turns. */
+  Optional<ScriptThread> executing() {
+    return executing ? Optional.of(running) : Optional.empty();
   }
 
   /** Whether it is held within a frame. */
@@ -171,6 +177,7 @@ final class Scheduler {
   /** Runs {@code thread} on, over the traps that nobody wants to stop at. */
   private Processor.Stop execute(ScriptThread thread) throws ThreadFailure {
     running = thread;
+    executing = true;
     try {
       Processor.Stop stop = processor.execute(thread);
       while (stop == Processor.Stop.TRAPPED && !sentry.stopsAt(thread.id())) {
@@ -179,6 +186,8 @@ final class Scheduler {
       return stop;
     } catch (ScriptError e) {
       throw new ThreadFailure(thread, e);
+    } finally {
+      executing = false;
     }
   }
 

@@ -1,13 +1,30 @@
 package org.pendant.controller.message;
 
+import java.util.Optional;
+
 /**
  * One line of the log.
  *
  * @param number counts from 1, without gaps
  * @param timeS controller time, s
+ * @param code of the error, such as {@code C153A2} of a safety function or {@code wrong-type} of
+ *     what ended a program; empty where there is none
  * @param text its bytes, one {@code char} (0 to 255) a byte
+ * @param place what the program was at; empty when none ran, and where that says nothing
  */
-public record LogEntry(long number, double timeS, Level level, Origin origin, String text) {
+public record LogEntry(
+    long number,
+    double timeS,
+    Level level,
+    Origin origin,
+    String code,
+    String text,
+    Optional<Place> place) {
+
+  /** A line without code and place. */
+  public LogEntry(long number, double timeS, Level level, Origin origin, String text) {
+    this(number, timeS, level, origin, "", text, Optional.empty());
+  }
 
   /** How bad it is. */
   public enum Level {
@@ -21,7 +38,21 @@ public record LogEntry(long number, double timeS, Level level, Origin origin, St
     /** A program, with {@code textmsg}. */
     SCRIPT,
     CONTROLLER,
+    /** The safety functions: stops, warnings, changes of mode. */
+    SAFETY,
+    /** Something outside that speaks to the controller by a protocol. */
+    PROTOCOL,
     /** The controller, about what ended a program; the same stands in the program's ending. */
     ENDING
   }
+
+  /**
+   * What a program was at.
+   *
+   * @param source name of the text: the program's, or {@code interpreter}
+   * @param thread handle of the script thread, 0 for the main thread
+   * @param threadName name of the function that the thread began with
+   * @param line 1-based line that the thread had reached in that text
+   */
+  public record Place(String source, int thread, String threadName, int line) {}
 }

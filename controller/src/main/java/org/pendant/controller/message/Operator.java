@@ -1,45 +1,32 @@
 package org.pendant.controller.message;
 
-import java.util.Map;
-import java.util.Optional;
+import java.util.List;
 
 /** Who answers when a program asks for something. */
-public interface Operator {
+public sealed interface Operator {
 
-  /** Whether a blocking popup is answered with "continue" at once. */
-  boolean continuesAtOnce(Popup popup);
+  /** A person, or a program in its place, answers by commands. */
+  record Present() implements Operator {}
 
-  /** The answer to a question with this text, if it is known beforehand. */
-  Optional<String> answerTo(String question);
+  /**
+   * Nobody is there: popups go on at once, questions get a prepared answer or fail.
+   *
+   * @param answers in the order in which they are used
+   */
+  record Absent(List<PreparedAnswer> answers) implements Operator {
+    /** Copies the list. */
+    public Absent {
+      answers = List.copyOf(answers);
+    }
+  }
 
   /** Nobody answers beforehand: a person will, through a command. */
   static Operator present() {
-    return new Operator() {
-      @Override
-      public boolean continuesAtOnce(Popup popup) {
-        return false;
-      }
-
-      @Override
-      public Optional<String> answerTo(String question) {
-        return Optional.empty();
-      }
-    };
+    return new Present();
   }
 
   /** There is no screen: popups go on at once, questions get the prepared answers. */
-  static Operator headless(Map<String, String> answers) {
-    Map<String, String> prepared = Map.copyOf(answers);
-    return new Operator() {
-      @Override
-      public boolean continuesAtOnce(Popup popup) {
-        return true;
-      }
-
-      @Override
-      public Optional<String> answerTo(String question) {
-        return Optional.ofNullable(prepared.get(question));
-      }
-    };
+  static Operator headless(List<PreparedAnswer> answers) {
+    return new Absent(answers);
   }
 }

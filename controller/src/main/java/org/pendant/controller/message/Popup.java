@@ -3,7 +3,7 @@ package org.pendant.controller.message;
 /**
  * A message window that a program shows (manual 16.41).
  *
- * @param number counts from 1
+ * @param number popups and questions are counted together, from 1
  * @param timeS controller time when it was shown, s
  * @param title bytes, one {@code char} a byte
  * @param text bytes, one {@code char} a byte

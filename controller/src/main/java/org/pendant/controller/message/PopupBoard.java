@@ -2,6 +2,7 @@ package org.pendant.controller.message;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.pendant.controller.message.Popup.Severity;
 
 /** The popups that are on the screen, owned by the frame loop. */
@@ -10,34 +11,54 @@ public final class PopupBoard {
   private static final int MOST_OPEN = 64;
 
   private final Operator operator;
+  private final MessageLog log;
+  private final PromptNumbers numbers;
   private List<Popup> open = List.of();
   private List<Popup> shown = new ArrayList<>();
-  private long newest;
 
-  /** An empty screen. */
-  public PopupBoard(Operator operator) {
+  /**
+   * An empty screen.
+   *
+   * @param log is told what had to go unread
+   * @param numbers shared with the questions
+   */
+  public PopupBoard(Operator operator, MessageLog log, PromptNumbers numbers) {
     this.operator = operator;
-  }
-
-  /** Who answers. */
-  public Operator operator() {
-    return operator;
+    this.log = log;
+    this.numbers = numbers;
   }
 
   /** Shows a popup; it may be answered already, see {@link #isOpen}. */
   public Popup show(double timeS, String title, String text, Severity severity, boolean blocking) {
-    newest++;
-    Popup popup = new Popup(newest, timeS, title, text, severity, blocking);
+    Popup popup = new Popup(numbers.next(), timeS, title, text, severity, blocking);
     shown.add(popup);
-    if (!operator.continuesAtOnce(popup)) {
-      List<Popup> more = new ArrayList<>(open);
-      if (more.size() >= MOST_OPEN) {
-        more.remove(more.stream().filter(p -> !p.blocking()).findFirst().orElse(more.getFirst()));
+    switch (operator) {
+      case Operator.Absent absent -> {}
+      case Operator.Present present -> {
+        List<Popup> more = new ArrayList<>(open);
+        if (more.size() >= MOST_OPEN) {
+          dropOldest(more);
+        }
+        more.add(popup);
+        open = List.copyOf(more);
       }
-      more.add(popup);
-      open = List.copyOf(more);
     }
     return popup;
+  }
+
+  private void dropOldest(List<Popup> popups) {
+    Optional<Popup> oldest = popups.stream().filter(each -> !each.blocking()).findFirst();
+    oldest.ifPresent(
+        popup -> {
+          popups.remove(popup);
+          log.warning(
+              "popup closed unread, as "
+                  + MOST_OPEN
+                  + " are open: "
+                  + popup.title()
+                  + ": "
+                  + popup.text());
+        });
   }
 
   /** Whether the popup still waits for an answer. */
@@ -66,6 +87,11 @@ public final class PopupBoard {
   /** Closes every popup that blocks: the program goes on or ends without them. */
   public void closeBlocking() {
     open = open.stream().filter(p -> !p.blocking()).toList();
+  }
+
+  /** Closes all of them: somebody has stopped the program that showed them. */
+  public void closeAll() {
+    open = List.of();
   }
 
   /** Those on the screen, oldest first. */

@@ -24,4 +24,25 @@ public interface Motion {
 
   /** Where the TCP goes, in the base frame; empty for motions without a goal (manual 16.31). */
   Optional<Pose> waypoint();
+
+  /**
+   * When whoever asked for the motion goes on, s in its own time: where it can blend into the next,
+   * otherwise its end.
+   */
+  default double handOverS() {
+    return durationS();
+  }
+
+  /**
+   * What the arm does when nobody takes the motion over in the frame after the hand-over; empty for
+   * going on to its own end.
+   */
+  default Optional<MotionPlan> ending() {
+    return Optional.empty();
+  }
+
+  /** The move that a next one may blend with from {@link #handOverS} on; empty if none may. */
+  default Optional<PathMotion> leaving() {
+    return Optional.empty();
+  }
 }

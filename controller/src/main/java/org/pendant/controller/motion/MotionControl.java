@@ -1,5 +1,6 @@
 package org.pendant.controller.motion;
 
+import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
@@ -28,18 +29,22 @@ public final class MotionControl {
   /** Frames at rest after which the arm counts as steady: 500 ms (manual 16.39). */
   private static final int STEADY_FRAMES = 250;
 
-  /** Room for the mean speed of a frame, which may exceed the speeds at both of its ends. */
-  private static final double MEAN_SPEED_TOLERANCE = 1.01;
+  private static final MotionFailure PATH_ENDED =
+      new MotionFailure("path-ended", "another motion has taken the arm over");
 
   private static final MotionFailure POWER_LOST =
       new MotionFailure("power-off", "the arm has no power");
 
   private final PathLimiter limiter;
-  private final double[] maxSpeed = new double[Joints.COUNT];
+  private final JointSpeedCheck jointSpeeds;
   private final MotionSample sample = new MotionSample();
   private final double[] previous = new double[Joints.COUNT];
 
+  private final OffsetTarget offsets;
+
+  /** Where the path is; the target too unless {@link #offsets} are engaged. */
   private Joints position;
+
   private Joints speed = Joints.ZERO;
   private Joints acceleration = Joints.ZERO;
 
@@ -49,18 +54,23 @@ public final class MotionControl {
   private Optional<MotionFailure> fault = Optional.empty();
   private double motionFrames;
 
-  private double speedFraction = 1;
-  private double scaling = 1;
-  private double scalingRampRadPerS2 = SCALING_ACCELERATION_RAD_PER_S2;
-  private boolean paused;
+  private final PathTime time = new PathTime();
 
-  /** The motion is a stop: neither slider nor pause makes it longer. */
-  private boolean stopping;
+  /** Whoever asked for the motion goes on now, and may blend into another. */
+  private boolean handedOver;
 
-  /** Nobody wants the motion any more: it ends where the scaling reaches 0. */
-  private boolean releasing;
+  /** The arm is guided by hand, and the target follows it. */
+  private boolean guided;
 
   private int framesAtRest = STEADY_FRAMES;
+
+  /** Plans a move that has not begun to move, as often as more becomes known of what follows it. */
+  private interface Planning {
+    Optional<Motion> knowing(List<Move> outlook) throws ScriptError;
+  }
+
+  /** The plan of a move that has just begun, and that would gain from an outlook. */
+  private Optional<Planning> unforeseen = Optional.empty();
 
   private record Pending(MotionPlan plan, MotionTicket ticket) {}
 
@@ -76,9 +86,8 @@ public final class MotionControl {
    */
   public MotionControl(ArmDescription arm, Joints positionRad, PathLimiter limiter) {
     this.limiter = limiter;
-    for (int i = 0; i < Joints.COUNT; i++) {
-      maxSpeed[i] = arm.joints().get(i).maxSpeedRadPerS();
-    }
+    offsets = new OffsetTarget(arm);
+    jointSpeeds = new JointSpeedCheck(arm);
     position = positionRad;
   }
 
@@ -100,6 +109,82 @@ public final class MotionControl {
   }
 
   /**
+   * Starts a move; from rest, or blending with the move before it where that one allows it and has
+   * just been handed over.
+   *
+   * @return empty if the move is left out because its blend overlaps with the one before (manual
+   *     15.29)
+   * @throws ScriptError when it cannot be planned, or another thread's motion is under way
+   */
+  public Optional<MotionTicket> start(Move move) throws ScriptError {
+    refuseSecondOwner();
+    if (handedOver && active.orElseThrow().leaving().isEmpty()) {
+      return startFromRest(move);
+    }
+    MotionTicket ticket = new MotionTicket(this);
+    if (active.isPresent() && !handedOver) {
+      MotionPlan plan = (from, atSpeed) -> MovePlanner.fromRest(move, from, List.of());
+      pending = Optional.of(new Pending(plan, ticket));
+      return Optional.of(ticket);
+    }
+    Planning planning = handedOver ? joining(move) : fromRest(move);
+    Optional<Motion> motion = planning.knowing(List.of());
+    if (motion.isEmpty()) {
+      return Optional.empty();
+    }
+    boolean moves = handedOver;
+    begin(motion.get(), Optional.of(ticket));
+    if (moves) {
+      time.goOn();
+    } else {
+      time.begin(false);
+    }
+    unforeseen = move.blendRadiusM() > 0 ? Optional.of(planning) : Optional.empty();
+    return Optional.of(ticket);
+  }
+
+  /** After a motion without an end, such as speedj; that one cannot be blended with. */
+  private Optional<MotionTicket> startFromRest(Move move) throws ScriptError {
+    if (!speed.equals(Joints.ZERO)) {
+      throw new ScriptError(
+          "moving",
+          "the arm is moving at "
+              + Value.of(speed.maxAbsDifference(Joints.ZERO)).text()
+              + " rad/s, must be at rest before a move; stopj or stopl brings it to rest");
+    }
+    forget();
+    return start(move);
+  }
+
+  private Planning fromRest(Move move) {
+    Joints from = position;
+    return outlook -> Optional.of(MovePlanner.fromRest(move, from, outlook));
+  }
+
+  private Planning joining(Move move) {
+    Motion present = active.orElseThrow();
+    PathMotion leaving = present.leaving().orElseThrow();
+    double leavingS =
+        leaving.handOverS() - (present.handOverS() - motionFrames * FrameTime.FRAME_S);
+    return outlook -> MovePlanner.blended(leaving, leavingS, move, outlook);
+  }
+
+  boolean wantsOutlook(MotionTicket ticket) {
+    return unforeseen.isPresent() && owner.isPresent() && owner.get() == ticket;
+  }
+
+  void outlook(MotionTicket ticket, List<Move> next) {
+    if (wantsOutlook(ticket) && !next.isEmpty()) {
+      try {
+        active = unforeseen.get().knowing(next);
+      } catch (ScriptError e) {
+        // the next move cannot be made; it will say so itself when its turn comes
+      }
+    }
+    unforeseen = Optional.empty();
+  }
+
+  /**
    * Starts a motion that goes on from the present speed; for stops.
    *
    * @throws ScriptError when it cannot be planned, or another thread's motion is under way
@@ -112,23 +197,80 @@ public final class MotionControl {
   }
 
   private void refuseSecondOwner() throws ScriptError {
+    refuseGuided();
     if (owner.isPresent() || pending.isPresent()) {
       throw new ScriptError(
           "robot-in-use", "another thread controls the robot, only one can at a time");
     }
   }
 
+  private void refuseGuided() throws ScriptError {
+    if (guided) {
+      throw new ScriptError("freedrive", "the arm is in freedrive, which must be ended first");
+    }
+  }
+
   private void begin(Motion motion, Optional<MotionTicket> ticket, boolean stop) {
+    begin(motion, ticket);
+    time.begin(stop);
+  }
+
+  private void begin(Motion motion, Optional<MotionTicket> ticket) {
     active = Optional.of(motion);
     owner = ticket;
-    stopping = stop;
+    handedOver = false;
+    unforeseen = Optional.empty();
     motionFrames = 0;
-    releasing = false;
-    scaling = scalingGoal();
+  }
+
+  /**
+   * From now on the arm is guided by hand: a motion that nobody waits for is dropped, and so are
+   * offsets; none can start, and {@link #guide} says where the target is.
+   *
+   * @throws ScriptError when a thread's motion is under way
+   */
+  public void startGuidance() throws ScriptError {
+    if (!guided) {
+      refuseSecondOwner();
+      takeTargetForPath();
+      offsets.end();
+      guided = true;
+    }
+  }
+
+  /** The target is where the guided arm is. */
+  public void guide(Joints positionRad, Joints speedRadPerS) {
+    position = positionRad;
+    speed = speedRadPerS;
+    acceleration = Joints.ZERO;
+  }
+
+  /** The arm is no longer guided: the target comes to rest from where the arm is. */
+  public void endGuidance() {
+    if (guided) {
+      guided = false;
+      if (!speed.equals(Joints.ZERO)) {
+        begin(new StopJ(position, speed, SCALING_ACCELERATION_RAD_PER_S2), Optional.empty(), true);
+      }
+    }
+  }
+
+  /** Whether the arm is guided by hand. */
+  public boolean guided() {
+    return guided;
   }
 
   /** Gives the next target; step 3 of a frame. */
   public void step() {
+    if (guided) {
+      framesAtRest = 0;
+      return;
+    }
+    if (handedOver) {
+      handedOver = false;
+      endUncontinued();
+    }
+    unforeseen = Optional.empty();
     if (active.isEmpty() && pending.isPresent()) {
       beginPending(pending.get());
     }
@@ -138,7 +280,58 @@ public final class MotionControl {
       speed = Joints.ZERO;
       acceleration = Joints.ZERO;
     }
-    framesAtRest = speed.equals(Joints.ZERO) ? Math.min(framesAtRest + 1, STEADY_FRAMES) : 0;
+    carryAside();
+    framesAtRest =
+        speedRadPerS().equals(Joints.ZERO) ? Math.min(framesAtRest + 1, STEADY_FRAMES) : 0;
+  }
+
+  /** Nobody has taken the motion over: it ends as it says itself. */
+  private void endUncontinued() {
+    Optional<MotionPlan> ending = active.flatMap(Motion::ending);
+    if (ending.isPresent()) {
+      try {
+        begin(ending.get().from(position, speed), Optional.empty(), true);
+      } catch (ScriptError e) {
+        stopBeside(new MotionFailure(e.code(), e.getMessage()));
+      }
+    }
+  }
+
+  private void carryAside() {
+    Optional<MotionFailure> failure = offsets.step(position, speed);
+    if (failure.isEmpty() && offsets.engaged()) {
+      failure = jointSpeeds.carried(offsets.speed());
+    }
+    if (failure.isPresent()) {
+      takeTargetForPath();
+      offsets.end();
+      stopBeside(failure.get());
+    }
+  }
+
+  /** Offsets carry the TCP aside, each after those added before. */
+  public void addOffset(PathOffset offset) {
+    offsets.add(offset);
+  }
+
+  /** The TCP that offsets carry, in the flange frame. */
+  public void setTool(Pose inFlange) {
+    offsets.setTool(inFlange);
+  }
+
+  /**
+   * From now on the path is where the target is, so that an offset can end without a jump. A motion
+   * under way is given up; whoever ends an offset stops the arm with {@link #takeOver}.
+   */
+  public void takeTargetForPath() {
+    Joints target = positionRad();
+    Joints targetSpeed = speedRadPerS();
+    Joints targetAcceleration = accelerationRadPerS2();
+    owner.ifPresent(ticket -> ticket.fail(PATH_ENDED));
+    forget();
+    position = target;
+    speed = targetSpeed;
+    acceleration = targetAcceleration;
   }
 
   private void beginPending(Pending next) {
@@ -151,37 +344,67 @@ public final class MotionControl {
   }
 
   private void follow(Motion motion) {
-    double before = scaling;
+    double before = time.scaling();
     double framesBefore = motionFrames;
-    scaling = nextScaling();
+    time.step(sample.fastestRadPerS());
     position.copyTo(previous);
     Optional<MotionFailure> failure = sampleAfter(motion, framesBefore, before);
-    if (failure.isEmpty() && !stopping && scaling > 0) {
+    if (failure.isEmpty() && !time.stopping() && time.scaling() > 0) {
       double largest = limiter.largestScaling(sample.position, sample.speed);
       if (!(largest >= SLOWEST_SCALING)) {
-        failure = Optional.of(tooSlow());
-      } else if (largest < scaling) {
-        scaling = largest;
+        failure = Optional.of(JointSpeedCheck.singular(sample));
+      } else if (largest < time.scaling()) {
+        time.lowerTo(largest);
         failure = sampleAfter(motion, framesBefore, before);
       }
     }
     if (failure.isEmpty()) {
-      failure = tooFast();
+      failure = jointSpeeds.onPath(previous, sample, time.scaling());
     }
     if (failure.isPresent()) {
       stopBeside(failure.get());
       return;
     }
-    publish((scaling - before) / FrameTime.FRAME_S);
-    if (atEnd(motion) || (scaling == 0 && releasing)) {
+    publish((time.scaling() - before) / FrameTime.FRAME_S);
+    if (atEnd(motion) || (time.scaling() == 0 && time.releasing())) {
       owner.ifPresent(MotionTicket::finish);
       forget();
+    } else if (owner.isPresent() && motion.handOverS() < motion.durationS() && !time.releasing()) {
+      handOver(motion);
     }
+  }
+
+  /**
+   * Whoever waits for the motion goes on, to say what comes next: a frame before a move may be left
+   * for another, or when a motion without an end has lasted as long as it was asked to.
+   */
+  private void handOver(Motion motion) {
+    double atFrame = motion.handOverS() / FrameTime.FRAME_S - FrameTime.ROUNDING;
+    boolean due =
+        motion.leaving().isPresent() ? motionFrames + 1 > atFrame : motionFrames >= atFrame;
+    if (due) {
+      owner.orElseThrow().finish();
+      owner = Optional.empty();
+      handedOver = true;
+    }
+  }
+
+  /**
+   * Whether an arm that slows down from now on comes to rest behind the point where its move is
+   * handed over, so that whoever asked for it has to say before where it leads on.
+   */
+  public boolean handsOverBeforeRest() {
+    if (handedOver || owner.isEmpty() || active.isEmpty() || active.get().leaving().isEmpty()) {
+      return handedOver;
+    }
+    double rampS = 2 * time.untilRestS(sample.fastestRadPerS());
+    double atRestS = motionFrames * FrameTime.FRAME_S + rampS;
+    return atRestS + 2 * FrameTime.FRAME_S >= active.get().handOverS();
   }
 
   /** Samples the motion a frame further, its time running evenly from one scaling to the next. */
   private Optional<MotionFailure> sampleAfter(Motion motion, double framesBefore, double before) {
-    motionFrames = framesBefore + 0.5 * (before + scaling);
+    motionFrames = framesBefore + 0.5 * (before + time.scaling());
     double timeS = atEnd(motion) ? motion.durationS() : motionFrames * FrameTime.FRAME_S;
     return motion.sample(timeS, sample);
   }
@@ -190,65 +413,9 @@ public final class MotionControl {
     return motionFrames >= motion.durationS() / FrameTime.FRAME_S - FrameTime.ROUNDING;
   }
 
-  private double scalingGoal() {
-    if (stopping) {
-      return 1;
-    }
-    return paused || releasing ? 0 : speedFraction;
-  }
-
-  /** The scaling of the next frame: towards its goal as fast as the joints may change speed. */
-  private double nextScaling() {
-    double goal = scalingGoal();
-    if (goal == scaling) {
-      return scaling;
-    }
-    double fastest = 0;
-    for (double each : sample.speed) {
-      fastest = Math.max(fastest, Math.abs(each));
-    }
-    double step = scalingRampRadPerS2 * FrameTime.FRAME_S / fastest;
-    return goal < scaling ? Math.max(goal, scaling - step) : Math.min(goal, scaling + step);
-  }
-
-  private Optional<MotionFailure> tooFast() {
-    for (int i = 0; i < Joints.COUNT; i++) {
-      double moved = Math.abs(sample.position[i] - previous[i]) / FrameTime.FRAME_S;
-      double needed = Math.max(moved, Math.abs(sample.speed[i]) * scaling);
-      if (!(needed <= maxSpeed[i] * MEAN_SPEED_TOLERANCE)) {
-        return Optional.of(
-            new MotionFailure(
-                "joint-speed",
-                "joint "
-                    + i
-                    + " would turn at "
-                    + Value.of(needed).text()
-                    + " rad/s, must be at most "
-                    + Value.of(maxSpeed[i]).text()
-                    + " rad/s; the path is too fast or passes close to a singularity"));
-      }
-    }
-    return Optional.empty();
-  }
-
-  private MotionFailure tooSlow() {
-    int fastest = 0;
-    for (int i = 1; i < Joints.COUNT; i++) {
-      if (Math.abs(sample.speed[i]) > Math.abs(sample.speed[fastest])) {
-        fastest = i;
-      }
-    }
-    return new MotionFailure(
-        "singularity",
-        "the path passes too close to a singularity: joint "
-            + fastest
-            + " would turn at "
-            + Value.of(Math.abs(sample.speed[fastest])).text()
-            + " rad/s; a joint move can pass it");
-  }
-
   private void publish(double scalingPerS) {
     position = Joints.of(sample.position);
+    double scaling = time.scaling();
     double squared = scaling * scaling;
     double[] v = sample.speed;
     double[] a = sample.acceleration;
@@ -275,10 +442,9 @@ public final class MotionControl {
   private void forget() {
     active = Optional.empty();
     owner = Optional.empty();
-    releasing = false;
-    stopping = false;
+    handedOver = false;
     sample.rest();
-    scaling = scalingGoal();
+    time.begin(false);
   }
 
   /** The path cannot be followed: all joints stop from what they do now. */
@@ -299,12 +465,14 @@ public final class MotionControl {
   public void abort() {
     owner = Optional.empty();
     pending = Optional.empty();
-    releasing = active.isPresent();
+    if (active.isPresent()) {
+      time.release();
+    }
   }
 
   void endEarly(MotionTicket ticket) {
     if (owner.isPresent() && owner.get() == ticket) {
-      releasing = true;
+      time.release();
     } else if (pending.isPresent() && pending.get().ticket == ticket) {
       pending = Optional.empty();
       ticket.finish();
@@ -317,7 +485,7 @@ public final class MotionControl {
     }
     if (owner.isPresent() && owner.get() == ticket) {
       owner = Optional.empty();
-      releasing = true;
+      time.release();
     }
   }
 
@@ -332,14 +500,12 @@ public final class MotionControl {
    * @param decelerationRadPerS2 of the fastest joint, above 0
    */
   public void halt(double decelerationRadPerS2) {
-    paused = true;
-    scalingRampRadPerS2 = decelerationRadPerS2;
+    time.pause(decelerationRadPerS2);
   }
 
   /** Goes on after {@link #pause} or {@link #halt}. */
   public void resume() {
-    paused = false;
-    scalingRampRadPerS2 = SCALING_ACCELERATION_RAD_PER_S2;
+    time.resume();
   }
 
   /** Gives up every motion: the arm has been stopped by its brakes and rests elsewhere. */
@@ -347,7 +513,9 @@ public final class MotionControl {
     owner.ifPresent(ticket -> ticket.fail(POWER_LOST));
     pending.ifPresent(next -> next.ticket.fail(POWER_LOST));
     pending = Optional.empty();
+    guided = false;
     forget();
+    offsets.end();
     position = positionRad;
     speed = Joints.ZERO;
     acceleration = Joints.ZERO;
@@ -363,15 +531,16 @@ public final class MotionControl {
     if (!(fraction >= 0 && fraction <= 1)) {
       throw new IllegalArgumentException("speed fraction is " + fraction + ", must be 0 to 1");
     }
-    speedFraction = fraction;
+    time.setFraction(fraction);
   }
 
   /**
    * Puts the target elsewhere, at rest.
    *
-   * @throws ScriptError while a motion is under way
+   * @throws ScriptError while a motion is under way or the arm is guided by hand
    */
   public void jumpTo(Joints positionRad) throws ScriptError {
+    refuseGuided();
     if (moving()) {
       throw new ScriptError("robot-in-use", "the arm is moving, must be at rest");
     }
@@ -405,26 +574,36 @@ public final class MotionControl {
 
   /** The speed slider, 0 to 1. */
   public double speedFraction() {
-    return speedFraction;
+    return time.fraction();
   }
 
   /** How fast motion time runs against the clock, 0 to 1. */
   public double scaling() {
-    return scaling;
+    return time.scaling();
   }
 
   /** Target positions, rad. */
   public Joints positionRad() {
+    return offsets.engaged() ? offsets.position() : position;
+  }
+
+  /** Where the path is, without what offsets add, rad. */
+  public Joints pathPositionRad() {
     return position;
+  }
+
+  /** How fast the joints would turn without what offsets add, rad/s. */
+  public Joints pathSpeedRadPerS() {
+    return speed;
   }
 
   /** Target speeds, rad/s. */
   public Joints speedRadPerS() {
-    return speed;
+    return offsets.engaged() ? offsets.speed() : speed;
   }
 
   /** Target accelerations, rad/s². */
   public Joints accelerationRadPerS2() {
-    return acceleration;
+    return offsets.engaged() ? offsets.acceleration() : acceleration;
   }
 }

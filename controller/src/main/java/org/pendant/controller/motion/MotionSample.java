@@ -27,6 +27,15 @@ public final class MotionSample {
     return Joints.of(acceleration);
   }
 
+  /** Speed of the fastest joint, rad/s. */
+  double fastestRadPerS() {
+    double fastest = 0;
+    for (double each : speed) {
+      fastest = Math.max(fastest, Math.abs(each));
+    }
+    return fastest;
+  }
+
   void rest() {
     Arrays.fill(speed, 0);
     Arrays.fill(acceleration, 0);

@@ -1,5 +1,6 @@
 package org.pendant.controller.motion;
 
+import java.util.List;
 import java.util.Optional;
 
 /** What whoever asked for a motion holds: whether it has ended, and how. */
@@ -30,6 +31,16 @@ public final class MotionTicket {
   /** Nobody waits any more: the arm comes to rest on its path. */
   public void cancel() {
     control.release(this);
+  }
+
+  /** Whether the motion has only just begun and may be planned anew, knowing what follows it. */
+  public boolean wantsOutlook() {
+    return control.wantsOutlook(this);
+  }
+
+  /** The moves that follow the one that has just begun, as far as can be foreseen. */
+  public void outlook(List<Move> next) {
+    control.outlook(this, next);
   }
 
   void finish() {

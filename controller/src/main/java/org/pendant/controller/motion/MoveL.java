@@ -4,23 +4,13 @@ import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
-import org.pendant.models.pose.StraightLine;
 
-/**
- * A straight line of the TCP, its orientation turning evenly the shorter way round (manual 15.30).
- *
- * <p>The manual limits the tool's speed only. So that a turn on the spot is finite too, the angle
- * gets a profile of its own with {@value #ROTATION_FACTOR} times the numbers, in rad; the slower of
- * the two profiles moves both.
- */
+/** A straight line of the TCP from rest to rest (manual 15.30). */
 public final class MoveL implements Motion {
   /** Angular speed and acceleration, in rad, for one m/s and one m/s². */
-  public static final double ROTATION_FACTOR = 4;
+  public static final double ROTATION_FACTOR = ToolPath.ROTATION_FACTOR;
 
-  private final TrapezoidProfile profile;
-  private final ToolPathFollower follower;
-  private final Pose goal;
-  private final double scale;
+  private final PathMotion motion;
 
   /**
    * Plans a move.
@@ -33,41 +23,21 @@ public final class MoveL implements Motion {
    */
   public MoveL(
       ArmDescription arm, Joints from, Pose start, Pose goal, Pose tcpInFlange, MoveLimits limits) {
-    this.goal = goal;
-    StraightLine line = new StraightLine(start, goal);
-    follower = new ToolPathFollower(arm, line, tcpInFlange, from);
-    profile = profile(line, limits);
-    scale = profile.distance() == 0 ? 0 : 1 / profile.distance();
-  }
-
-  private static TrapezoidProfile profile(StraightLine line, MoveLimits limits) {
-    MoveLimits turning =
-        new MoveLimits(
-            ROTATION_FACTOR * limits.acceleration(),
-            ROTATION_FACTOR * limits.speed(),
-            limits.durationS());
-    TrapezoidProfile along = limits.over(line.lengthM());
-    TrapezoidProfile around = turning.over(line.angleRad());
-    if (limits.timed()) {
-      return line.lengthM() > 0 ? along : around;
-    }
-    return along.durationS() >= around.durationS() ? along : around;
+    motion = MovePlanner.alone(new ToolPath(arm, from, start, goal, tcpInFlange), limits);
   }
 
   @Override
   public double durationS() {
-    return profile.durationS();
+    return motion.durationS();
   }
 
   @Override
   public Optional<MotionFailure> sample(double timeS, MotionSample sample) {
-    double fraction = timeS >= profile.durationS() ? 1 : scale * profile.position(timeS);
-    return follower.sample(
-        fraction, scale * profile.speed(timeS), scale * profile.acceleration(timeS), sample);
+    return motion.sample(timeS, sample);
   }
 
   @Override
   public Optional<Pose> waypoint() {
-    return Optional.of(goal);
+    return motion.waypoint();
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.controller.motion;
 
+import org.pendant.controller.motion.profile.ProfileLimits;
+
 /**
  * How fast a move may be; for a joint move in rad, for a linear one in m.
  *
@@ -34,10 +36,22 @@ public record MoveLimits(double acceleration, double speed, double durationS) {
     return durationS > 0;
   }
 
-  /** The profile over a distance. */
-  TrapezoidProfile over(double distance) {
-    return timed()
-        ? TrapezoidProfile.withDuration(distance, durationS, acceleration)
-        : TrapezoidProfile.of(distance, speed, acceleration);
+  /**
+   * The limits over a distance.
+   *
+   * @param distance 0 or more
+   * @param restingEnds at how many of its ends the move rests, 0 to 2
+   * @param fastest what the arm can do, per s
+   */
+  ProfileLimits over(double distance, int restingEnds, double fastest) {
+    if (!timed()) {
+      return ProfileLimits.of(Math.min(speed, fastest), acceleration);
+    }
+    double least = 2 * restingEnds * distance / durationS / durationS;
+    double enough = Math.max(acceleration, Math.max(least, Double.MIN_NORMAL));
+    // the smaller root of n v² - 2 a T v + 2 a D = 0, written so that nothing cancels
+    double root = Math.sqrt(durationS * durationS - 2 * restingEnds * distance / enough);
+    double cruise = 2 * distance / (durationS + (Double.isNaN(root) ? 0 : root));
+    return ProfileLimits.of(Math.min(Math.max(cruise, Double.MIN_NORMAL), fastest), enough);
   }
 }

@@ -55,7 +55,7 @@ public final class StopL implements Motion {
             twist[4] * lineS,
             twist[5] * lineS);
     StraightLine line = new StraightLine(start, Poses.add(advance, start));
-    follower = new ToolPathFollower(arm, line, tcpInFlange, positionRad);
+    follower = new ToolPathFollower(arm, new ToolLine(line, 1), tcpInFlange, positionRad);
   }
 
   private static double length(double x, double y, double z) {

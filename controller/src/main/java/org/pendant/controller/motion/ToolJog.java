@@ -1,6 +1,8 @@
 package org.pendant.controller.motion;
 
 import java.util.Optional;
+import org.pendant.controller.motion.profile.Profile;
+import org.pendant.controller.motion.profile.ProfileLimits;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
@@ -15,7 +17,7 @@ public final class ToolJog implements Motion {
   /** Farther than any arm reaches, m, and more turns than anybody waits for, rad. */
   private static final double FARTHEST = 1000;
 
-  private final TrapezoidProfile profile;
+  private final Profile profile;
   private final ToolPathFollower follower;
 
   /**
@@ -35,10 +37,10 @@ public final class ToolJog implements Motion {
       Pose tcpInFlange,
       MoveLimits limits) {
     StraightLine line = new StraightLine(start, Poses.add(twistInBase, start));
-    follower = new ToolPathFollower(arm, line, tcpInFlange, from);
+    follower = new ToolPathFollower(arm, new ToolLine(line, 1), tcpInFlange, from);
     double factor = line.lengthM() > 0 ? 1 : MoveL.ROTATION_FACTOR;
     profile =
-        TrapezoidProfile.of(FARTHEST, factor * limits.speed(), factor * limits.acceleration());
+        ProfileLimits.of(factor * limits.speed(), factor * limits.acceleration()).over(FARTHEST);
   }
 
   @Override

@@ -6,11 +6,10 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.pose.Pose;
-import org.pendant.models.pose.StraightLine;
 import org.pendant.models.pose.Transforms;
 
 /**
- * Turns points on a straight way of the TCP into joint positions, speeds and accelerations.
+ * Turns points on a way of the TCP into joint positions, speeds and accelerations.
  *
  * <p>Positions come from the closed inverse, continued from the last point. Speeds solve {@code J
  * qd = twist}; accelerations solve {@code J qdd = twist' - J' qd}, where the last term follows from
@@ -28,8 +27,7 @@ final class ToolPathFollower {
 
   private static final int N = Joints.COUNT;
 
-  private final StraightLine line;
-  private final Pose rate;
+  private final ToolCurve curve;
   private final Pose tcpInFlange;
   private final InverseKinematics inverse;
   private final Jacobian solver;
@@ -38,18 +36,19 @@ final class ToolPathFollower {
   private final double[] flange = new double[Transforms.SIZE];
   private final double[] jacobian = new double[Jacobian.SIZE];
   private final double[] q = new double[N];
+  private final double[] rate = new double[N];
+  private final double[] bend = new double[N];
   private final double[] twist = new double[N];
   private final double[] given = new double[N];
 
   /**
-   * Follows a line.
+   * Follows a curve.
    *
-   * @param line of the TCP in the base frame
+   * @param curve of the TCP in the base frame
    * @param from joint positions at its begin, rad
    */
-  ToolPathFollower(ArmDescription arm, StraightLine line, Pose tcpInFlange, Joints from) {
-    this.line = line;
-    this.rate = line.rate();
+  ToolPathFollower(ArmDescription arm, ToolCurve curve, Pose tcpInFlange, Joints from) {
+    this.curve = curve;
     this.tcpInFlange = tcpInFlange;
     inverse = new InverseKinematics(arm);
     solver = new Jacobian(arm.dh());
@@ -60,35 +59,36 @@ final class ToolPathFollower {
   }
 
   /**
-   * The point at a fraction of the line.
+   * A point on the curve.
    *
-   * @param fraction 0 at its begin, 1 at its end
-   * @param fractionPerS first derivative of the fraction, 1/s
-   * @param fractionPerS2 second derivative, 1/s²
+   * @param at the curve's parameter
+   * @param atPerS its first derivative by time, per s
+   * @param atPerS2 its second derivative, per s²
    * @param sample overwritten
    */
-  Optional<MotionFailure> sample(
-      double fraction, double fractionPerS, double fractionPerS2, MotionSample sample) {
-    line.at(fraction, tcp);
+  Optional<MotionFailure> sample(double at, double atPerS, double atPerS2, MotionSample sample) {
+    curve.at(at, tcp);
     Transforms.multiply(tcp, flangeInTcp, flange);
     if (!inverse.track(flange, q)) {
       return Optional.of(
           new MotionFailure("no-solution", "no joint positions reach a point on the path"));
     }
     System.arraycopy(q, 0, sample.position, 0, N);
-    if (fractionPerS == 0 && fractionPerS2 == 0) {
+    if (atPerS == 0 && atPerS2 == 0) {
       sample.rest();
       return Optional.empty();
     }
     solver.at(q, tcpInFlange, jacobian);
+    curve.rate(at, rate);
     for (int i = 0; i < N; i++) {
-      twist[i] = rate.get(i) * fractionPerS;
+      twist[i] = rate[i] * atPerS;
     }
     if (!solve(twist, sample.speed)) {
       return singular();
     }
+    curve.bend(at, bend);
     for (int i = 0; i < N; i++) {
-      twist[i] = rate.get(i) * fractionPerS2;
+      twist[i] = rate[i] * atPerS2 + bend[i] * atPerS * atPerS;
     }
     subtractTurning(sample.speed);
     return solve(twist, sample.acceleration) ? Optional.empty() : singular();

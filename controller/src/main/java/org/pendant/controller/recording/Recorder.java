@@ -7,21 +7,25 @@ import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.variables.VariablePath;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /**
  * Writes snapshots as comma-separated values: a header, then one row a frame with time (s), target
  * and actual joint positions (rad) and speeds (rad/s), target and actual pose of the TCP in the
- * base frame (m, rotation vector in rad), and the program's line. Numbers have full double
- * precision and a point, whatever the country.
+ * base frame (m, rotation vector in rad), the program's line, and the variables that were asked
+ * for. Numbers have full double precision and a point, whatever the country; a variable without a
+ * number leaves its field empty.
  */
 public final class Recorder implements Closeable {
   private static final int BUFFER_CHARS = 1 << 16;
 
   private final Writer out;
+  private final List<String> variables;
   private final StringBuilder row = new StringBuilder(1024);
   private ArmStateText arm = ArmStateText.NONE;
 
@@ -48,7 +52,16 @@ public final class Recorder implements Closeable {
 
   /** Records to {@code out}, which is closed with the recorder, and writes the header. */
   public Recorder(Writer out) throws IOException {
+    this(out, List.of());
+  }
+
+  /**
+   * As {@link #Recorder(Writer)}, with a column for each of {@code variables}, called {@code var:}
+   * and its path. The controller has to trace them.
+   */
+  public Recorder(Writer out, List<VariablePath> variables) throws IOException {
     this.out = out;
+    this.variables = variables.stream().map(VariablePath::text).toList();
     StringBuilder header = new StringBuilder("time_s");
     for (String name :
         new String[] {
@@ -58,13 +71,15 @@ public final class Recorder implements Closeable {
         header.append(',').append(name).append('_').append(i);
       }
     }
-    out.append(header).append(",line\n");
+    header.append(",line");
+    this.variables.forEach(name -> header.append(",var:").append(name));
+    out.append(header).append('\n');
   }
 
   /** Records to a file, which is created or emptied. */
-  public static Recorder toFile(Path file) throws IOException {
+  public static Recorder toFile(Path file, List<VariablePath> variables) throws IOException {
     Writer writer = Files.newBufferedWriter(file, StandardCharsets.US_ASCII);
-    return new Recorder(new BufferedWriter(writer, BUFFER_CHARS));
+    return new Recorder(new BufferedWriter(writer, BUFFER_CHARS), variables);
   }
 
   /** Appends the row of one frame. */
@@ -74,8 +89,15 @@ public final class Recorder implements Closeable {
     }
     row.setLength(0);
     row.append(state.timeS()).append(arm.text());
-    row.append(',').append(state.program().line()).append('\n');
-    out.append(row);
+    row.append(',').append(state.program().line());
+    for (String name : variables) {
+      double value = state.traced().value(name);
+      row.append(',');
+      if (!Double.isNaN(value)) {
+        row.append(value);
+      }
+    }
+    out.append(row.append('\n'));
   }
 
   private ArmStateText text(ArmState state) {

@@ -92,6 +92,13 @@ final class FrameChecks {
 
   /** What calls for a protective stop. */
   Optional<SafetyStop> protective(FrameFacts facts, ActiveLimits limits, boolean holding) {
+    if (facts.guided()) {
+      // the target is where the arm is, so it may do anything, and a push is no collision
+      forget();
+      return limits.recovery()
+          ? Optional.empty()
+          : travel.check(facts.timeS(), seen, limits.checked(), limits.reducedChecked());
+    }
     Optional<SafetyStop> found = target.check(facts.timeS(), seen);
     if (found.isEmpty() && !limits.recovery()) {
       found = travel.check(facts.timeS(), seen, limits.checked(), limits.reducedChecked());

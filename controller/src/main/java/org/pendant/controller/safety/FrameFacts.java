@@ -18,6 +18,7 @@ import org.pendant.models.pose.Wrench;
  * @param steady whether the target has rested for 500 ms (manual 16.39)
  * @param moving whether a motion is under way, a paused one included
  * @param programRunning whether a program runs and is not paused
+ * @param guided whether the arm is guided by hand: its target follows it, and pushes are wanted
  */
 public record FrameFacts(
     double timeS,
@@ -28,4 +29,5 @@ public record FrameFacts(
     Wrench externalWrenchAtFlangeInBase,
     boolean steady,
     boolean moving,
-    boolean programRunning) {}
+    boolean programRunning,
+    boolean guided) {}

@@ -2,8 +2,10 @@ package org.pendant.controller.safety;
 
 import java.util.EnumSet;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
+import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
@@ -28,6 +30,8 @@ public final class SafetySystem {
   private final double[] atRest = new double[Joints.COUNT];
   private boolean holdingTorque = true;
   private boolean stopAsked;
+  private OptionalDouble wrongPayloadN = OptionalDouble.empty();
+  private double payloadToleranceN;
   private boolean jumped;
   private boolean wasRunning;
   private boolean wasReduced;
@@ -225,6 +229,17 @@ public final class SafetySystem {
   }
 
   /**
+   * Freedrive has found that the declared payload is wrong: a protective stop in this frame.
+   *
+   * @param forceN what the flange feels beyond the declared payload, N
+   * @param toleranceN how much of that is allowed, N
+   */
+  public void wrongPayload(double forceN, double toleranceN) {
+    wrongPayloadN = OptionalDouble.of(forceN);
+    payloadToleranceN = toleranceN;
+  }
+
+  /**
    * How the arm changes to reduced limits and to a safeguard stop (manual 15.47). Lasts until
    * changed.
    *
@@ -299,6 +314,7 @@ public final class SafetySystem {
     stops.setTime(facts.timeS());
     Optional<SafetyStop> demanded = demanded(facts);
     stopAsked = false;
+    wrongPayloadN = OptionalDouble.empty();
     jumped = false;
     if (demanded.isPresent() && stops.begin(demanded.get(), facts.programRunning())) {
       checks.restart();
@@ -330,7 +346,7 @@ public final class SafetySystem {
     if (warning.isEmpty()) {
       return SafetyAction.NONE;
     }
-    log.warning(warning.get().message());
+    log.safety(Level.WARNING, warning.get().codeText(), warning.get().message());
     return facts.programRunning() && pauses.contains(warning.get())
         ? SafetyAction.PAUSE
         : SafetyAction.NONE;
@@ -366,7 +382,7 @@ public final class SafetySystem {
       enterRecovery(facts);
     } else if (limits.recovery() && checks.beyond(facts.timeS(), limits, 0).isEmpty()) {
       limits.setRecovery(false);
-      log.info("the arm is within its safety limits again");
+      log.safety(Level.INFO, "", "the arm is within its safety limits again");
     }
   }
 
@@ -374,14 +390,18 @@ public final class SafetySystem {
     Optional<SafetyStop> beyond = checks.beyond(facts.timeS(), limits, 1);
     if (beyond.isPresent() && !facts.programRunning()) {
       limits.setRecovery(true);
-      log.warning("recovery mode: " + beyond.get().message());
+      log.safety(
+          Level.WARNING, beyond.get().codeText(), "recovery mode: " + beyond.get().message());
     }
   }
 
   private void reportReduced() {
     if (limits.reduced() != wasReduced) {
       wasReduced = limits.reduced();
-      log.info(wasReduced ? "the reduced safety limits hold" : "the normal safety limits hold");
+      log.safety(
+          Level.INFO,
+          "",
+          wasReduced ? "the reduced safety limits hold" : "the normal safety limits hold");
     }
   }
 
@@ -389,6 +409,15 @@ public final class SafetySystem {
     if (stopAsked) {
       checks.acceptTarget();
       return Optional.of(StopReason.PROGRAM.of("the program", facts.timeS()));
+    }
+    if (wrongPayloadN.isPresent()) {
+      checks.acceptTarget();
+      return Optional.of(
+          StopReason.WRONG_PAYLOAD.of(
+              "the declared payload",
+              facts.timeS(),
+              wrongPayloadN.getAsDouble(),
+              payloadToleranceN));
     }
     if (stop().isPresent() && !stops.isSafeguard()) {
       checks.acceptTarget();

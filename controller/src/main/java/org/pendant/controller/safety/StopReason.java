@@ -15,6 +15,8 @@ public enum StopReason {
   TOOL_DIRECTION_NEAR(151, Kind.PROTECTIVE, "comes too close to its largest tilt", "rad"),
   PLANE_NEAR(152, Kind.PROTECTIVE, "comes too close to safety plane", "m"),
   POSITION_DEVIATION(153, Kind.PROTECTIVE, "is away from its target", "rad"),
+  WRONG_PAYLOAD(
+      155, 0, Kind.PROTECTIVE, "is not what the flange carries, or somebody pushes the tool", "N"),
   COLLISION(157, Kind.PROTECTIVE, "is pushed from outside", "Nm"),
   TARGET_POSITION_JUMP(204, 1, Kind.PROTECTIVE, "has a target position that jumps", "rad"),
   TARGET_SPEED_JUMP(204, 3, Kind.PROTECTIVE, "has a target speed that jumps", "rad/s"),

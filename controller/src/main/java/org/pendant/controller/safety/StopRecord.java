@@ -2,6 +2,7 @@ package org.pendant.controller.safety;
 
 import java.util.Optional;
 import java.util.Set;
+import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.models.arm.Joints;
 
@@ -62,9 +63,9 @@ final class StopRecord {
     present = Optional.of(stop);
     programGoesOn = isSafeguard() && programRunning;
     if (isSafeguard() || stop.code() == StopReason.PROGRAM.code()) {
-      log.warning(stop.message());
+      log.safety(Level.WARNING, stop.codeText(), stop.message());
     } else {
-      log.error(stop.message());
+      log.safety(Level.ERROR, stop.codeText(), stop.message());
     }
     return true;
   }
@@ -138,7 +139,7 @@ final class StopRecord {
     }
     boolean resume = programGoesOn;
     end();
-    log.info("input " + input.get().word() + " is no longer active");
+    log.safety(Level.INFO, "", "input " + input.get().word() + " is no longer active");
     return resume ? SafetyAction.RESUME : SafetyAction.NONE;
   }
 
@@ -198,7 +199,7 @@ final class StopRecord {
               + " s are left");
     }
     end();
-    log.info("the protective stop is unlocked");
+    log.safety(Level.INFO, "", "the protective stop is unlocked");
     return Optional.empty();
   }
 
@@ -208,7 +209,7 @@ final class StopRecord {
       return Optional.of("there is no violation or fault, nothing has to be restarted");
     }
     end();
-    log.info("the safety functions have been restarted");
+    log.safety(Level.INFO, "", "the safety functions have been restarted");
     return Optional.empty();
   }
 

@@ -2,9 +2,14 @@ package org.pendant.controller.state;
 
 import java.util.List;
 import org.pendant.controller.debug.DebugState;
+import org.pendant.controller.freedrive.FreedriveState;
 import org.pendant.controller.io.DigitalLevels;
+import org.pendant.controller.io.SignalState;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
+import org.pendant.controller.message.Question;
+import org.pendant.controller.variables.TracedVariables;
+import org.pendant.controller.variables.VariableSamples;
 
 /**
  * Everything about a controller at the end of one frame. Immutable: take the reference and keep it.
@@ -17,9 +22,15 @@ import org.pendant.controller.message.Popup;
  * @param debug whether a debugger holds the frame, and where its threads are then; snapshots of a
  *     held frame repeat its number
  * @param io levels of the digital signals
+ * @param signals all other signals: analog ones, registers, the tool connector
+ * @param freedrive whether the arm is guided by hand
+ * @param variables of the running or last program, taken now and then
+ * @param traced numbers among them that somebody wants in every frame
  * @param openPopups on the screen, oldest first
+ * @param openQuestions to the operator, oldest first
  * @param newEntries log lines of this frame
  * @param newPopups popups shown in this frame, those already answered included
+ * @param newQuestions asked in this frame, those already answered included
  * @param newestEntry number of the newest log line, 0 for none
  */
 public record ControllerState(
@@ -31,14 +42,22 @@ public record ControllerState(
     ProgramStatus program,
     DebugState debug,
     DigitalLevels io,
+    SignalState signals,
+    FreedriveState freedrive,
+    VariableSamples variables,
+    TracedVariables traced,
     List<Popup> openPopups,
+    List<Question> openQuestions,
     List<LogEntry> newEntries,
     List<Popup> newPopups,
+    List<Question> newQuestions,
     long newestEntry) {
   /** Copies the lists. */
   public ControllerState {
     openPopups = List.copyOf(openPopups);
+    openQuestions = List.copyOf(openQuestions);
     newEntries = List.copyOf(newEntries);
     newPopups = List.copyOf(newPopups);
+    newQuestions = List.copyOf(newQuestions);
   }
 }

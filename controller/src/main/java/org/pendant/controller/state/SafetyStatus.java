@@ -13,6 +13,7 @@ import org.pendant.controller.safety.SafetyStop;
  * @param robotMode power and brakes
  * @param safetyMode what the safety functions do
  * @param stop why the arm may not move, while that is so
+ * @param stopPlace where program and arm were when the stop began
  * @param reduced whether the reduced limits hold
  * @param baseLight the light ring in the base
  * @param shutDown whether a program has switched the controller off
@@ -21,16 +22,22 @@ public record SafetyStatus(
     RobotMode robotMode,
     SafetyMode safetyMode,
     Optional<SafetyStop> stop,
+    Optional<StopPlace> stopPlace,
     boolean reduced,
     BaseLight baseLight,
     boolean shutDown) {
 
-  /** The status of this frame. */
-  public static SafetyStatus of(ControlBox box) {
+  /**
+   * The status of this frame.
+   *
+   * @param stopPlace where program and arm were when the stop began
+   */
+  public static SafetyStatus of(ControlBox box, Optional<StopPlace> stopPlace) {
     return new SafetyStatus(
         box.safety().robotMode(),
         box.safety().safetyMode(),
         box.safety().stop(),
+        stopPlace,
         box.safety().reduced(),
         box.baseLight(),
         box.isShutDown());

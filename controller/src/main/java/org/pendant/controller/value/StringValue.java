@@ -43,6 +43,14 @@ public final class StringValue implements Value {
     return length;
   }
 
+  /** The first {@code most} bytes, or all if there are fewer; costs no more than these. */
+  public String start(int most) {
+    int count = Math.min(most, length);
+    return bytes.length() == length
+        ? bytes.substring(0, count)
+        : shared.orElseThrow().substring(0, count);
+  }
+
   /** This string followed by {@code tail}. */
   StringValue followedBy(StringValue tail) {
     int joined = length + tail.length;

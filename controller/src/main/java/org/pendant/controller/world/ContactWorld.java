@@ -8,6 +8,7 @@ import org.pendant.models.pose.Wrench;
 
 /**
  * The forces on the tool: those of a scene that it touches, and one that somebody applies by hand.
+ * {@link #grip} is another hand, which may be anywhere on the arm.
  *
  * <p>Each tool point is a ball (of radius 0 mostly) without mass, rigid with the flange. Where it
  * is inside an object, the object's {@link Material} pushes it out along the surface's normal and
@@ -27,6 +28,7 @@ public final class ContactWorld {
   private final List<SceneObject> objects;
   private final Surface[] surfaces;
   private final List<ToolPoint> toolPoints;
+  private final HandGrip grip = new HandGrip();
   private Wrench applied = Wrench.ZERO;
 
   /** Of the latest step, for each object: depth at the deepest point, m, at most 0 if untouched. */
@@ -115,6 +117,11 @@ public final class ContactWorld {
   /** What {@link #apply} was told last: at the tool centre point, along the base's axes. */
   public Wrench applied() {
     return applied;
+  }
+
+  /** The hand that pushes or pulls the arm at any place of it, besides {@link #apply}. */
+  public HandGrip grip() {
+    return grip;
   }
 
   /** Whether the tool touched anything when {@link #wrench} was asked last. */

@@ -1,10 +1,16 @@
 package org.pendant.controller.arm;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.world.ContactWorld;
+import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.Vector3;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.ArmDynamics;
 
 class IdealArmTest {
   private final IdealArm arm = new IdealArm(ArmLibrary.load("ur5e"), Rig.START);
@@ -61,5 +67,35 @@ class IdealArmTest {
 
     assertEquals(new Joints(25, 25, 25, 25, 25, 25), arm.sensors().temperatureC());
     assertEquals(25, arm.sensors().toolTemperatureC());
+  }
+
+  @Test
+  void guidedItYieldsAsTheDynamicArmDoes() {
+    ArmDescription ur5e = ArmLibrary.load("ur5e");
+    ContactWorld world = new ContactWorld(Scene.EMPTY);
+    DynamicArm.Setup setup =
+        new DynamicArm.Setup(ur5e, Rig.START, new ArmDynamics(ur5e), world, 0, 0);
+    IdealArm ideal = new IdealArm(setup);
+    DynamicArm dynamic = new DynamicArm(setup);
+    ArmCommand guide = new ArmCommand.Guide(Joints.ZERO, new Joints(9, 9, 9, 3, 3, 3));
+    world.grip().push(5, new Vector3(0, 0, 0), new Vector3(10, 20, 30));
+    for (int frame = 0; frame < 200; frame++) {
+      ideal.step(guide);
+      dynamic.step(guide);
+    }
+    assertEquals(dynamic.positionRad(), ideal.positionRad());
+    assertEquals(dynamic.speedRadPerS(), ideal.speedRadPerS());
+    assertTrue(ideal.positionRad().maxAbsDifference(Rig.START) > 0.05);
+  }
+
+  @Test
+  void aHandTakesItOverAsItMoves() {
+    Joints speed = new Joints(1, 0, 0, 0, 0, 0);
+    arm.step(new ArmCommand.Servo(Rig.ELSEWHERE, speed, Joints.ZERO));
+    arm.step(new ArmCommand.Guide(Joints.ZERO, Joints.ZERO));
+    assertTrue(arm.positionRad().q0() > Rig.ELSEWHERE.q0());
+    assertEquals(1, arm.speedRadPerS().q0(), 0.1);
+    arm.step(Rig.hold(Rig.ELSEWHERE));
+    assertEquals(Rig.ELSEWHERE, arm.positionRad());
   }
 }

@@ -210,13 +210,16 @@ class VariablesTest {
   }
 
   @Test
-  void variablesOnlyChangeWhileTheProgramIsHeld() {
+  void aVariableOfAProgramThatIsNotHeldChangesBetweenTwoFrames() throws ScriptError {
     DebugFixture other = new DebugFixture();
-    other.start("def prog():\n  a = 1\n  sleep(1)\nend\n").advance(3);
+    other.start("def prog():\n  a = 1\n  sleep(0.1)\n  textmsg(a)\nend\n").advance(3);
     assertEquals("1", other.debugger.globals().getFirst().text());
+    assertEquals("2", other.debugger.assign(0, 1, "a", "2").text());
+    other.go();
+    assertEquals(List.of("2"), other.messages());
     assertEquals(
-        "the program is not held",
-        assertThrows(IllegalArgumentException.class, () -> other.debugger.assign(0, 1, "a", "2"))
+        "no program is running",
+        assertThrows(IllegalArgumentException.class, () -> other.debugger.assign(0, 1, "a", "3"))
             .getMessage());
   }
 

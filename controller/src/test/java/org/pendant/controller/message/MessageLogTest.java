@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.LogEntry.Origin;
@@ -54,5 +55,22 @@ final class MessageLogTest {
     log.programStarted();
     log.warnOnce("slow");
     assertEquals(2, log.newest());
+  }
+
+  @Test
+  void linesOfProgramsAndErrorsSayWhatTheProgramWasAt() {
+    LogEntry.Place place = new LogEntry.Place("p.script", 3, "watch", 12);
+    log.placeBy(() -> Optional.of(place));
+    log.script("a");
+    log.safety(Level.ERROR, "C153A2", "C153A2 protective stop");
+    log.safety(Level.INFO, "", "unlocked");
+    log.info("b");
+    List<LogEntry> all = log.takeNew();
+    assertEquals(Optional.of(place), all.get(0).place());
+    assertEquals(Optional.of(place), all.get(1).place());
+    assertEquals("C153A2", all.get(1).code());
+    assertEquals(Origin.SAFETY, all.get(1).origin());
+    assertEquals(Optional.empty(), all.get(2).place());
+    assertEquals(Optional.empty(), all.get(3).place());
   }
 }

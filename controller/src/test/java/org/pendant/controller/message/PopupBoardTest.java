@@ -5,15 +5,19 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.message.Popup.Severity;
 
 final class PopupBoardTest {
+  private final MessageLog log = new MessageLog();
+
+  private PopupBoard board(Operator operator) {
+    return new PopupBoard(operator, log, new PromptNumbers());
+  }
+
   @Test
   void aPersonAnswersByNumber() {
-    PopupBoard board = new PopupBoard(Operator.present());
+    PopupBoard board = board(Operator.present());
     Popup first = board.show(0, "Popup", "one", Severity.MESSAGE, true);
     Popup second = board.show(0, "Popup", "two", Severity.ERROR, false);
     assertEquals(List.of(first, second), board.open());
@@ -26,23 +30,31 @@ final class PopupBoardTest {
 
   @Test
   void withoutAScreenEveryPopupIsShownAndAnswered() {
-    PopupBoard board = new PopupBoard(Operator.headless(Map.of("name", "x")));
+    PopupBoard board = board(Operator.headless(List.of()));
     Popup popup = board.show(0, "Popup", "one", Severity.MESSAGE, true);
     assertFalse(board.isOpen(popup));
     assertEquals(List.of(popup), board.takeNew());
     assertEquals(List.of(), board.takeNew());
-    assertEquals(Optional.of("x"), board.operator().answerTo("name"));
-    assertEquals(Optional.empty(), board.operator().answerTo("age"));
   }
 
   @Test
-  void theScreenHoldsABoundedNumberAndDropsThoseThatDoNotBlock() {
-    PopupBoard board = new PopupBoard(Operator.present());
+  void theScreenHoldsABoundedNumberAndSaysWhatWentUnread() {
+    PopupBoard board = board(Operator.present());
     Popup blocking = board.show(0, "Popup", "stay", Severity.MESSAGE, true);
     for (int i = 0; i < 1000; i++) {
-      board.show(0, "Popup", "more", Severity.MESSAGE, false);
+      board.show(0, "Part", "number " + i, Severity.MESSAGE, false);
     }
     assertTrue(board.isOpen(blocking));
     assertTrue(board.open().size() < 100);
+    assertTrue(log.since(0).getFirst().text().endsWith("Part: number 0"));
+  }
+
+  @Test
+  void oneThatBlocksIsNeverDropped() {
+    PopupBoard board = board(Operator.present());
+    for (int i = 0; i < 200; i++) {
+      board.show(0, "Popup", "stay", Severity.MESSAGE, true);
+    }
+    assertEquals(200, board.open().size());
   }
 }

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.motion.profile.ProfileLimits;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
@@ -105,7 +106,7 @@ final class MotionControlTest {
 
       double distance = goal.maxAbsDifference(start);
       double speed = Math.min(limits.speed(), arm.joints().getFirst().maxSpeedRadPerS());
-      double duration = TrapezoidProfile.of(distance, speed, limits.acceleration()).durationS();
+      double duration = ProfileLimits.of(speed, limits.acceleration()).over(distance).durationS();
       assertEquals(Math.ceil(duration / FRAME_S - 1e-9), trace.frames(), input);
       assertEquals(goal, control.positionRad(), input);
       assertEquals(Joints.ZERO, control.speedRadPerS(), input);
@@ -137,12 +138,12 @@ final class MotionControlTest {
       Trace trace = finish(control, control.start(movel(goal, limits)));
 
       double length = Poses.pointDistance(from, goal);
-      double along = TrapezoidProfile.of(length, limits.speed(), limits.acceleration()).durationS();
+      double along = ProfileLimits.of(limits.speed(), limits.acceleration()).over(length).durationS();
       double around =
-          TrapezoidProfile.of(
-                  Poses.rotationAngle(from, goal),
+          ProfileLimits.of(
                   MoveL.ROTATION_FACTOR * limits.speed(),
                   MoveL.ROTATION_FACTOR * limits.acceleration())
+              .over(Poses.rotationAngle(from, goal))
               .durationS();
       assertEquals(Math.ceil(Math.max(along, around) / FRAME_S - 1e-9), trace.frames(), input);
       assertEquals(0, Poses.distance(goal, forward.tcpPose(control.positionRad(), TCP)), 1e-9);

@@ -31,6 +31,38 @@ final class ProtectiveStopTest {
   }
 
   @Test
+  void aGuidedArmMayBePushedAndItsTargetMayBeAnywhere() {
+    bench.guided(true).at(SafetyBench.START);
+    bench.readings.setExternalTorque(1, 140);
+    bench.steps(50);
+    bench.at(SafetyBench.START.with(0, 0.3));
+    assertEquals(-1, bench.stepsUntilAction(50));
+    bench.guided(false);
+    assertTrue(bench.stepsUntilAction(50) > 0, "held again, the push is a collision");
+    assertEquals(157, bench.stop().code());
+  }
+
+  @Test
+  void aGuidedArmIsStoppedBeforeTheEndOfAJoint() {
+    bench.guided(true).at(SafetyBench.START.with(0, 6.2)).step();
+    bench.target(SafetyBench.START.with(0, 6.25), SafetyBench.speed(0, 3));
+    assertEquals(SafetyAction.STOP_ON_PATH, bench.step());
+    assertEquals(150, bench.stop().code());
+  }
+
+  @Test
+  void aWrongPayloadStopsOnce() {
+    safety.wrongPayload(19.6, 7.4);
+    assertEquals(SafetyAction.STOP_ON_PATH, bench.step());
+    assertEquals(
+        "C155A0 protective stop at 0.002 s: the declared payload is not what the flange carries,"
+            + " or somebody pushes the tool: 19.6 N, limit 7.4 N",
+        bench.stop().message());
+    safety.powerOff();
+    assertEquals(SafetyAction.NONE, bench.step());
+  }
+
+  @Test
   void unlockingNeedsFiveSeconds() {
     safety.protectiveStop();
     bench.step();

@@ -31,6 +31,7 @@ final class SafetyBench {
   private Wrench wrench = Wrench.ZERO;
   private boolean steady;
   private boolean program;
+  private boolean guided;
 
   SafetyBench(ArmDescription arm, SafetyConfiguration configuration, boolean running) {
     this.arm = arm;
@@ -88,6 +89,11 @@ final class SafetyBench {
     return this;
   }
 
+  SafetyBench guided(boolean byHand) {
+    guided = byHand;
+    return this;
+  }
+
   SafetyAction step() {
     frame++;
     log.setTime(timeS());
@@ -106,7 +112,8 @@ final class SafetyBench {
         wrench,
         steady,
         !targetSpeed.equals(Joints.ZERO),
-        program);
+        program,
+        guided);
   }
 
   /** Steps until something has to be done; the number of frames that took, or -1 for too many. */

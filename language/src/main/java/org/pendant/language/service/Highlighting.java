@@ -13,7 +13,6 @@ import org.pendant.language.parse.Lexeme;
 import org.pendant.language.parse.Lexeme.Kind;
 import org.pendant.language.service.HighlightToken.Style;
 import org.pendant.language.signature.Catalogue;
-import org.pendant.language.signature.Signature;
 import org.pendant.language.source.Source;
 
 /**
@@ -25,7 +24,7 @@ import org.pendant.language.source.Source;
 public final class Highlighting {
   private final Lexemes lexemes;
   private final Catalogue catalogue;
-  private final Set<String> methods = new HashSet<>();
+  private final Map<String, Boolean> methods = new HashMap<>();
   private final Map<String, Boolean> builtins = new HashMap<>();
   private final Set<String> functions = new HashSet<>();
   private final Set<String> variables = new HashSet<>();
@@ -36,11 +35,6 @@ public final class Highlighting {
     this.lexemes = lexemes;
     this.catalogue = catalogue;
     this.tokens = new ArrayList<>(lexemes.size());
-    for (Signature signature : catalogue.all()) {
-      if (signature.receiver().isPresent()) {
-        methods.add(signature.name());
-      }
-    }
   }
 
   /** The coloured stretches of {@code source}, in order. */
@@ -116,7 +110,7 @@ public final class Highlighting {
   private Style name(int index) {
     String name = lexemes.text(index);
     if (lexemes.is(index - 1, Kind.DOT) && !lexemes.get(index).firstOnLine()) {
-      return lexemes.reads(index + 1, "(") && methods.contains(name) ? Style.BUILTIN : Style.MEMBER;
+      return lexemes.reads(index + 1, "(") && isMethod(name) ? Style.BUILTIN : Style.MEMBER;
     }
     if (lexemes.opensDefinition(index - 1)) {
       return Style.FUNCTION;
@@ -134,6 +128,14 @@ public final class Highlighting {
       return Style.KEYWORD;
     }
     return variables.contains(name) ? Style.VARIABLE : Style.UNKNOWN;
+  }
+
+  private boolean isMethod(String name) {
+    return methods.computeIfAbsent(
+        name,
+        key ->
+            catalogue.all().stream()
+                .anyMatch(each -> each.receiver().isPresent() && each.name().equals(key)));
   }
 
   private Style callee(String name) {

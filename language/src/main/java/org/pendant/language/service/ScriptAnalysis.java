@@ -100,6 +100,11 @@ public final class ScriptAnalysis {
     return occurrence(offset).map(new HoverTexts(this)::of);
   }
 
+  /** The number at {@code offset}, if its place says in which unit it is. */
+  public Optional<Quantity> quantity(int offset) {
+    return new Quantities(this).at(within(offset));
+  }
+
   /** Functions, threads and globals, nested as in the text. */
   public List<OutlineItem> outline() {
     return Outline.of(this);

@@ -1,0 +1,100 @@
+package org.pendant.controller.builtin;
+
+import java.util.Optional;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.call.Wait;
+import org.pendant.controller.message.Answer;
+import org.pendant.controller.message.Asked;
+import org.pendant.controller.message.Question;
+import org.pendant.controller.message.QuestionBoard;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.StringValue;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+
+/** Questions to the operator (manual 18.73 to 18.76). */
+final class OperatorBuiltins {
+  private static final String MODULE = "interfaces";
+
+  private OperatorBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    declare(
+        builtins,
+        "boolean",
+        "18.73",
+        Question.Kind.BOOLEAN,
+        Type.BOOL,
+        "Asks the operator for yes or no. Waits for the answer; other threads keep running.");
+    declare(
+        builtins,
+        "float",
+        "18.74",
+        Question.Kind.FLOAT,
+        Type.NUMBER,
+        "Asks the operator for a number. Waits for the answer; other threads keep running.");
+    declare(
+        builtins,
+        "integer",
+        "18.75",
+        Question.Kind.INTEGER,
+        Type.NUMBER,
+        "Asks the operator for a whole number. Waits for the answer; other threads keep running.");
+    declare(
+        builtins,
+        "string",
+        "18.76",
+        Question.Kind.STRING,
+        Type.STRING,
+        "Asks the operator for a text. Waits for the answer; other threads keep running.");
+  }
+
+  private static void declare(
+      Builtins builtins, String word, String section, Question.Kind kind, Type type, String doc) {
+    builtins
+        .declare("request_" + word + "_from_primary_client")
+        .manual(MODULE, section)
+        .doc(doc)
+        .needs("message", Type.STRING)
+        .returns(type)
+        .physicalTime()
+        .does(call -> ask(call, kind));
+  }
+
+  private static Outcome ask(Call call, Question.Kind kind) throws ScriptError {
+    String text = call.text(0);
+    if (text.isEmpty()) {
+      throw call.failure("value-out-of-range", "message is empty, must say what to answer");
+    }
+    QuestionBoard board = call.box().questions();
+    Asked asked = board.ask(call.box().timeS(), kind, text);
+    if (asked.refusal().isPresent()) {
+      throw call.failure("no-answer", asked.refusal().get());
+    }
+    return new Reply(board, asked);
+  }
+
+  /** Waits for the answer. */
+  private record Reply(QuestionBoard board, Asked asked) implements Wait {
+    @Override
+    public Optional<Value> poll(long frame) {
+      return asked.answer().map(OperatorBuiltins::value);
+    }
+
+    @Override
+    public void cancel() {
+      board.withdraw(asked);
+    }
+  }
+
+  private static Value value(Answer answer) {
+    return switch (answer) {
+      case Answer.Bool bool -> Value.of(bool.value());
+      case Answer.Whole whole -> Value.of(whole.value());
+      case Answer.Decimal decimal -> Value.of(decimal.value());
+      case Answer.Text text -> new StringValue(text.bytes());
+    };
+  }
+}

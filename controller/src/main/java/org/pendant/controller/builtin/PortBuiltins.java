@@ -1,0 +1,106 @@
+package org.pendant.controller.builtin;
+
+import java.util.List;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.io.PortMap;
+import org.pendant.controller.io.SignalWrite;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.language.signature.Type;
+
+/** Bits and registers that Modbus clients see as well (manual 18.38, 18.39, 18.70, 18.71). */
+final class PortBuiltins {
+  private static final String MODULE = "interfaces";
+  private static final String REGISTERS =
+      "must be a port register: 0 to 11, 16 to 22, 24 to 33 or 128 to 255";
+  private static final String BITS = "must be a port bit: 0 to 47 or 128 to 255";
+
+  /** The manual's upper limit, one beyond what 16 bits hold; it counts as 0. */
+  private static final int HIGHEST = 0x10000;
+
+  private PortBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    builtins
+        .declare("read_port_bit")
+        .manual(MODULE, "18.38")
+        .doc("A bit that Modbus clients see as well: 0 to 47 are signals, 128 to 255 memory.")
+        .needs("address", Type.INT)
+        .returns(Type.BOOL)
+        .does(PortBuiltins::readBit);
+    builtins
+        .declare("read_port_register")
+        .manual(MODULE, "18.39")
+        .doc(
+            "A register that Modbus clients see as well, -32768 to 32767: 0 to 33 are signals,"
+                + " 128 to 255 memory.")
+        .needs("address", Type.INT)
+        .returns(Type.INT)
+        .does(PortBuiltins::readRegister);
+    builtins
+        .declare("write_port_bit")
+        .manual(MODULE, "18.70")
+        .doc(
+            "Writes a bit that Modbus clients see as well; a bit of an input stays as it is,"
+                + " with a warning.")
+        .needs("address", Type.INT)
+        .needs("value", Type.BOOL)
+        .does(PortBuiltins::writeBit);
+    builtins
+        .declare("write_port_register")
+        .manual(MODULE, "18.71")
+        .doc(
+            "Writes a register that Modbus clients see as well, -32768 to 65536; one of an input"
+                + " stays as it is, with a warning.")
+        .needs("address", Type.INT)
+        .needs("value", Type.INT)
+        .does(PortBuiltins::writeRegister);
+  }
+
+  private static Outcome readBit(Call call) throws ScriptError {
+    ControlBox box = call.box();
+    return call.answer(
+        PortMap.bit(call.integer(0), box.io().levels(), box.signals().state())
+            .orElseThrow(() -> call.refuse(0, BITS))
+            .booleanValue());
+  }
+
+  private static Outcome readRegister(Call call) throws ScriptError {
+    ControlBox box = call.box();
+    int value =
+        PortMap.register(call.integer(0), box.io().levels(), box.signals().state())
+            .orElseThrow(() -> call.refuse(0, REGISTERS));
+    return call.answerInt((short) value);
+  }
+
+  private static Outcome writeBit(Call call) throws ScriptError {
+    int address = call.integer(0);
+    return write(
+        call,
+        "bit " + address,
+        PortMap.writeBit(address, call.bool(1)).orElseThrow(() -> call.refuse(0, BITS)));
+  }
+
+  private static Outcome writeRegister(Call call) throws ScriptError {
+    int address = call.integer(0);
+    int value = call.integer(1, Short.MIN_VALUE, HIGHEST) & 0xFFFF;
+    try {
+      return write(
+          call,
+          "register " + address,
+          PortMap.writeRegister(address, value).orElseThrow(() -> call.refuse(0, REGISTERS)));
+    } catch (IllegalArgumentException e) {
+      throw call.failure("value-out-of-range", e.getMessage());
+    }
+  }
+
+  private static Outcome write(Call call, String port, List<SignalWrite> writes) {
+    if (writes.isEmpty()) {
+      call.box().log().warnOnce("port " + port + " is an input: a program cannot write it");
+    }
+    writes.forEach(call.box().signals()::write);
+    return call.answer();
+  }
+}

@@ -1,0 +1,99 @@
+package org.pendant.controller.builtin;
+
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Declaration;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterIo;
+import org.pendant.controller.io.RegisterKind;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.language.signature.Type;
+
+/** General-purpose registers (manual 18.32 to 18.37, 18.67 to 18.69). */
+final class RegisterBuiltins {
+  private RegisterBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    declareReading(builtins, Direction.INPUT, "18.32", "18.33", "18.34");
+    declareReading(builtins, Direction.OUTPUT, "18.35", "18.36", "18.37");
+    write(builtins, RegisterKind.BOOLEAN, "18.67", Type.BOOL)
+        .doc("Writes a boolean output register, 0 to 127; registers outlive the program.")
+        .does(RegisterBuiltins::setBool);
+    write(builtins, RegisterKind.FLOAT, "18.68", Type.NUMBER)
+        .doc("Writes a float output register, 0 to 47; registers outlive the program.")
+        .does(RegisterBuiltins::setFloating);
+    write(builtins, RegisterKind.INTEGER, "18.69", Type.INT)
+        .doc("Writes an integer output register, 0 to 47; registers outlive the program.")
+        .does(RegisterBuiltins::setInteger);
+  }
+
+  private static void declareReading(
+      Builtins builtins,
+      Direction direction,
+      String booleanSection,
+      String floatSection,
+      String integerSection) {
+    String registers = direction.text() + " register";
+    read(builtins, direction, RegisterKind.BOOLEAN, booleanSection, Type.BOOL)
+        .doc("The value of a boolean " + registers + ", 0 to 127.")
+        .does(
+            call ->
+                call.answer(registers(call, direction).bool(address(call, RegisterKind.BOOLEAN))));
+    read(builtins, direction, RegisterKind.FLOAT, floatSection, Type.NUMBER)
+        .doc("The value of a float " + registers + ", 0 to 47.")
+        .does(
+            call ->
+                call.answer(
+                    registers(call, direction).floating(address(call, RegisterKind.FLOAT))));
+    read(builtins, direction, RegisterKind.INTEGER, integerSection, Type.INT)
+        .doc("The value of an integer " + registers + ", 0 to 47.")
+        .does(
+            call ->
+                call.answerInt(
+                    registers(call, direction).integer(address(call, RegisterKind.INTEGER))));
+  }
+
+  private static Declaration read(
+      Builtins builtins, Direction direction, RegisterKind kind, String section, Type result) {
+    return builtins
+        .declare("read_" + direction.text() + "_" + kind.text() + "_register")
+        .manual("interfaces", section)
+        .needs("address", Type.INT)
+        .returns(result);
+  }
+
+  private static Declaration write(
+      Builtins builtins, RegisterKind kind, String section, Type type) {
+    return builtins
+        .declare("write_output_" + kind.text() + "_register")
+        .manual("interfaces", section)
+        .needs("address", Type.INT)
+        .needs("value", type);
+  }
+
+  private static RegisterIo registers(Call call, Direction direction) {
+    return call.box().signals().registers(direction);
+  }
+
+  private static int address(Call call, RegisterKind kind) throws ScriptError {
+    return call.integer(0, 0, kind.size() - 1);
+  }
+
+  private static Outcome setBool(Call call) throws ScriptError {
+    registers(call, Direction.OUTPUT).setBool(address(call, RegisterKind.BOOLEAN), call.bool(1));
+    return call.answer();
+  }
+
+  private static Outcome setFloating(Call call) throws ScriptError {
+    registers(call, Direction.OUTPUT)
+        .setFloating(address(call, RegisterKind.FLOAT), call.number(1));
+    return call.answer();
+  }
+
+  private static Outcome setInteger(Call call) throws ScriptError {
+    registers(call, Direction.OUTPUT)
+        .setInteger(address(call, RegisterKind.INTEGER), call.integer(1));
+    return call.answer();
+  }
+}

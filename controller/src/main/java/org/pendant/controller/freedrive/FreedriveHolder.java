@@ -1,0 +1,11 @@
+package org.pendant.controller.freedrive;
+
+/** Who lets the arm be guided. */
+public enum FreedriveHolder {
+  /** A program, by {@code freedrive_mode}. */
+  PROGRAM,
+  /** Somebody at the screen. */
+  HAND,
+  /** An input with the freedrive action. */
+  INPUT
+}

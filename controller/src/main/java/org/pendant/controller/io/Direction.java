@@ -1,0 +1,23 @@
+package org.pendant.controller.io;
+
+/** Who writes a register: the world outside an input, programs an output. */
+public enum Direction {
+  INPUT("input"),
+  OUTPUT("output");
+
+  private final String text;
+
+  Direction(String text) {
+    this.text = text;
+  }
+
+  /** The word that scripts use, as in {@code read_input_float_register}. */
+  public String text() {
+    return text;
+  }
+
+  /** The name of a register outside of scripts, such as {@code input_float_register[3]}. */
+  public String name(RegisterKind kind, int address) {
+    return text + "_" + kind.text() + "_register[" + address + "]";
+  }
+}

@@ -1,0 +1,81 @@
+package org.pendant.controller.io;
+
+import java.util.Arrays;
+
+/**
+ * The general-purpose registers of one direction at one moment (manual 18.32 to 18.37): 128
+ * booleans, 48 32-bit integers and 48 doubles. Immutable.
+ */
+public final class RegisterLevels {
+  /** False and zero. */
+  public static final RegisterLevels ZERO =
+      new RegisterLevels(
+          0L, 0L, new int[RegisterKind.INTEGER.size()], new double[RegisterKind.FLOAT.size()]);
+
+  private final long lowBits;
+  private final long highBits;
+  private final int[] integers;
+  private final double[] floats;
+
+  /** The arrays belong to this object from now on. */
+  RegisterLevels(long lowBits, long highBits, int[] integers, double[] floats) {
+    this.lowBits = lowBits;
+    this.highBits = highBits;
+    this.integers = integers;
+    this.floats = floats;
+  }
+
+  /**
+   * A boolean register, 0 to 127.
+   *
+   * @throws IllegalArgumentException if there is no such register
+   */
+  public boolean bool(int address) {
+    RegisterKind.BOOLEAN.check(address);
+    return ((address < Long.SIZE ? lowBits : highBits) >> address & 1) != 0;
+  }
+
+  /** Boolean registers 0 to 63, the lowest in bit 0. */
+  public long lowBits() {
+    return lowBits;
+  }
+
+  /** Boolean registers 64 to 127, the lowest in bit 0. */
+  public long highBits() {
+    return highBits;
+  }
+
+  /**
+   * An integer register, 0 to 47.
+   *
+   * @throws IllegalArgumentException if there is no such register
+   */
+  public int integer(int address) {
+    RegisterKind.INTEGER.check(address);
+    return integers[address];
+  }
+
+  /**
+   * A float register, 0 to 47.
+   *
+   * @throws IllegalArgumentException if there is no such register
+   */
+  public double floating(int address) {
+    RegisterKind.FLOAT.check(address);
+    return floats[address];
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof RegisterLevels levels
+        && lowBits == levels.lowBits
+        && highBits == levels.highBits
+        && Arrays.equals(integers, levels.integers)
+        && Arrays.equals(floats, levels.floats);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * (31 * Long.hashCode(lowBits) + Long.hashCode(highBits)) + Arrays.hashCode(integers);
+  }
+}

@@ -1,0 +1,74 @@
+package org.pendant.controller.motion;
+
+import java.util.Optional;
+import org.pendant.controller.value.Value;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
+
+/** Whether joints can turn as fast as a motion needs, and what to say when they cannot. */
+final class JointSpeedCheck {
+  /** Room for the mean speed of a frame, which may exceed the speeds at both of its ends. */
+  private static final double MEAN_SPEED_TOLERANCE = 1.01;
+
+  private final double[] maxSpeed = new double[Joints.COUNT];
+
+  JointSpeedCheck(ArmDescription arm) {
+    for (int i = 0; i < Joints.COUNT; i++) {
+      maxSpeed[i] = arm.joints().get(i).maxSpeedRadPerS();
+    }
+  }
+
+  /** A point of a path, reached from {@code before} within a frame. */
+  Optional<MotionFailure> onPath(double[] before, MotionSample sample, double scaling) {
+    for (int i = 0; i < Joints.COUNT; i++) {
+      double moved = Math.abs(sample.position[i] - before[i]) / FrameTime.FRAME_S;
+      double needed = Math.max(moved, Math.abs(sample.speed[i]) * scaling);
+      if (!(needed <= maxSpeed[i] * MEAN_SPEED_TOLERANCE)) {
+        return Optional.of(
+            tooFast(i, needed, "the path is too fast or passes close to a singularity"));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Speeds of a target that offsets carry aside. */
+  Optional<MotionFailure> carried(Joints speedRadPerS) {
+    for (int i = 0; i < Joints.COUNT; i++) {
+      double needed = Math.abs(speedRadPerS.get(i));
+      if (!(needed <= maxSpeed[i] * MEAN_SPEED_TOLERANCE)) {
+        return Optional.of(tooFast(i, needed, "what carries the tool aside does so too suddenly"));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private MotionFailure tooFast(int joint, double needed, String why) {
+    return new MotionFailure(
+        "joint-speed",
+        "joint "
+            + joint
+            + " would turn at "
+            + Value.of(needed).text()
+            + " rad/s, must be at most "
+            + Value.of(maxSpeed[joint]).text()
+            + " rad/s; "
+            + why);
+  }
+
+  /** The path needs a joint to turn faster than any slowing down helps against. */
+  static MotionFailure singular(MotionSample sample) {
+    int fastest = 0;
+    for (int i = 1; i < Joints.COUNT; i++) {
+      if (Math.abs(sample.speed[i]) > Math.abs(sample.speed[fastest])) {
+        fastest = i;
+      }
+    }
+    return new MotionFailure(
+        "singularity",
+        "the path passes too close to a singularity: joint "
+            + fastest
+            + " would turn at "
+            + Value.of(Math.abs(sample.speed[fastest])).text()
+            + " rad/s; a joint move can pass it");
+  }
+}
