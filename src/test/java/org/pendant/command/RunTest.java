@@ -152,6 +152,34 @@ final class RunTest {
   }
 
   @Test
+  void inputsOfAllKindsReachTheProgram() {
+    script(
+        "inputs.script",
+        "textmsg(get_standard_analog_in(0))",
+        "textmsg(get_tool_analog_in(1))",
+        "textmsg(read_input_integer_register(3))",
+        "textmsg(read_input_float_register(47))",
+        "textmsg(read_input_boolean_register(64))",
+        "textmsg(read_port_register(128))");
+
+    Result result =
+        Launcher.pendant(
+            folder,
+            "run",
+            "--input=analog_in[0]=7.5V",
+            "--input=tool_analog_in[1]=12mA",
+            "--input=input_integer_register[3]=-7",
+            "--input=input_float_register[47]=0.25",
+            "--input=input_boolean_register[64]=true",
+            "--input=port_register[128]=65535",
+            "inputs.script");
+
+    assertAll(
+        () -> assertEquals(0, result.exitCode(), result.errors()),
+        () -> assertEquals("7.5\n0.012\n-7\n0.25\nTrue\n-1\n", result.output()));
+  }
+
+  @Test
   void seedDecidesWhatRandomAnswers() {
     script("random.script", "textmsg(random())");
 

@@ -14,9 +14,11 @@ import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JComboBox;
 import javax.swing.JTabbedPane;
@@ -36,11 +38,11 @@ final class Driver {
     hands = new Hands();
   }
 
-  /** Serves requests until standard input or the desktop ends. */
+  /** Serves requests until standard input or the desktop ends; arguments are programs to open. */
   public static void main(String[] arguments) throws AWTException, IOException {
     Driver driver = new Driver();
     RepaintManager.setCurrentManager(driver.guard);
-    Desktop desktop = Desktop.open();
+    Desktop desktop = Desktop.open(Stream.of(arguments).map(Path::of).toList());
     Thread.ofPlatform().name("end").daemon().start(() -> endWith(desktop));
     BufferedReader requests =
         new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
@@ -95,6 +97,7 @@ final class Driver {
         hands.hold(dispatched(() -> cell(what)));
         hands.release();
       }
+      case "drag" -> drag(what);
       case "choose" -> dispatched(() -> choose(what));
       case "close" -> dispatched(Driver::close);
       case "size" -> dispatched(() -> size(what));
@@ -119,12 +122,38 @@ final class Driver {
       case "brightness" -> {
         return Long.toString(Eyes.brightness(hands.look(place(what))));
       }
+      case "whole" -> {
+        return dispatched(() -> Boolean.toString(Eyes.whole(find(what))));
+      }
+      case "tabs" -> {
+        return dispatched(() -> Eyes.tabs(find(what)));
+      }
+      case "named" -> {
+        return dispatched(() -> Eyes.named(what));
+      }
+      case "nameless" -> {
+        return dispatched(() -> Eyes.nameless(find(what)));
+      }
       case "complaints" -> {
         return String.join("\n", guard.complaints());
       }
       default -> throw new IllegalArgumentException("no such request: " + verb);
     }
     return "";
+  }
+
+  /** {@code tabs=title > name}: a tab to the middle of a component. */
+  private void drag(String what) throws InterruptedException {
+    String[] ends = what.split(" > ", 2);
+    Rectangle from =
+        dispatched(
+            () -> {
+              String[] words = ends[0].split("=", 2);
+              return Eyes.tab(find(words[0]), words[1]);
+            });
+    hands.hold(from);
+    hands.moveTo(place(ends[1]));
+    hands.release();
   }
 
   private static Component find(String name) {

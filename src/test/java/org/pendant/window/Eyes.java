@@ -2,6 +2,7 @@ package org.pendant.window;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.FocusTraversalPolicy;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -13,11 +14,13 @@ import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.accessibility.AccessibleContext;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTree;
 import javax.swing.ListCellRenderer;
@@ -123,6 +126,73 @@ final class Eyes {
     return words(
         tree.getCellRenderer()
             .getTreeCellRendererComponent(tree, node, false, true, true, row, false));
+  }
+
+  /** Whether all of {@code component} can be seen. */
+  static boolean whole(Component component) {
+    Rectangle place = place(component);
+    Window window = SwingUtilities.getWindowAncestor(component);
+    return place.getSize().equals(component.getSize())
+        && !place.isEmpty()
+        && window.getBounds().contains(place);
+  }
+
+  /** The titles of tabs, a line each. */
+  static String tabs(Component component) {
+    if (component instanceof JTabbedPane tabs) {
+      return lines(tabs.getTabCount(), tabs::getTitleAt);
+    }
+    throw new IllegalArgumentException(component.getName() + " has no tabs");
+  }
+
+  /** Where the tab that reads {@code title} is on the screen. */
+  static Rectangle tab(Component component, String title) {
+    if (component instanceof JTabbedPane tabs && tabs.indexOfTab(title) >= 0) {
+      Rectangle tab = tabs.getBoundsAt(tabs.indexOfTab(title));
+      Point corner = tabs.getLocationOnScreen();
+      tab.translate(corner.x, corner.y);
+      return tab;
+    }
+    throw new IllegalArgumentException(component.getName() + " has no tab " + title);
+  }
+
+  /** The names of what is visible in any window that begin with {@code prefix}, a line each. */
+  static String named(String prefix) {
+    return String.join(
+        "\n",
+        Stream.of(Window.getWindows())
+            .filter(Window::isShowing)
+            .flatMap(Eyes::all)
+            .filter(Component::isShowing)
+            .map(Component::getName)
+            .filter(name -> name != null && name.startsWith(prefix))
+            .toList());
+  }
+
+  /** What keys can reach in {@code component} and a screen reader has no name for. */
+  static String nameless(Component component) {
+    Container cycle =
+        component instanceof Window window ? window : component.getFocusCycleRootAncestor();
+    FocusTraversalPolicy policy = cycle.getFocusTraversalPolicy();
+    List<Component> stops = new ArrayList<>();
+    Component next = policy.getFirstComponent(cycle);
+    while (next != null && !stops.contains(next)) {
+      stops.add(next);
+      next = policy.getComponentAfter(cycle, next);
+    }
+    return String.join("\n", stops.stream().filter(Eyes::withoutName).map(Eyes::path).toList());
+  }
+
+  private static boolean withoutName(Component component) {
+    AccessibleContext context = component.getAccessibleContext();
+    String name = context == null ? null : context.getAccessibleName();
+    return name == null || name.isBlank();
+  }
+
+  private static String path(Component component) {
+    String name = component.getName() == null ? "" : " " + component.getName();
+    String self = component.getClass().getSimpleName() + name;
+    return component.getParent() == null ? self : path(component.getParent()) + " / " + self;
   }
 
   /** Where the visible part of {@code component} is on the screen. */

@@ -1,6 +1,8 @@
 package org.pendant.window;
 
 import java.awt.AWTException;
+import java.awt.MouseInfo;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
@@ -13,6 +15,7 @@ import javax.swing.KeyStroke;
 /** Mouse and keys of the display, on an American keyboard. */
 final class Hands {
   private static final String SHIFTED = "~!@#$%^&*()_+{}|:\"<>?";
+  private static final int STEPS = 10;
   private static final String PLAIN = "`1234567890-=[]\\;',./";
 
   private final Robot robot;
@@ -25,6 +28,16 @@ final class Hands {
   void hold(Rectangle place) {
     robot.mouseMove((int) place.getCenterX(), (int) place.getCenterY());
     robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+  }
+
+  /** Moves to the middle of {@code place}, in steps as a hand does. */
+  void moveTo(Rectangle place) {
+    Point start = MouseInfo.getPointerInfo().getLocation();
+    for (int i = 1; i <= STEPS; i++) {
+      robot.mouseMove(
+          start.x + (int) (place.getCenterX() - start.x) * i / STEPS,
+          start.y + (int) (place.getCenterY() - start.y) * i / STEPS);
+    }
   }
 
   /** Lets the button go. */

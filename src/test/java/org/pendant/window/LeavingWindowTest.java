@@ -1,8 +1,13 @@
 package org.pendant.window;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -55,6 +60,123 @@ final class LeavingWindowTest {
       window.clickText("notices", "Restore");
       window.click("rail-script");
       window.awaitWords("script-text", "lost = 12");
+    }
+  }
+
+  @Test
+  void savingFromTheQuestionGoesOnQuitting() throws IOException {
+    Path file = folder.resolve("mine.script");
+    Files.writeString(file, "old = 1\r\n");
+    try (OpenWindow window = OpenWindow.open(display, folder)) {
+      window.open(file);
+      edit(window);
+      window.press("control Q");
+      window.awaitFocus("unsaved-save");
+      window.press("SPACE");
+      window.awaitEnd();
+    }
+    assertEquals("lost = 12\r\nold = 1\r\n", Files.readString(file));
+  }
+
+  @Test
+  void aProgramWithoutAFileIsSavedAndThenTheWindowCloses() throws IOException {
+    Path file = folder.resolve("new.script");
+    try (OpenWindow window = OpenWindow.open(display, folder)) {
+      edit(window);
+      window.askToClose();
+      window.click("unsaved-save");
+      window.awaitFocus("save-dialog");
+      window.press("ESCAPE");
+      window.awaitHidden("save-dialog");
+      window.awaitWords("program-name", "\u2022");
+      window.askToClose();
+      window.click("unsaved-save");
+      window.awaitFocus("save-dialog");
+      window.press("control A");
+      window.type(file + "\n");
+      window.awaitEnd();
+    }
+    assertTrue(Files.readString(file).startsWith("lost = 12\n"));
+  }
+
+  @Test
+  void changesOfOthersAreReadOrAskedAbout() throws IOException {
+    Path file = folder.resolve("mine.script");
+    Files.writeString(file, "old = 1\n");
+    try (OpenWindow window = OpenWindow.open(display, folder)) {
+      window.open(file);
+      window.click("rail-script");
+      // Before the first look nobody knows the file's age.
+      window.await(
+          "it is read again",
+          () -> {
+            write(file, "newer = " + System.nanoTime() + "\n");
+            return window.words("script-text").contains("newer");
+          });
+      edit(window);
+      write(file, "newest = 3\n");
+      window.awaitWords("notices", "has changed on disk, and here too");
+      window.clickText("notices", "Read it again");
+      window.awaitWords("script-text", "newest = 3");
+      window.await("it is not modified", () -> window.words("program-name").equals("mine.script"));
+      Files.delete(file);
+      window.awaitWords("program-name", "\u2022");
+      window.press("control S");
+      window.await("it is there again", () -> Files.exists(file));
+    }
+  }
+
+  @Test
+  void aBrokenSettingsFileIsToldAndKept() throws IOException {
+    Path settings = Files.createDirectories(folder.resolve("pendant")).resolve("settings.txt");
+    Files.writeString(settings, "look.theme = dark\n\u00e9 ?\nfile.recent = a\u0000b\n");
+    try (OpenWindow window = OpenWindow.open(display, folder)) {
+      window.awaitWords("notices", "has lines that are no settings: 2");
+      window.await("what could be read is kept", () -> window.brightness("header") < 100);
+    }
+    assertTrue(Files.exists(folder.resolve("pendant/settings.txt.bad")));
+  }
+
+  @Test
+  void settingsThatCannotBeWrittenAreToldAndEverythingElseWorks() throws IOException {
+    Files.writeString(folder.resolve("pendant"), "not a folder");
+    try (OpenWindow window = OpenWindow.open(display, folder)) {
+      window.perform("Colours: Dark");
+      window.awaitWords("notices", "Settings cannot be written");
+      window.await("the window is dark", () -> window.brightness("header") < 100);
+      edit(window);
+      window.awaitWords("notices", "cannot be kept against a crash");
+    }
+    assertEquals("not a folder", Files.readString(folder.resolve("pendant")));
+  }
+
+  @Test
+  void filesThatCannotBeOpenedAreToldInTheWindow() throws IOException {
+    Path binary = folder.resolve("a.script");
+    Files.write(binary, new byte[] {1, 0, 2});
+    Path good = folder.resolve("good.script");
+    Files.writeString(good, "fine = 1\n");
+    try (OpenWindow window =
+        OpenWindow.open(
+            display,
+            folder,
+            List.of(binary, folder.resolve("none.script"), good))) {
+      window.awaitWords("notices", "a.script: it is no text");
+      window.awaitWords("notices", "none.script: there is no such file");
+      window.awaitWords("program-name", "good.script");
+      window.askToClose();
+      window.awaitEnd();
+    }
+    try (OpenWindow window = OpenWindow.open(display, folder)) {
+      window.awaitWords("program-name", "good.script");
+    }
+  }
+
+  private static void write(Path file, String text) {
+    try {
+      Files.writeString(file, text);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 

@@ -45,6 +45,17 @@ final class OpenWindow implements AutoCloseable {
    */
   static OpenWindow open(VirtualDisplay display, Path folder, String... options)
       throws IOException {
+    return open(display, folder, List.of(), options);
+  }
+
+  /**
+   * As {@link #open(VirtualDisplay, Path, String...)}.
+   *
+   * @param programs to open in it
+   */
+  static OpenWindow open(
+      VirtualDisplay display, Path folder, List<Path> programs, String... options)
+      throws IOException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(
@@ -56,6 +67,7 @@ final class OpenWindow implements AutoCloseable {
             "--sun-misc-unsafe-memory-access=allow"));
     command.addAll(List.of(options));
     command.addAll(List.of("-cp", System.getProperty("java.class.path"), Driver.class.getName()));
+    programs.forEach(each -> command.add(each.toString()));
     ProcessBuilder builder =
         new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT);
     builder.environment().put("DISPLAY", display.name());
@@ -112,6 +124,31 @@ final class OpenWindow implements AutoCloseable {
     // Without a window manager nobody else gives it.
     click("rail-run");
     awaitFocus("pendant");
+  }
+
+  /** Drags the tab that reads {@code title} to the middle of a component. */
+  void dragTab(String tabs, String title, String target) {
+    ask("drag", tabs + "=" + title + " > " + target);
+  }
+
+  /** Whether all of a component can be seen. */
+  boolean whole(String name) {
+    return Boolean.parseBoolean(ask("whole", name));
+  }
+
+  /** The titles of tabs, in their order. */
+  List<String> tabs(String name) {
+    return ask("tabs", name).lines().toList();
+  }
+
+  /** The names of what is visible that begin with {@code prefix}. */
+  List<String> named(String prefix) {
+    return ask("named", prefix).lines().toList();
+  }
+
+  /** What keys can reach in the window and a screen reader has no name for; empty if nothing. */
+  String nameless() {
+    return ask("nameless", "pendant");
   }
 
   /** Chooses an item of a combo box, or a tab, by its text. */

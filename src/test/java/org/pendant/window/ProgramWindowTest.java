@@ -32,18 +32,6 @@ final class ProgramWindowTest {
   }
 
   @Test
-  void popupIsAnsweredByKeyboardAndStopStaysInSight() {
-    desk.run("popup(\"take the part\", \"Please\", blocking=True)", "textmsg(\"taken\")");
-    window.awaitWords("popup-title", "Please");
-    window.awaitWords("popup-text", "take the part");
-    window.awaitEnabled("program-stop");
-    window.awaitFocus("popup-continue");
-    window.press("SPACE");
-    window.awaitHidden("popup-text");
-    window.awaitWords("run-messages", "taken");
-  }
-
-  @Test
   void mistakeIsExplainedWhileTyping() {
     desk.program("i = 1");
     window.click("rail-script");

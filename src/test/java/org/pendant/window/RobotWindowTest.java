@@ -26,6 +26,16 @@ final class RobotWindowTest {
     assertNotEquals(before, rest);
   }
 
+  @Test
+  void freedriveIsOnAsLongAsItsButtonIsHeld() {
+    window.click("rail-move");
+    window.awaitWords("move-freedrive-status", "Freedrive is off.");
+    window.hold("move-freedrive");
+    window.awaitWords("move-freedrive-status", "Freedrive is on.");
+    window.release();
+    window.awaitWords("move-freedrive-status", "Freedrive is off.");
+  }
+
   /** Two readings with half a second of robot time between them. */
   private void awaitRest() {
     window.await(

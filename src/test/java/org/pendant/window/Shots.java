@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import org.pendant.gui.scene.gl.SceneUnavailable;
 
 /**
  * Writes pictures of every screen for the documentation, and to look at: in both themes, at three
@@ -25,11 +26,12 @@ final class Shots {
 
   /**
    * Writes pictures of a usual window into the folder that the first argument names, and of a small
-   * and of a doubled one into the second.
+   * and of a doubled one into the second; and all robots into the first.
    */
-  public static void main(String[] arguments) throws IOException {
+  public static void main(String[] arguments) throws IOException, SceneUnavailable {
     Path usual = Files.createDirectories(Path.of(arguments[0]));
     Path others = Files.createDirectories(Path.of(arguments[1]));
+    ContactSheet.write(usual.resolve("robots.png"));
     for (String theme : List.of("Light", "Dark")) {
       take(usual, theme, "1440x900", "1440x900", 1);
       take(others, theme, "1024x700", "1024x700", 1);

@@ -3,6 +3,8 @@ package org.pendant.gui.command;
 import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
+import java.nio.file.Path;
+import java.util.List;
 import org.pendant.gui.shell.Desktop;
 
 /** Opens the desktop. Nothing else of the command line loads a class of the desktop. */
@@ -13,15 +15,19 @@ final class DesktopStart {
     this.console = console;
   }
 
-  /** Opens the window and waits until it is closed. */
-  ExitCode run() {
+  /**
+   * Opens the window and waits until it is closed.
+   *
+   * @param files programs to open in it
+   */
+  ExitCode run(List<Path> files) {
     try {
       if (GraphicsEnvironment.isHeadless()) {
         return refused("there is no display");
       }
       // Says at once whether the display can be used.
       GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
-      Desktop.open().awaitClosed();
+      Desktop.open(files).awaitClosed();
       return ExitCode.DONE;
     } catch (AWTError | HeadlessException | UnsatisfiedLinkError e) {
       return refused(e.getMessage());

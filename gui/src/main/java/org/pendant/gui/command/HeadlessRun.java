@@ -146,6 +146,9 @@ final class HeadlessRun {
       case Ending.Halted halted -> ExitCode.DONE;
       case Ending.Failed failed -> {
         Report.failure(source, failed.failure()).forEach(console::complain);
+        if (failed.failure().code().equals("no-answer")) {
+          console.complain(Report.note(source, "--answer \"TEXT=VALUE\" prepares an answer"));
+        }
         yield failed.failure().code().equals("internal-error")
             ? ExitCode.INTERNAL_ERROR
             : ExitCode.PROGRAM_FAILED;
@@ -193,7 +196,7 @@ final class HeadlessRun {
         console.printBytes(entry.text());
         pendingOutput = true;
       }
-      case CONTROLLER -> console.complain(Report.logEntry(source, entry));
+      case CONTROLLER, SAFETY, PROTOCOL -> console.complain(Report.logEntry(source, entry));
       case ENDING -> {
         // Said with its place and call stack when the program has ended.
       }

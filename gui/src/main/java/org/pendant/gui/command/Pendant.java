@@ -21,6 +21,7 @@ public final class Pendant {
     this.console = console;
     subcommands =
         List.of(
+            new OpenCommand(),
             new RunCommand(),
             new CheckCommand(),
             new RenderCommand(),
@@ -51,7 +52,7 @@ public final class Pendant {
   private ExitCode choose(List<String> words) {
     String first = words.isEmpty() ? "" : words.getFirst();
     return switch (first) {
-      case "" -> new DesktopStart(console).run();
+      case "" -> new DesktopStart(console).run(List.of());
       case "--help", "-h", "help" -> {
         usage().forEach(console::print);
         yield ExitCode.DONE;
@@ -96,7 +97,7 @@ public final class Pendant {
     List<String> names = subcommands.stream().map(Subcommand::name).toList();
     String hint =
         word.endsWith(".script")
-            ? ", did you mean pendant run " + word + "?"
+            ? ", did you mean pendant run " + word + " or pendant open " + word + "?"
             : new Nearest().to(word, () -> names).map(n -> ", did you mean " + n + "?").orElse("");
     return "unknown command " + word + hint;
   }

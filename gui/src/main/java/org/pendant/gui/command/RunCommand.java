@@ -5,6 +5,7 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.machine.Loaded;
+import org.pendant.controller.machine.Program;
 import org.pendant.language.source.Source;
 
 /** {@code pendant run FILE...}: runs programs, each in a controller of its own. */
@@ -33,6 +34,7 @@ final class RunCommand implements Subcommand {
   @Override
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     RunOptions options = RunOptions.of(arguments);
+    RecordColumns columns = RecordColumns.of(arguments, options.record());
     if (arguments.operands().isEmpty()) {
       throw new UsageException("no file given");
     }
@@ -44,7 +46,7 @@ final class RunCommand implements Subcommand {
     ExitCode code = ExitCode.DONE;
     try (Interruption interruption = Interruption.listen()) {
       for (Source source : sources) {
-        code = code.or(run(source, options, builtins, interruption, console));
+        code = code.or(run(source, options, columns, builtins, interruption, console));
         if (interruption.requested() || console.outputClosed()) {
           break;
         }
@@ -58,6 +60,7 @@ final class RunCommand implements Subcommand {
   private static ExitCode run(
       Source source,
       RunOptions options,
+      RecordColumns columns,
       Builtins builtins,
       Interruption interruption,
       Console console)
@@ -68,12 +71,14 @@ final class RunCommand implements Subcommand {
     if (loaded.program().isEmpty()) {
       return ExitCode.DOES_NOT_COMPILE;
     }
+    Program program = loaded.program().get();
+    columns.check(program);
+    var _ = controller.submit(columns.command());
     ExitCode code;
-    RunRecord record = RunRecord.open(options.record(), console);
+    RunRecord record = RunRecord.open(options.record(), columns, console);
     try (record) {
       code =
-          new HeadlessRun(source, controller, options, interruption, console, record)
-              .run(loaded.program().get());
+          new HeadlessRun(source, controller, options, interruption, console, record).run(program);
     }
     return record.failed() ? code.or(ExitCode.WRONG_USAGE) : code;
   }

@@ -1,6 +1,7 @@
 package org.pendant.gui.command;
 
 import java.time.InstantSource;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
@@ -11,8 +12,11 @@ import org.pendant.controller.Clock;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.VirtualClock;
 import org.pendant.controller.WallClock;
-import org.pendant.controller.io.Signal;
+import org.pendant.controller.io.SignalText;
+import org.pendant.controller.io.SignalWrite;
+import org.pendant.controller.io.UnknownSignal;
 import org.pendant.controller.message.Operator;
+import org.pendant.controller.message.PreparedAnswer;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.language.source.ByteText;
 
@@ -35,9 +39,15 @@ record RunOptions(
   private static final Option SPEED =
       new Option("--speed", "max|1|N", "as fast as possible, real time, or N times that");
   private static final Option INPUT =
-      new Option("--input", "NAME=LEVEL", "level of an input, e.g. digital_in[0]=true; repeatable");
+      new Option(
+          "--input",
+          "NAME=LEVEL",
+          "an input, e.g. digital_in[0]=true, analog_in[0]=5V; repeatable");
   private static final Option ANSWER =
-      new Option("--answer", "TEXT=VALUE", "answer to a question of the program; repeatable");
+      new Option(
+          "--answer",
+          "TEXT=VALUE",
+          "answer to the question TEXT, without TEXT to whichever is next; repeatable");
   private static final Option RECORD =
       new Option("--record", "FILE.csv", "write what the arm does, a row each frame");
   private static final Option TIMEOUT =
@@ -55,7 +65,7 @@ record RunOptions(
   /** For the usage text. */
   static final List<Option> ALL =
       Stream.concat(
-              Stream.of(ROBOT, SPEED, INPUT, ANSWER, RECORD, TIMEOUT, SEED),
+              Stream.of(ROBOT, SPEED, INPUT, ANSWER, RECORD, RecordColumns.OPTION, TIMEOUT, SEED),
               Surroundings.ALL.stream())
           .toList();
 
@@ -64,7 +74,8 @@ record RunOptions(
         ControllerOptions.headless()
             .withRobot(robot(arguments))
             .withSeed(seed(arguments))
-            .withInputs(inputs(arguments))
+            .withInputs(safetyInputs(arguments))
+            .withSignals(signals(arguments))
             .withOperator(Operator.headless(answers(arguments)));
     controller = Surroundings.in(controller, arguments);
     Optional<Double> speedFactor = speedFactor(arguments);
@@ -128,38 +139,51 @@ record RunOptions(
     }
   }
 
-  private static Map<String, Boolean> inputs(Arguments arguments) throws UsageException {
+  private static Map<String, Boolean> safetyInputs(Arguments arguments) throws UsageException {
     Map<String, Boolean> inputs = new HashMap<>();
     for (String text : arguments.values(INPUT)) {
       int equals = separator(INPUT, text);
       String name = text.substring(0, equals);
-      String level = text.substring(equals + 1);
-      try {
-        inputs.put(
-            SAFETY_INPUTS.contains(name) ? name : Signal.input(name).toString(), level(level));
-      } catch (IllegalArgumentException e) {
-        throw new UsageException(
-            "--input " + text + ": " + e.getMessage() + ", or " + String.join(", ", SAFETY_INPUTS));
+      if (SAFETY_INPUTS.contains(name)) {
+        try {
+          inputs.put(name, SignalText.level(text.substring(equals + 1)));
+        } catch (IllegalArgumentException e) {
+          throw new UsageException("--input " + text + ": " + e.getMessage());
+        }
       }
     }
     return inputs;
   }
 
-  private static boolean level(String text) {
-    return switch (text) {
-      case "true", "True", "1" -> true;
-      case "false", "False", "0" -> false;
-      default -> throw new IllegalArgumentException("level is " + text + ", must be true or false");
-    };
+  private static List<SignalWrite> signals(Arguments arguments) throws UsageException {
+    List<SignalWrite> writes = new ArrayList<>();
+    for (String text : arguments.values(INPUT)) {
+      int equals = separator(INPUT, text);
+      String name = text.substring(0, equals);
+      if (!SAFETY_INPUTS.contains(name)) {
+        try {
+          writes.addAll(SignalText.input(name, text.substring(equals + 1)));
+        } catch (UnknownSignal e) {
+          throw new UsageException(
+              "--input "
+                  + text
+                  + ": "
+                  + e.getMessage()
+                  + ", or "
+                  + String.join(", ", SAFETY_INPUTS));
+        } catch (IllegalArgumentException e) {
+          throw new UsageException("--input " + text + ": " + e.getMessage());
+        }
+      }
+    }
+    return writes;
   }
 
-  private static Map<String, String> answers(Arguments arguments) throws UsageException {
-    Map<String, String> answers = new HashMap<>();
+  private static List<PreparedAnswer> answers(Arguments arguments) throws UsageException {
+    List<PreparedAnswer> answers = new ArrayList<>();
     for (String text : arguments.values(ANSWER)) {
-      int equals = separator(ANSWER, text);
-      answers.put(
-          ByteText.asBytes(text.substring(0, equals)),
-          ByteText.asBytes(text.substring(equals + 1)));
+      separator(ANSWER, text);
+      answers.add(new PreparedAnswer(ByteText.asBytes(text)));
     }
     return answers;
   }

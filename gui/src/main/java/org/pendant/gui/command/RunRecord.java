@@ -24,14 +24,17 @@ final class RunRecord implements FrameWatcher, AutoCloseable {
    * Opens the file.
    *
    * @param name empty for no record
+   * @param columns variables that it has besides
    * @throws UsageException when it cannot be created
    */
-  static RunRecord open(Optional<String> name, Console console) throws UsageException {
+  static RunRecord open(Optional<String> name, RecordColumns columns, Console console)
+      throws UsageException {
     if (name.isEmpty()) {
       return new RunRecord(Optional.empty(), console);
     }
     try {
-      return new RunRecord(Optional.of(Recorder.toFile(Path.of(name.get()))), console);
+      return new RunRecord(
+          Optional.of(Recorder.toFile(Path.of(name.get()), columns.variables())), console);
     } catch (IOException | InvalidPathException e) {
       throw new UsageException("--record " + name.get() + ": cannot be written, " + e.getMessage());
     }

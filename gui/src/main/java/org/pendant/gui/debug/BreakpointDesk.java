@@ -1,28 +1,34 @@
 package org.pendant.gui.debug;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.WeakHashMap;
 import java.util.function.Consumer;
 import org.pendant.controller.debug.Breakpoint;
 import org.pendant.controller.debug.BreakpointState;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.language.source.ByteText;
+import org.pendant.language.source.Source;
 
 /** The breakpoints of the open programs, and what the debugger knows of them. */
 public final class BreakpointDesk {
   private final DebugLink link;
   private final Programs programs;
   private final Consumer<String> tell;
-  private final Map<ProgramDocument, BreakpointList> lists = new HashMap<>();
+
+  /** Closed programs keep theirs for as long as somebody may open them again. */
+  private final Map<ProgramDocument, BreakpointList> lists = new WeakHashMap<>();
+
   private final List<Runnable> listeners = new ArrayList<>();
   private Marks marks = this::toggleHere;
-  private Optional<ProgramDocument> started = Optional.empty();
+  private final StartedProgram started;
   private List<BreakpointState> states = List.of();
   private boolean onErrors;
 
@@ -33,15 +39,12 @@ public final class BreakpointDesk {
     void toggle(ProgramDocument program, int line);
   }
 
-  BreakpointDesk(DebugLink link, Programs programs, Consumer<String> tell) {
+  BreakpointDesk(DebugLink link, Programs programs, StartedProgram started, Consumer<String> tell) {
     this.link = link;
+    this.started = started;
     this.programs = programs;
     this.tell = tell;
-    programs.addListener(
-        () -> {
-          lists.keySet().retainAll(programs.all());
-          tellListeners();
-        });
+    programs.addListener(this::tellListeners);
   }
 
   /** Has breakpoints set and cleared through the marks of an editor from now on. */
@@ -62,6 +65,11 @@ public final class BreakpointDesk {
     return lists.computeIfAbsent(program, each -> new BreakpointList());
   }
 
+  /** The text of the program in front, as it is now. */
+  Source source() {
+    return programs.current().source();
+  }
+
   /** Those of the program in front, in the order of their lines. */
   public List<Breakpoint> all() {
     return list(programs.current()).all();
@@ -69,24 +77,37 @@ public final class BreakpointDesk {
 
   /** What became of one of the program in front, once the debugger knows it. */
   public Optional<BreakpointState> state(Breakpoint breakpoint) {
-    return isStarted(programs.current())
+    return state(programs.current(), breakpoint);
+  }
+
+  /** What became of one of a program, once the debugger knows it. */
+  Optional<BreakpointState> state(ProgramDocument program, Breakpoint breakpoint) {
+    return started.is(program)
         ? states.stream().filter(each -> each.breakpoint().equals(breakpoint)).findFirst()
         : Optional.empty();
   }
 
-  /** The program that was started last. */
-  public Optional<ProgramDocument> started() {
-    return started.filter(programs.all()::contains);
+  /** Those of a program, in the order of their lines. */
+  public List<Breakpoint> all(ProgramDocument program) {
+    return list(program).all();
   }
 
-  private boolean isStarted(ProgramDocument program) {
-    return started.filter(each -> each == program).isPresent();
+  /** The program that was started last; it may have been closed meanwhile. */
+  public Optional<ProgramDocument> started() {
+    return started.document();
+  }
+
+  /** The lines of {@code program} that have breakpoints have moved, each to another. */
+  public void linesMoved(ProgramDocument program, SortedMap<Integer, Integer> moves) {
+    list(program).move(moves);
+    changed(program);
   }
 
   /** Lines of {@code program} that have breakpoints now, from 1. */
   public void linesChanged(ProgramDocument program, SortedSet<Integer> lines) {
-    list(program).setLines(lines);
-    changed(program);
+    if (list(program).setLines(lines)) {
+      changed(program);
+    }
   }
 
   /** Sets or clears the breakpoint of a line of the program in front. */
@@ -137,12 +158,12 @@ public final class BreakpointDesk {
    * start it that is submitted afterwards finds them set.
    */
   public void beforeRun(ProgramDocument program) {
-    started = Optional.of(program);
+    started.start(program);
     send();
   }
 
   private void changed(ProgramDocument program) {
-    if (isStarted(program)) {
+    if (started.is(program)) {
       send();
     }
     tellListeners();
@@ -150,7 +171,8 @@ public final class BreakpointDesk {
 
   private void send() {
     List<Breakpoint> wanted =
-        started.map(program -> list(program).all()).orElse(List.of()).stream()
+        started.document().map(program -> list(program).all()).orElse(List.of()).stream()
+            .map(each -> at(each, started.toRun(each.line())))
             .map(each -> each.when(ByteText.asBytes(each.condition())))
             .toList();
     boolean errors = onErrors;
@@ -182,11 +204,20 @@ public final class BreakpointDesk {
             .map(
                 each ->
                     new BreakpointState(
-                        each.breakpoint().when(ByteText.decoded(each.breakpoint().condition())),
-                        each.statementLine(),
+                        at(each.breakpoint(), started.toNow(each.breakpoint().line()))
+                            .when(ByteText.decoded(each.breakpoint().condition())),
+                        toNow(each.statementLine()),
                         each.hits()))
             .toList();
     tellListeners();
+  }
+
+  private OptionalInt toNow(OptionalInt line) {
+    return line.isPresent() ? OptionalInt.of(started.toNow(line.getAsInt())) : line;
+  }
+
+  private static Breakpoint at(Breakpoint breakpoint, int line) {
+    return new Breakpoint(line, breakpoint.enabled(), breakpoint.condition(), breakpoint.fromHit());
   }
 
   /** Tells {@code listener} when something has changed. */

@@ -1,13 +1,10 @@
 package org.pendant.gui.debug;
 
-import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import org.pendant.controller.debug.Breakpoint;
 
 /** The breakpoints of one program, one a line. */
@@ -28,27 +25,26 @@ final class BreakpointList {
     byLine.put(breakpoint.line(), breakpoint);
   }
 
-  /**
-   * Takes over where the editor has them. Those whose line is gone have moved with the text, in
-   * their order, as far as there are new lines; what is left over is new or removed.
-   */
-  void setLines(SortedSet<Integer> lines) {
-    SortedSet<Integer> fresh = new TreeSet<>(lines);
-    fresh.removeAll(byLine.keySet());
-    List<Breakpoint> gone = new ArrayList<>(without(lines));
-    byLine.keySet().retainAll(lines);
-    int next = 0;
-    for (int line : fresh) {
-      set(next < gone.size() ? moved(gone.get(next), line) : Breakpoint.at(line));
-      next++;
+  /** Moves each to the line that its own has become; those that are not named go. */
+  void move(SortedMap<Integer, Integer> moves) {
+    List<Breakpoint> before = all();
+    byLine.clear();
+    for (Breakpoint each : before) {
+      Integer line = moves.get(each.line());
+      if (line != null) {
+        byLine.putIfAbsent(
+            line, new Breakpoint(line, each.enabled(), each.condition(), each.fromHit()));
+      }
     }
   }
 
-  private List<Breakpoint> without(Collection<Integer> lines) {
-    return byLine.values().stream().filter(each -> !lines.contains(each.line())).toList();
-  }
-
-  private static Breakpoint moved(Breakpoint from, int line) {
-    return new Breakpoint(line, from.enabled(), from.condition(), from.fromHit());
+  /** Takes over which lines have one; whether that is news. */
+  boolean setLines(SortedSet<Integer> lines) {
+    if (byLine.keySet().equals(lines)) {
+      return false;
+    }
+    byLine.keySet().retainAll(lines);
+    lines.forEach(line -> byLine.computeIfAbsent(line, Breakpoint::at));
+    return true;
   }
 }

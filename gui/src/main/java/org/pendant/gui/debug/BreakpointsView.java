@@ -21,6 +21,7 @@ import javax.swing.table.TableCellEditor;
 import org.pendant.controller.debug.Breakpoint;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.layout.WrappingRow;
+import org.pendant.gui.editor.WorkerThread;
 import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
 
@@ -37,6 +38,7 @@ public final class BreakpointsView implements View {
   private final DebugPresenter debug;
   private final BreakpointDesk desk;
   private final BreakpointTableModel rows;
+  private final ConditionCheck check;
   private final JTable table;
   private final JLabel refused = new JLabel();
   private final JCheckBox onErrors = new JCheckBox("Stop before a program fails");
@@ -52,6 +54,12 @@ public final class BreakpointsView implements View {
     this.debug = debug;
     desk = debug.breakpoints();
     rows = new BreakpointTableModel(desk);
+    check =
+        new ConditionCheck(
+            new WorkerThread("conditions"),
+            EventQueue::invokeLater,
+            workbench.session().controller().builtins(),
+            desk::source);
     table = new JTable(rows);
     setUpTable();
     list = new DebugPanel("breakpoints-content", new JScrollPane(table));
@@ -73,6 +81,7 @@ public final class BreakpointsView implements View {
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setShowGrid(false);
     table.setFillsViewportHeight(true);
+    DebugPanel.alignTitles(table);
     table.putClientProperty("JTable.autoStartsEdit", false);
     table.putClientProperty("terminateEditOnFocusLost", true);
     width(BreakpointTableModel.ENABLED, 50);
@@ -82,13 +91,21 @@ public final class BreakpointsView implements View {
     width(BreakpointTableModel.HITS, 70);
     edit(
         BreakpointTableModel.CONDITION,
-        new CheckedField("breakpoint-condition", refused, text -> ""));
+        new ConditionEditor(refused, check, row -> rows.row(row).line()));
     edit(
         BreakpointTableModel.FROM_HIT,
         new CheckedField("breakpoint-from-hit", refused, BreakpointTableModel::hitRefusal));
     key("DELETE", this::removeSelected);
     key("ENTER", this::jump);
     key("SPACE", this::toggleSelected);
+    key(
+        "F2",
+        () -> {
+          boolean hits = table.getSelectedColumn() == BreakpointTableModel.FROM_HIT;
+          edit(
+              table.getSelectedRow(),
+              hits ? BreakpointTableModel.FROM_HIT : BreakpointTableModel.CONDITION);
+        });
     table.addMouseListener(
         new MouseAdapter() {
           @Override
@@ -101,7 +118,7 @@ public final class BreakpointsView implements View {
         });
     JPopupMenu menu = new JPopupMenu();
     menu.add(VariablesView.item("Show line", "Enter", this::jump));
-    menu.add(VariablesView.item("Change condition", "F2 in its column", this::editCondition));
+    menu.add(VariablesView.item("Change condition", "F2", this::editCondition));
     menu.add(VariablesView.item("Remove", "Del", this::removeSelected));
     table.setComponentPopupMenu(menu);
   }
@@ -152,8 +169,11 @@ public final class BreakpointsView implements View {
   }
 
   private void editCondition() {
-    int row = table.getSelectedRow();
-    if (row >= 0 && table.editCellAt(row, BreakpointTableModel.CONDITION)) {
+    edit(table.getSelectedRow(), BreakpointTableModel.CONDITION);
+  }
+
+  private void edit(int row, int column) {
+    if (row >= 0 && table.editCellAt(row, column)) {
       table.getEditorComponent().requestFocusInWindow();
     }
   }

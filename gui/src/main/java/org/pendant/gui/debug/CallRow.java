@@ -2,6 +2,7 @@ package org.pendant.gui.debug;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntUnaryOperator;
 import org.pendant.controller.machine.ThreadSnapshot;
 
 /**
@@ -17,20 +18,30 @@ record CallRow(int thread, int depth, String name, String place) {
     return depth == 0;
   }
 
-  /** Each thread with its calls below, innermost first. */
-  static List<CallRow> of(List<ThreadSnapshot> threads) {
+  /**
+   * Each thread with its calls below, innermost first.
+   *
+   * @param now the present line of a line of the running text
+   */
+  static List<CallRow> of(List<ThreadSnapshot> threads, IntUnaryOperator now) {
     List<CallRow> rows = new ArrayList<>();
     for (ThreadSnapshot each : threads) {
       String number = each.id() == 0 ? "Main thread" : "Thread " + each.id();
       String waits = each.waitsFor().isEmpty() ? "ready" : "waits in " + each.waitsFor();
-      rows.add(new CallRow(each.id(), 0, number + ": " + each.name(), waits));
+      String at = ", " + where(each.stack().getFirst(), now);
+      rows.add(new CallRow(each.id(), 0, number + ": " + each.name(), waits + at));
       int depth = each.stack().size();
       for (ThreadSnapshot.Level level : each.stack()) {
-        String where = level.source().equals("interpreter") ? "interpreter, line " : "line ";
-        rows.add(new CallRow(each.id(), depth, level.function(), where + level.line()));
+        rows.add(new CallRow(each.id(), depth, level.function(), where(level, now)));
         depth--;
       }
     }
     return rows;
+  }
+
+  private static String where(ThreadSnapshot.Level level, IntUnaryOperator now) {
+    return level.source().equals("interpreter")
+        ? "interpreter, line " + level.line()
+        : "line " + now.applyAsInt(level.line());
   }
 }

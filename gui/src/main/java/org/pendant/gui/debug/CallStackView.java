@@ -7,6 +7,7 @@ import java.awt.Font;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
+import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
@@ -29,8 +30,8 @@ public final class CallStackView implements View {
   public static final String ID = "call-stack";
 
   private static final String NOTE =
-      "The program is not stopped. Set a breakpoint with F9, or hold the program while it runs:"
-          + " its threads and calls appear here.";
+      "No program runs. The threads of one that runs appear here, and when it is held, by a"
+          + " breakpoint (F9) or on request, their calls with variables.";
 
   private final Workbench workbench;
   private final DebugPresenter debug;
@@ -38,6 +39,8 @@ public final class CallStackView implements View {
   private final JTable table = new JTable(rows);
   private final DebugPanel panel;
   private final JButton kill = new JButton("End thread");
+  private final JCheckBox onErrors = new JCheckBox("Stop before a program fails");
+  private final JButton hold;
   private final JButton resume;
   private final List<JButton> steps;
   private boolean showing;
@@ -47,6 +50,7 @@ public final class CallStackView implements View {
     assert EventQueue.isDispatchThread();
     this.workbench = workbench;
     this.debug = debug;
+    hold = button("Hold all", "debug.pause", "Holds all threads, to look at them");
     resume = button("Go on", "debug.continue", "Lets the program go on");
     steps =
         List.of(
@@ -69,6 +73,7 @@ public final class CallStackView implements View {
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setShowGrid(false);
     table.setFillsViewportHeight(true);
+    DebugPanel.alignTitles(table);
     table.setDefaultRenderer(Object.class, new Cell());
     table.getColumnModel().getColumn(0).setPreferredWidth(320);
     table.getColumnModel().getColumn(1).setPreferredWidth(160);
@@ -82,6 +87,7 @@ public final class CallStackView implements View {
 
   private JComponent buttons() {
     JPanel row = new JPanel(new WrappingRow(8));
+    row.add(hold);
     row.add(resume);
     steps.forEach(row::add);
     kill.setName("thread-end");
@@ -89,6 +95,11 @@ public final class CallStackView implements View {
     kill.getAccessibleContext().setAccessibleName("End thread");
     kill.addActionListener(event -> killSelected());
     row.add(kill);
+    onErrors.setName("call-stack-break-on-errors");
+    onErrors.setToolTipText("Holds a program that fails, so that its variables can be looked at");
+    onErrors.addActionListener(event -> debug.breakpoints().setOnErrors(onErrors.isSelected()));
+    debug.breakpoints().addListener(() -> onErrors.setSelected(debug.breakpoints().onErrors()));
+    row.add(onErrors);
     return row;
   }
 
@@ -123,31 +134,44 @@ public final class CallStackView implements View {
   }
 
   private void killSelected() {
-    if (debug.canStep()) {
-      selectedRow().ifPresent(row -> debug.kill(row.thread()));
+    if (debug.steps().canStep()) {
+      selectedRow().ifPresent(row -> debug.steps().kill(row.thread()));
     }
   }
 
   private void show() {
-    if (!debug.showsValues()) {
+    hold.setEnabled(debug.steps().canPause());
+    kill.setEnabled(debug.steps().canStep());
+    steps.forEach(each -> each.setEnabled(debug.steps().canStep()));
+    resume.setEnabled(debug.held());
+    if (!debug.showsValues() && !debug.runsFree()) {
+      rows.show(List.of());
       panel.showNote(NOTE);
       return;
     }
-    panel.showContent(debug.stopText());
-    kill.setEnabled(debug.canStep());
-    steps.forEach(each -> each.setEnabled(debug.canStep()));
-    resume.setEnabled(debug.held());
-    if (!debug.held()) {
-      return;
+    if (debug.held()) {
+      panel.showContent(debug.stopText());
+    } else {
+      panel.showQuietly(running());
+    }
+    if (!debug.held() && debug.threads().isEmpty()) {
+      return; // a step is over soon: what was there before stays meanwhile
     }
     showing = true;
     try {
-      rows.show(CallRow.of(debug.threads()));
+      rows.show(CallRow.of(debug.threads(), debug::lineNow));
       table.setRowHeight(table.getFontMetrics(table.getFont()).getHeight() + 12);
-      debug.selected().ifPresent(this::mark);
+      debug.selected().filter(scope -> debug.held()).ifPresent(this::mark);
     } finally {
       showing = false;
     }
+  }
+
+  private String running() {
+    String keys = KeyText.shown(workbench.actions().keysOf("debug.pause"));
+    return "Running: where its threads were a moment ago. Hold all"
+        + (keys.isEmpty() ? "" : " (" + keys + ")")
+        + " shows their variables.";
   }
 
   private void mark(Scope scope) {
@@ -178,6 +202,7 @@ public final class CallStackView implements View {
   @Override
   public void refresh(ControllerState state) {
     debug.refresh(state);
+    debug.lookAtThreads();
   }
 
   /** The rows. */

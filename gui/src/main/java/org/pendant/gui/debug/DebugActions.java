@@ -19,24 +19,32 @@ public final class DebugActions {
   public static void addTo(
       Workbench workbench, DebugPresenter debug, BreakpointsView list, IntSupplier caretLine) {
     Actions actions = workbench.actions();
-    add(actions, "continue", "Go on from the stop", "", debug::held, debug::resume);
+    Stepping steps = debug.steps();
+    add(actions, "continue", "Go on from the stop", "", debug::held, steps::resume);
     add(
         actions,
         "pause",
         "Hold the program to look at it",
         "shift F6",
-        debug::canPause,
-        debug::pause);
-    add(actions, "step-over", "Step over calls", "", debug::canStep, debug::stepOver);
-    add(actions, "step-into", "Step into calls", "F11", debug::canStep, debug::stepInto);
-    add(actions, "step-out", "Step out to the caller", "shift F11", debug::canStep, debug::stepOut);
+        steps::canPause,
+        steps::pause);
+    add(actions, "step-over", "Step over calls", "", steps::canStep, steps::over);
+    add(actions, "step-into", "Step into calls", "F11", steps::canStep, steps::into);
+    add(actions, "step-out", "Step out to the caller", "shift F11", steps::canStep, steps::out);
     add(
         actions,
         "run-to-line",
         "Run to the line of the caret",
         "control F10",
-        debug::canStep,
-        () -> debug.runTo(caretLine.getAsInt()));
+        steps::canStep,
+        () -> steps.runTo(caretLine.getAsInt()));
+    add(
+        actions,
+        "show-held",
+        "Show where the program is held",
+        "alt F10",
+        debug::held,
+        debug::showHeld);
     BreakpointDesk breakpoints = debug.breakpoints();
     add(
         actions,

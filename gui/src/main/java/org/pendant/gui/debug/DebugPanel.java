@@ -3,8 +3,11 @@ package org.pendant.gui.debug;
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTable;
 import javax.swing.JTextArea;
+import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.gui.workbench.Palette;
 
@@ -19,6 +22,7 @@ final class DebugPanel extends JPanel {
   private final JPanel top = new JPanel(new MigLayout("insets 6 8 6 8, fillx", "[grow]", "[]"));
   private final CardLayout cards = new CardLayout();
   private final JPanel middle = new JPanel(cards);
+  private boolean quiet;
 
   DebugPanel(String name, JComponent content) {
     super(new BorderLayout());
@@ -48,18 +52,36 @@ final class DebugPanel extends JPanel {
     return text;
   }
 
+  /** Has the titles of columns stand over the begin of what is in them. */
+  static void alignTitles(JTable table) {
+    if (table.getTableHeader().getDefaultRenderer() instanceof JLabel title) {
+      title.setHorizontalAlignment(SwingConstants.LEADING);
+    }
+  }
+
   /** Takes the colours of a new theme. */
   @Override
   public void updateUI() {
     super.updateUI();
     if (status != null) {
-      status.setForeground(Palette.warning());
+      status.setForeground(quiet ? Palette.quiet() : Palette.warning());
       note.setForeground(Palette.quiet());
     }
   }
 
   /** Shows the content under a status line; empty text for none. */
   void showContent(String why) {
+    show(why, false);
+  }
+
+  /** Shows the content under a line that asks for no attention. */
+  void showQuietly(String about) {
+    show(about, true);
+  }
+
+  private void show(String why, boolean quiet) {
+    this.quiet = quiet;
+    status.setForeground(quiet ? Palette.quiet() : Palette.warning());
     if (!status.getText().equals(why)) {
       status.setText(why);
     }

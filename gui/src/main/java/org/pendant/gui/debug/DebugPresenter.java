@@ -7,12 +7,14 @@ import java.util.Optional;
 import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.debug.StopReason;
+import org.pendant.controller.machine.Ending;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.machine.ThreadSnapshot;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.gui.editor.Execution;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.workbench.Workbench;
+import org.pendant.language.source.ByteText;
 
 /**
  * Where the program is held, which call of it is looked at, and how it goes on. It has no Swing;
@@ -26,6 +28,9 @@ public final class DebugPresenter {
   private final Programs programs;
   private final DebugLink link;
   private final BreakpointDesk breakpoints;
+  private final Stepping steps;
+  private final ThreadWatch running;
+  private final StartedProgram started = new StartedProgram();
   private final ValueTree variables;
   private final Watches watches;
   private final ValueTree watchTree;
@@ -49,7 +54,9 @@ public final class DebugPresenter {
     this.workbench = workbench;
     this.programs = programs;
     this.link = link;
-    breakpoints = new BreakpointDesk(link, programs, workbench::notify);
+    breakpoints = new BreakpointDesk(link, programs, started, workbench::notify);
+    steps = new Stepping(link, started::toRun, workbench::notify);
+    running = new ThreadWatch(link, () -> System.nanoTime() / 1_000_000, this::tellListeners);
     variables = new ValueTree(link, DebugPresenter::readVariables, this::reloadValues);
     watches = new Watches(workbench.settings());
     watchTree =
@@ -78,6 +85,7 @@ public final class DebugPresenter {
   public void refresh(ControllerState state) {
     boolean same = state.debug().equals(debug) && state.program().state() == program;
     program = state.program().state();
+    steps.refresh(state.debug(), program);
     if (state.debug().held()) {
       heldFrame = state.frame();
     }
@@ -121,6 +129,7 @@ public final class DebugPresenter {
   private void letGo() {
     lingering = false;
     selected = Optional.empty();
+    steps.follow(selected);
     variables.clear(List.of());
     watchTree.clear(watches.idle());
   }
@@ -149,12 +158,73 @@ public final class DebugPresenter {
 
   /** Why the program is held; empty while it is not. */
   public String stopText() {
-    return debug.stop().map(StopText::of).orElse("");
+    return debug.stop().map(stop -> StopText.of(stop, started::toNow)).orElse("");
   }
 
-  /** The threads of a program that is held, the main thread first. */
+  /**
+   * The threads of a program that is held, the main thread first; of one that runs where they were
+   * when {@link #lookAtThreads} was called last.
+   */
   public List<ThreadSnapshot> threads() {
-    return debug.threads();
+    return held() ? debug.threads() : running.threads();
+  }
+
+  /** Whether a program runs and is not held. */
+  boolean runsFree() {
+    return program != ProgramState.STOPPED && !held();
+  }
+
+  /** Has the threads of a program that runs looked at, now and then. */
+  void lookAtThreads() {
+    running.refresh(program, held());
+  }
+
+  /** The line of the present text where a line of the running one is. */
+  int lineNow(int line) {
+    return started.toNow(line);
+  }
+
+  /** Where the program is in its text as that stands now. */
+  public Execution execution(ControllerState state) {
+    Optional<DebugState.Stop> stop = debug.stop().filter(each -> state.debug().held());
+    if (stop.isEmpty()) {
+      return ended(state).orElseGet(() -> Execution.running(started.toNow(state.program().line())));
+    }
+    boolean failed = stop.get().reason() instanceof StopReason.Failed;
+    boolean there =
+        selected
+            .filter(scope -> scope.thread() == stop.get().thread())
+            .filter(scope -> scope.depth() == depth(scope.thread()))
+            .isPresent();
+    return new Execution(
+        executionLine(),
+        failed && there ? Execution.State.FAILED : Execution.State.HELD,
+        there ? StopText.atLine(stop.get()) : "");
+  }
+
+  /** A program that has failed shows where until its text is another. */
+  private Optional<Execution> ended(ControllerState state) {
+    return state
+        .program()
+        .ending()
+        .filter(ending -> started.unchanged())
+        .flatMap(
+            ending ->
+                ending instanceof Ending.Failed failed
+                    ? Optional.of(
+                        new Execution(
+                            failed.failure().line(),
+                            Execution.State.FAILED,
+                            ByteText.decoded(failed.failure().message())))
+                    : Optional.empty());
+  }
+
+  /** Shows the line where the program is held, in whichever program that is. */
+  public void showHeld() {
+    breakpoints.started().ifPresent(programs::select);
+    if (executionLine() > 0) {
+      workbench.showSource(executionLine(), 1);
+    }
   }
 
   /** The call that is looked at. */
@@ -171,12 +241,10 @@ public final class DebugPresenter {
     ThreadSnapshot.Level level = level(wanted.get(), depth);
     Scope scope = new Scope(thread, depth, level.function());
     selected = Optional.of(scope);
+    steps.follow(selected);
     variables.load(scope);
     watchTree.load(scope);
-    breakpoints.started().ifPresent(programs::select);
-    if (executionLine() > 0) {
-      workbench.showSource(executionLine(), 1);
-    }
+    showHeld();
     tellListeners();
   }
 
@@ -193,8 +261,13 @@ public final class DebugPresenter {
         .filter(scope -> held())
         .flatMap(scope -> thread(scope.thread()).map(each -> level(each, scope.depth())))
         .filter(level -> !level.source().equals("interpreter"))
-        .map(ThreadSnapshot.Level::line)
+        .map(level -> started.toNow(level.line()))
         .orElse(0);
+  }
+
+  /** How the program is held and goes on. */
+  public Stepping steps() {
+    return steps;
   }
 
   /** Breakpoints of the open programs. */
@@ -240,77 +313,6 @@ public final class DebugPresenter {
   private void reloadValues() {
     variables.reload();
     watchTree.reload();
-  }
-
-  // --- going on
-
-  /** Whether a held program can go on by steps; one that has failed can only end. */
-  public boolean canStep() {
-    return debug.stop().filter(stop -> !(stop.reason() instanceof StopReason.Failed)).isPresent();
-  }
-
-  /** Whether there is a program to hold. */
-  public boolean canPause() {
-    return program == ProgramState.RUNNING && !held();
-  }
-
-  /** Lets the program go on; one that has failed ends. */
-  public void resume() {
-    send(debugger -> debugger.resume());
-  }
-
-  /** Holds the program before its next statement. */
-  public void pause() {
-    send(debugger -> debugger.pause());
-  }
-
-  /** To the next statement of the thread, in any function. */
-  public void stepInto() {
-    int thread = steppedThread();
-    send(debugger -> debugger.stepInto(thread));
-  }
-
-  /** To the next statement of the same function. */
-  public void stepOver() {
-    int thread = steppedThread();
-    send(debugger -> debugger.stepOver(thread));
-  }
-
-  /** To the next statement of the caller. */
-  public void stepOut() {
-    int thread = steppedThread();
-    send(debugger -> debugger.stepOut(thread));
-  }
-
-  /** To a line of the program's text, from 1. */
-  public void runTo(int line) {
-    int thread = steppedThread();
-    send(debugger -> debugger.runTo(thread, line));
-  }
-
-  /** Ends a thread of a held program, and those that it started. */
-  public void kill(int thread) {
-    send(debugger -> debugger.kill(thread));
-  }
-
-  private int steppedThread() {
-    return selected.map(Scope::thread).orElse(Debugger.MAIN);
-  }
-
-  /** Something that the debugger has to do. */
-  @FunctionalInterface
-  private interface Deed {
-    void on(Debugger debugger) throws ScriptError;
-  }
-
-  private void send(Deed deed) {
-    link.ask(
-        debugger -> {
-          deed.on(debugger);
-          return true;
-        },
-        done -> {},
-        why -> workbench.notify("Refused: " + why));
   }
 
   /** Tells {@code listener} when a program was held, went on, or another call is looked at. */

@@ -77,7 +77,8 @@ final class ValueCell extends DefaultTableCellRenderer {
       JTable table, Object value, boolean selected, boolean focused, int index, int column) {
     blank(table, selected, index);
     switch (((ValueTable) table).row(index)) {
-      case ValueRow.Value shown -> show(shown, column, selected);
+      case ValueRow.Value shown ->
+          show(shown, (ValueTable) table, table.convertColumnIndexToModel(column), selected);
       case ValueRow.Problem text -> setToolTipText(text.text());
       case ValueRow.Heading heading -> setToolTipText(heading.title());
       case ValueRow.More more -> setToolTipText(more.text());
@@ -91,7 +92,7 @@ final class ValueCell extends DefaultTableCellRenderer {
     }
   }
 
-  private void show(ValueRow.Value row, int column, boolean selected) {
+  private void show(ValueRow.Value row, ValueTable table, int column, boolean selected) {
     switch (column) {
       case ValueTableModel.NAME -> {
         setFont(UIManager.getFont("monospaced.font"));
@@ -99,11 +100,22 @@ final class ValueCell extends DefaultTableCellRenderer {
         setText(row.name());
         setToolTipText(row.name());
       }
+      case ValueTableModel.STAR -> {
+        setText("");
+        setIcon(row.level() == 0 ? new Star(row.favourite(), selected) : null);
+        setToolTipText(
+            row.favourite()
+                ? "A favourite: it comes first (S)"
+                : "Makes it a favourite, which comes first (S)");
+      }
       case ValueTableModel.VALUE -> {
         setFont(UIManager.getFont("monospaced.font"));
         String text = row.text();
         setText(text.isEmpty() ? "\u2013" : text.replaceAll("\\R", "\u21b5"));
-        setToolTipText(text.isEmpty() ? "It has no value yet" : text);
+        String why = table.whyFixed(row);
+        setToolTipText(
+            (text.isEmpty() ? "It has no value yet" : text)
+                + (why.isEmpty() ? "" : " \u2013 " + why));
         mark(row, selected);
       }
       default -> {
@@ -113,15 +125,25 @@ final class ValueCell extends DefaultTableCellRenderer {
     }
   }
 
+  /**
+   * A change at a stop is bold; one while the program runs only coloured, so that nothing jumps.
+   */
   private void mark(ValueRow.Value row, boolean selected) {
-    if (row.changed()) {
-      setFont(getFont().deriveFont(Font.BOLD));
-      setToolTipText(getToolTipText() + " \u2013 changed since the last stop");
-      if (!selected) {
-        Color changed = Palette.warning();
-        setForeground(changed);
-        setBackground(Palette.tint(changed, 0.14));
+    switch (row.change()) {
+      case NONE -> {}
+      case SINCE_STOP -> {
+        setFont(getFont().deriveFont(Font.BOLD));
+        setToolTipText(getToolTipText() + " \u2013 changed since the last stop");
+        colour(Palette.warning(), selected);
       }
+      case JUST_NOW -> colour(Palette.accent(), selected);
+    }
+  }
+
+  private void colour(Color changed, boolean selected) {
+    if (!selected) {
+      setForeground(changed);
+      setBackground(Palette.tint(changed, 0.14));
     }
   }
 }

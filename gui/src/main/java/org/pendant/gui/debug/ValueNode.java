@@ -22,6 +22,13 @@ record ValueNode(Variable variable, List<ValueNode> parts, String failure) {
     return new ValueNode(variable, List.of(), failure);
   }
 
+  /** The same under the name that somebody has typed. */
+  ValueNode called(String expression) {
+    Variable named =
+        new Variable(expression, expression, variable.kind(), variable.text(), variable.children());
+    return new ValueNode(named, parts, failure);
+  }
+
   /**
    * Values under a heading.
    *

@@ -14,6 +14,7 @@ import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import javax.swing.CellRendererPane;
 import javax.swing.DefaultCellEditor;
 import javax.swing.JComponent;
@@ -22,6 +23,7 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.SwingUtilities;
+import javax.swing.table.TableColumn;
 import org.pendant.language.source.ByteText;
 
 /**
@@ -35,17 +37,28 @@ final class ValueTable extends JTable {
   private final ValueTree tree;
   private final ValueTableModel model;
   private final ValueCell cell = new ValueCell();
+  private final Optional<Consumer<ValueRow.Value>> star;
   private final CellRendererPane pane = new CellRendererPane();
   private List<ValueRow> shown = List.of();
+  private Optional<ValueKey> lastSelected = Optional.empty();
 
+  /**
+   * A table of the values of {@code tree}.
+   *
+   * @param namesEditable whether the names of those that are part of nothing can be changed
+   * @param rename changes one
+   * @param star makes a variable a favourite, or no longer one; empty if none can be
+   */
   ValueTable(
       String name,
       ValueTree tree,
       boolean namesEditable,
-      BiConsumer<ValueRow.Value, String> rename) {
+      BiConsumer<ValueRow.Value, String> rename,
+      Optional<Consumer<ValueRow.Value>> star) {
     assert EventQueue.isDispatchThread();
     this.tree = tree;
-    model = new ValueTableModel(tree, namesEditable, rename);
+    this.star = star;
+    model = new ValueTableModel(tree, namesEditable, rename, star.isPresent());
     setModel(model);
     setName(name);
     setDefaultRenderer(Object.class, cell);
@@ -64,7 +77,13 @@ final class ValueTable extends JTable {
     setDefaultEditor(Object.class, editor);
     width(ValueTableModel.NAME, 150);
     width(ValueTableModel.VALUE, 260);
-    width(ValueTableModel.KIND, 70);
+    width(ValueTableModel.KIND, 96);
+    if (star.isPresent()) {
+      TableColumn stars = getColumnModel().getColumn(ValueTableModel.STAR);
+      int side = 2 * getFontMetrics(getFont()).getHeight();
+      stars.setMinWidth(side);
+      stars.setMaxWidth(side);
+    }
     bindKeys();
     addMouseListener(new Clicks());
     setDragEnabled(true);
@@ -96,19 +115,48 @@ final class ValueTable extends JTable {
         : Optional.empty();
   }
 
+  /** Selects the first value there is. */
+  void selectFirstValue() {
+    for (int i = 0; i < shown.size(); i++) {
+      if (shown.get(i) instanceof ValueRow.Value) {
+        setRowSelectionInterval(i, i);
+        return;
+      }
+    }
+  }
+
   private void showRows() {
     if (shown.equals(tree.rows())) {
       return;
     }
+    if (ValueRow.sameLines(shown, tree.rows())) {
+      shown = tree.rows();
+      model.update(shown);
+      return;
+    }
     int selected = getSelectedRow();
+    selectedValue().ifPresent(value -> lastSelected = Optional.of(value.key()));
     if (isEditing()) {
       getCellEditor().cancelCellEditing();
     }
     shown = tree.rows();
     model.show(shown);
     fitHeights();
-    if (selected >= 0 && !shown.isEmpty()) {
-      int row = Math.min(selected, shown.size() - 1);
+    select(selected);
+  }
+
+  /** Selects the value that was selected, wherever it is now, or what is in its place. */
+  private void select(int place) {
+    for (int i = 0; i < shown.size(); i++) {
+      if (lastSelected.isPresent()
+          && shown.get(i) instanceof ValueRow.Value value
+          && value.key().equals(lastSelected.get())) {
+        setRowSelectionInterval(i, i);
+        return;
+      }
+    }
+    if (place >= 0 && !shown.isEmpty()) {
+      int row = Math.min(place, shown.size() - 1);
       setRowSelectionInterval(row, row);
     }
   }
@@ -156,6 +204,7 @@ final class ValueTable extends JTable {
     key("ENTER", this::activate);
     key("control C", this::copyValue);
     key("F2", this::editValue);
+    key("S", this::toggleStar);
   }
 
   private void key(String stroke, Runnable run) {
@@ -190,6 +239,20 @@ final class ValueTable extends JTable {
     if (getSelectedRow() >= 0 && editCellAt(getSelectedRow(), column)) {
       getEditorComponent().requestFocusInWindow();
     }
+  }
+
+  /** Makes the selected variable a favourite, or no longer one. */
+  void toggleStar() {
+    selectedValue().filter(value -> value.level() == 0).ifPresent(this::toggleStar);
+  }
+
+  private void toggleStar(ValueRow.Value value) {
+    star.ifPresent(each -> each.accept(value));
+  }
+
+  /** Why a value cannot be changed now; empty if it can. */
+  String whyFixed(ValueRow.Value value) {
+    return tree.whyFixed(value);
   }
 
   /** Copies the value of the selected row. */
@@ -227,10 +290,18 @@ final class ValueTable extends JTable {
         case ValueRow.Value value when value.hasParts() && onArrow(value, event.getX()) ->
             tree.toggle(value);
         case ValueRow.More more -> tree.showMore(more);
+        case ValueRow.Value value when onStar(value, event) -> toggleStar(value);
         case ValueRow.Value value -> {}
         case ValueRow.Heading heading -> {}
         case ValueRow.Problem problem -> {}
       }
+    }
+
+    private boolean onStar(ValueRow.Value value, MouseEvent event) {
+      int column = columnAtPoint(event.getPoint());
+      return value.level() == 0
+          && column >= 0
+          && convertColumnIndexToModel(column) == ValueTableModel.STAR;
     }
 
     private boolean onArrow(ValueRow.Value value, int x) {

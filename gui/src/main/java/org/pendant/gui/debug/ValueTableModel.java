@@ -10,19 +10,26 @@ final class ValueTableModel extends AbstractTableModel {
   static final int NAME = 0;
   static final int VALUE = 1;
   static final int KIND = 2;
-  private static final List<String> TITLES = List.of("Name", "Value", "Kind");
+  static final int STAR = 3;
+  private static final List<String> TITLES = List.of("Name", "Value", "Kind", "");
 
   private final ValueTree tree;
   private final boolean namesEditable;
   private final BiConsumer<ValueRow.Value, String> rename;
+  private final boolean stars;
   private List<ValueRow> rows = List.of();
 
   /**
    * @param namesEditable whether the names of those that are part of nothing can be changed
    * @param rename changes one
+   * @param stars whether there is a column for favourites
    */
   ValueTableModel(
-      ValueTree tree, boolean namesEditable, BiConsumer<ValueRow.Value, String> rename) {
+      ValueTree tree,
+      boolean namesEditable,
+      BiConsumer<ValueRow.Value, String> rename,
+      boolean stars) {
+    this.stars = stars;
     this.tree = tree;
     this.namesEditable = namesEditable;
     this.rename = rename;
@@ -31,6 +38,17 @@ final class ValueTableModel extends AbstractTableModel {
   void show(List<ValueRow> wanted) {
     rows = wanted;
     fireTableDataChanged();
+  }
+
+  /** Shows other values in the same lines; whoever edits or has selected one is not disturbed. */
+  void update(List<ValueRow> wanted) {
+    List<ValueRow> before = rows;
+    rows = wanted;
+    for (int i = 0; i < rows.size(); i++) {
+      if (!rows.get(i).equals(before.get(i))) {
+        fireTableRowsUpdated(i, i);
+      }
+    }
   }
 
   ValueRow row(int index) {
@@ -44,7 +62,7 @@ final class ValueTableModel extends AbstractTableModel {
 
   @Override
   public int getColumnCount() {
-    return TITLES.size();
+    return stars ? STAR + 1 : STAR;
   }
 
   @Override
@@ -60,7 +78,8 @@ final class ValueTableModel extends AbstractTableModel {
           switch (column) {
             case NAME -> value.name();
             case VALUE -> tree.toEdit(value);
-            default -> value.kind();
+            case KIND -> value.kind();
+            default -> value.favourite() ? "favourite" : "";
           };
       case ValueRow.Heading heading -> heading.title();
       case ValueRow.More more -> more.text();
@@ -73,7 +92,7 @@ final class ValueTableModel extends AbstractTableModel {
     return rows.get(row) instanceof ValueRow.Value value
         && switch (column) {
           case NAME -> namesEditable && value.level() == 0;
-          case VALUE -> tree.canAssign();
+          case VALUE -> tree.canAssign(value);
           default -> false;
         };
   }

@@ -21,8 +21,9 @@ final class ValueTree {
   private final List<Runnable> listeners = new ArrayList<>();
   private final Map<ValueKey, Integer> unfolded = new HashMap<>();
   private final Map<ValueKey, Refusal> refusals = new HashMap<>();
-  private Map<ValueKey, String> before = Map.of();
-  private Map<ValueKey, String> now = new HashMap<>();
+  private final ValueChanges changes = new ValueChanges();
+  private ValueOrder order = ValueOrder.PLAIN;
+  private Optional<Live> live = Optional.empty();
   private Optional<Scope> scope = Optional.empty();
   private List<ValueNode.Group> groups = List.of();
   private List<ValueRow> rows = List.of();
@@ -33,6 +34,22 @@ final class ValueTree {
   interface Roots {
     /** Reads them, in the frame loop. */
     List<ValueNode.Group> of(ValueReader reader, Scope scope);
+  }
+
+  /**
+   * How the values of a program that runs are shown.
+   *
+   * @param source makes them of what is unfolded
+   * @param atMs when they were taken, by any clock
+   * @param changeable whether global variables can be changed
+   */
+  private record Live(LiveSource source, long atMs, boolean changeable) {}
+
+  /** The values of a program that runs. */
+  @FunctionalInterface
+  interface LiveSource {
+    /** The values with so many parts of those that are unfolded. */
+    List<ValueNode.Group> of(Map<ValueKey, Integer> unfolded);
   }
 
   /** A change that was refused, and what was typed. */
@@ -59,8 +76,7 @@ final class ValueTree {
 
   /** The program is held anew: what is different from now is marked. */
   void stopped() {
-    before = now;
-    now = new HashMap<>();
+    changes.stopped();
     refusals.clear();
     unfolded.replaceAll((key, shown) -> PAGE);
   }
@@ -74,8 +90,10 @@ final class ValueTree {
   /** As {@link #load}, in the same call. */
   void reload() {
     if (scope.isEmpty()) {
+      live.ifPresent(each -> show(each.source().of(unfolded())));
       return;
     }
+    live = Optional.empty();
     Scope wanted = scope.get();
     Map<ValueKey, Integer> parts = Map.copyOf(unfolded);
     long number = ++asked;
@@ -93,8 +111,51 @@ final class ValueTree {
   /** Shows {@code idle} while nothing is held. */
   void clear(List<ValueNode.Group> idle) {
     scope = Optional.empty();
+    live = Optional.empty();
     asked++;
     show(idle);
+  }
+
+  /**
+   * Shows values of a program that is not held.
+   *
+   * @param nowMs time of any clock
+   * @param changeable whether global variables can be changed
+   */
+  void showLive(LiveSource source, long nowMs, boolean changeable) {
+    scope = Optional.empty();
+    asked++;
+    live = Optional.of(new Live(source, nowMs, changeable));
+    show(source.of(unfolded()));
+  }
+
+  /**
+   * Whether {@link #showLive} would show anything else at {@code nowMs} although no value changed.
+   */
+  boolean fades(long nowMs) {
+    return live.isPresent() && changes.fades(live.get().atMs(), nowMs);
+  }
+
+  /** Whether what is shown comes from {@link #showLive}. */
+  boolean showsLive() {
+    return live.isPresent();
+  }
+
+  /** Another program was started: its values are all new. */
+  void programStarted() {
+    changes.forgetLive();
+    refusals.clear();
+  }
+
+  /** How many parts are wanted of the values that are unfolded. */
+  Map<ValueKey, Integer> unfolded() {
+    return Map.copyOf(unfolded);
+  }
+
+  /** Shows the same values in another order. */
+  void setOrder(ValueOrder wanted) {
+    order = wanted;
+    layOut();
   }
 
   private void show(List<ValueNode.Group> found) {
@@ -105,10 +166,11 @@ final class ValueTree {
   private void layOut() {
     List<ValueRow> laid = new ArrayList<>();
     for (ValueNode.Group group : groups) {
-      if (!group.title().isEmpty()) {
+      List<ValueNode> shown = order.of(group.nodes());
+      if (!group.title().isEmpty() && !shown.isEmpty()) {
         laid.add(new ValueRow.Heading(group.title()));
       }
-      group.nodes().forEach(node -> add(laid, group.scope(), node, 0));
+      shown.forEach(node -> add(laid, group.scope(), node, 0));
     }
     rows = List.copyOf(laid);
     listeners.forEach(Runnable::run);
@@ -116,13 +178,9 @@ final class ValueTree {
 
   private void add(List<ValueRow> laid, Scope in, ValueNode node, int level) {
     ValueKey key = new ValueKey(in, node.variable().expression());
-    if (scope.isPresent() && node.variable().kind().isPresent()) {
-      now.put(key, node.variable().text());
-    }
-    String old = before.get(key);
-    boolean changed = scope.isPresent() && old != null && !old.equals(node.variable().text());
     boolean open = unfolded.containsKey(key) && node.variable().children() > 0;
-    laid.add(new ValueRow.Value(key, node.variable(), level, open, changed));
+    boolean favourite = level == 0 && order.favourite().test(key.expression());
+    laid.add(new ValueRow.Value(key, node.variable(), level, open, change(key, node), favourite));
     if (!node.failure().isEmpty()) {
       laid.add(new ValueRow.Problem(key, level, node.failure()));
     }
@@ -134,9 +192,21 @@ final class ValueTree {
       return;
     }
     node.parts().forEach(part -> add(laid, in, part, level + 1));
-    if (!node.parts().isEmpty() && node.parts().size() < node.variable().children()) {
-      laid.add(new ValueRow.More(key, level + 1, node.parts().size(), node.variable().children()));
+    int count = node.parts().size();
+    if (count > 0 && count < node.variable().children()) {
+      boolean cut = live.isPresent() && count < unfolded.get(key);
+      laid.add(new ValueRow.More(key, level + 1, count, node.variable().children(), cut));
     }
+  }
+
+  private ValueRow.Change change(ValueKey key, ValueNode node) {
+    if (node.variable().kind().isEmpty()) {
+      return ValueRow.Change.NONE;
+    }
+    String text = node.variable().text();
+    return scope.isPresent()
+        ? changes.held(key, text)
+        : live.map(each -> changes.live(key, text, each.atMs())).orElse(ValueRow.Change.NONE);
   }
 
   /** Unfolds or folds a value. */
@@ -158,9 +228,20 @@ final class ValueTree {
     reload();
   }
 
-  /** Whether values can be changed now. */
-  boolean canAssign() {
-    return scope.isPresent();
+  /** Whether a value can be changed now: a local one only while its call is held. */
+  boolean canAssign(ValueRow.Value row) {
+    return scope.isPresent()
+        || (live.filter(Live::changeable).isPresent() && row.key().scope().equals(Scope.GLOBAL));
+  }
+
+  /** Why a value cannot be changed now; empty if it can. */
+  String whyFixed(ValueRow.Value row) {
+    if (canAssign(row)) {
+      return "";
+    }
+    return live.filter(Live::changeable).isPresent()
+        ? "Hold the program to change it"
+        : "It can be changed while the program runs or is held";
   }
 
   /** What an editor of the value begins with: what was refused before, or what it is. */

@@ -1,39 +1,109 @@
 package org.pendant.gui.debug;
 
+import java.awt.BorderLayout;
 import java.awt.EventQueue;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JMenuItem;
+import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.layout.Typed;
+import org.pendant.gui.workbench.Action;
+import org.pendant.gui.workbench.Palette;
 import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
 
-/** The variables of a program that is held. */
+/** The variables of a program: live while it runs, those of any call while it is held. */
 public final class VariablesView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "variables";
 
-  private static final String NOTE =
-      "The program is not stopped. Set a breakpoint with F9 and run the program, or hold it while"
-          + " it runs: its variables appear here.";
-
   private final Workbench workbench;
   private final DebugPresenter debug;
+  private final VariablesPresenter presenter;
+  private final Consumer<List<String>> plot;
   private final ValueTable table;
   private final DebugPanel panel;
+  private final JTextField filter = new JTextField();
+  private final JLabel omission = new JLabel();
+  private final JPanel content = new JPanel(new BorderLayout());
 
-  /** Without values yet. */
-  public VariablesView(Workbench workbench, DebugPresenter debug) {
+  /**
+   * Without values yet.
+   *
+   * @param plot draws expressions over time
+   */
+  public VariablesView(
+      Workbench workbench,
+      DebugPresenter debug,
+      Favourites favourites,
+      Consumer<List<String>> plot) {
     assert EventQueue.isDispatchThread();
     this.workbench = workbench;
     this.debug = debug;
-    table = new ValueTable("variables-table", debug.variables(), false, (row, text) -> {});
-    table.getAccessibleContext().setAccessibleName("Variables: name, value and kind");
+    this.plot = plot;
+    presenter =
+        new VariablesPresenter(debug.variables(), favourites, () -> System.nanoTime() / 1_000_000);
+    table =
+        new ValueTable(
+            "variables-table",
+            debug.variables(),
+            false,
+            (row, text) -> {},
+            Optional.of(presenter::toggleFavourite));
+    table.getAccessibleContext().setAccessibleName("Variables: name, value, kind and favourite");
     table.setComponentPopupMenu(menu());
+    table.registerKeyboardAction(
+        event -> plot(), KeyStroke.getKeyStroke("P"), JComponent.WHEN_FOCUSED);
     panel = new DebugPanel("variables", new JScrollPane(table));
+    content.add(head(), BorderLayout.NORTH);
+    content.add(panel, BorderLayout.CENTER);
+    content.add(omission, BorderLayout.SOUTH);
+    content.setName("variables-view");
+    omission.setName("variables-omission");
+    omission.setVisible(false);
     debug.addListener(this::show);
+    debug.variables().addListener(this::show);
+    declareActions();
     show();
+  }
+
+  private JPanel head() {
+    filter.setName("variables-filter");
+    filter.putClientProperty("JTextField.placeholderText", "Filter variables");
+    filter.putClientProperty("JTextField.showClearButton", true);
+    filter.setToolTipText("Shows only variables with this in their names; Escape shows all");
+    filter.getAccessibleContext().setAccessibleName("Filter variables");
+    filter.getDocument().addDocumentListener(new Typed(() -> filtered(filter.getText())));
+    filter.registerKeyboardAction(
+        event -> filter.setText(""), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_FOCUSED);
+    filter.registerKeyboardAction(
+        event -> goToTable(), KeyStroke.getKeyStroke("DOWN"), JComponent.WHEN_FOCUSED);
+    JPanel head = new JPanel(new MigLayout("insets 8", "[grow,fill,0::]"));
+    head.add(filter);
+    return head;
+  }
+
+  private void filtered(String text) {
+    presenter.filter(text);
+    show();
+  }
+
+  private void goToTable() {
+    if (table.getRowCount() > 0) {
+      if (table.selectedValue().isEmpty()) {
+        table.selectFirstValue();
+      }
+      table.requestFocusInWindow();
+    }
   }
 
   private JPopupMenu menu() {
@@ -42,6 +112,8 @@ public final class VariablesView implements View {
     menu.add(item("Copy value", "Puts the value on the clipboard", table::copyValue));
     menu.add(item("Copy expression", "What yields the value", table::copyExpression));
     menu.addSeparator();
+    menu.add(item("Favourite on or off", "S: favourites come first", table::toggleStar));
+    menu.add(item("Add to plot", "P: draws it over time on the Plots screen", this::plot));
     menu.add(item("Add to watches", "Shows it at every stop", this::watch));
     return menu;
   }
@@ -51,6 +123,33 @@ public final class VariablesView implements View {
     item.setToolTipText(tip);
     item.addActionListener(event -> run.run());
     return item;
+  }
+
+  private void declareActions() {
+    var actions = workbench.actions();
+    actions.add(Action.of(ID + ".filter", "Variables: filter", "", this::goToFilter));
+    actions.add(
+        new Action(
+            ID + ".favourite",
+            "Variables: favourite on or off",
+            "",
+            this::chosen,
+            table::toggleStar));
+    actions.add(new Action(ID + ".plot", "Variables: add to plot", "", this::chosen, this::plot));
+  }
+
+  private boolean chosen() {
+    return content.isShowing() && table.selectedValue().isPresent();
+  }
+
+  private void goToFilter() {
+    workbench.show(ID);
+    filter.requestFocusInWindow();
+    filter.selectAll();
+  }
+
+  private void plot() {
+    table.selectedValue().ifPresent(value -> plot.accept(List.of(ValueTable.expression(value))));
   }
 
   private void watch() {
@@ -64,10 +163,18 @@ public final class VariablesView implements View {
   }
 
   private void show() {
-    if (debug.showsValues()) {
+    String note = presenter.note();
+    if (note.isEmpty()) {
       panel.showContent(debug.stopText());
     } else {
-      panel.showNote(NOTE);
+      panel.showNote(note);
+    }
+    String omitted = presenter.omission();
+    if (!omitted.equals(omission.getText())) {
+      omission.setText(omitted);
+      omission.setToolTipText(omitted);
+      omission.setForeground(Palette.quiet());
+      omission.setVisible(!omitted.isEmpty());
     }
   }
 
@@ -83,11 +190,13 @@ public final class VariablesView implements View {
 
   @Override
   public JComponent component() {
-    return panel;
+    return content;
   }
 
   @Override
   public void refresh(ControllerState state) {
     debug.refresh(state);
+    presenter.refresh(state, debug.showsValues());
+    show();
   }
 }

@@ -2,10 +2,13 @@ package org.pendant.gui.debug;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.debug.Variable;
 import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.variables.VariablePath;
+import org.pendant.controller.variables.VariableSamples;
 import org.pendant.gui.workbench.Settings;
 import org.pendant.language.source.ByteText;
 
@@ -67,6 +70,28 @@ final class Watches {
     return List.of(
         new ValueNode.Group(
             "", Scope.GLOBAL, expressions.stream().map(e -> ValueNode.of(blank(e))).toList()));
+  }
+
+  /** What can be followed while the program runs: variables, and elements and members of them. */
+  static List<ValueNode.Group> live(
+      List<String> wanted, VariableSamples samples, Map<ValueKey, Integer> unfolded) {
+    List<ValueNode> nodes = new ArrayList<>();
+    for (String each : wanted) {
+      nodes.add(live(each, samples, unfolded));
+    }
+    return List.of(new ValueNode.Group("", Scope.GLOBAL, nodes));
+  }
+
+  private static ValueNode live(
+      String expression, VariableSamples samples, Map<ValueKey, Integer> unfolded) {
+    if (!VariablePath.isOne(expression)) {
+      return ValueNode.of(blank(expression));
+    }
+    return samples
+        .find(VariablePath.of(expression))
+        .map(sample -> LiveValues.node(sample, Scope.GLOBAL, unfolded))
+        .map(node -> node.called(ByteText.asBytes(expression)))
+        .orElseGet(() -> ValueNode.of(blank(expression)));
   }
 
   private static Variable blank(String expression) {

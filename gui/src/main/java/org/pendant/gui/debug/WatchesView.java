@@ -22,10 +22,11 @@ public final class WatchesView implements View {
 
   private static final String NOTE =
       "No watches yet. Type an expression below, or drag a variable here: its value is computed"
-          + " whenever the program stops.";
+          + " whenever the program stops. Variables are followed while it runs, too.";
 
   private final DebugPresenter debug;
   private final ValueTable table;
+  private final LiveTree live;
   private final JTextField field = new JTextField();
   private final DebugPanel middle;
   private final JPanel panel = new JPanel(new BorderLayout());
@@ -39,11 +40,17 @@ public final class WatchesView implements View {
             "watches-table",
             debug.watchTree(),
             true,
-            (row, text) -> debug.changeWatch(ValueTable.expression(row), text));
+            (row, text) -> debug.changeWatch(ValueTable.expression(row), text),
+            Optional.empty());
     table.getAccessibleContext().setAccessibleName("Watches: expression, value and kind");
     table.setComponentPopupMenu(menu());
     table.registerKeyboardAction(
         event -> remove(), KeyStroke.getKeyStroke("DELETE"), JComponent.WHEN_FOCUSED);
+    live =
+        new LiveTree(
+            debug.watchTree(),
+            () -> System.nanoTime() / 1_000_000,
+            (samples, running, unfolded) -> Watches.live(debug.watches(), samples, unfolded));
     middle = new DebugPanel("watches-content", new JScrollPane(table));
     panel.setName("watches");
     panel.add(middle);
@@ -110,7 +117,7 @@ public final class WatchesView implements View {
     if (debug.watches().isEmpty()) {
       middle.showNote(NOTE);
     } else {
-      middle.showContent(debug.showsValues() ? "" : "The program is not stopped: no values yet");
+      middle.showContent("");
     }
   }
 
@@ -132,5 +139,6 @@ public final class WatchesView implements View {
   @Override
   public void refresh(ControllerState state) {
     debug.refresh(state);
+    live.refresh(state, debug.showsValues());
   }
 }

@@ -1,10 +1,18 @@
 package org.pendant.gui.editor;
 
+import java.util.SortedMap;
 import java.util.SortedSet;
 import org.pendant.gui.session.ProgramDocument;
 
 /** Who wants to know where breakpoints are. */
 public interface BreakpointListener {
+
+  /**
+   * Lines with breakpoints have moved; {@link #breakpointsChanged} follows.
+   *
+   * @param moves where each line with a breakpoint is now, by where it was; all of them
+   */
+  void breakpointsMoved(ProgramDocument program, SortedMap<Integer, Integer> moves);
 
   /**
    * A breakpoint was set or cleared.

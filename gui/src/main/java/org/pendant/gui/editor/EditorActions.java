@@ -20,6 +20,8 @@ final class EditorActions {
   static void addTo(Actions actions, ScriptEditor editor) {
     EditorActions all = new EditorActions(actions, editor);
     all.writing();
+    all.lines();
+    all.going();
     all.names();
     all.searching();
     all.program();
@@ -56,6 +58,26 @@ final class EditorActions {
         each -> Folds.all(each, false));
   }
 
+  private void lines() {
+    add("move-up", "Move lines up", "alt UP", each -> each.layoutCommands().moveLines(false));
+    add("move-down", "Move lines down", "alt DOWN", each -> each.layoutCommands().moveLines(true));
+    add("duplicate", "Duplicate lines", "control D", each -> each.layoutCommands().duplicate());
+    add("delete-line", "Delete lines", "control shift K", each -> each.layoutCommands().delete());
+  }
+
+  private void going() {
+    add("back", "Go back", "alt LEFT", each -> editor.navigation().back(each));
+    add("forward", "Go forward", "alt RIGHT", each -> editor.navigation().forward(each));
+    add("open-file", "Go to script\u2026", "control P", each -> editor.quickOpen().files());
+    add(
+        "symbol",
+        "Go to function or global\u2026",
+        "control shift O",
+        each -> editor.quickOpen().symbols());
+    add("next-tab", "Next program", "control TAB", each -> editor.turn(1));
+    add("previous-tab", "Previous program", "control shift TAB", each -> editor.turn(-1));
+  }
+
   private void names() {
     add("definition", "Go to definition", "F12", each -> each.names().goToDefinition());
     add("references", "Find references", "shift F12", each -> each.names().findReferences());
@@ -72,6 +94,13 @@ final class EditorActions {
 
   private void program() {
     add("close", "Close program", "control W", each -> editor.close());
+    actions.add(
+        new Action(
+            PREFIX + "reopen",
+            "Open the closed program again",
+            "control shift T",
+            editor.closer()::canReopen,
+            editor.closer()::reopen));
     add(
         "breakpoint",
         "Toggle breakpoint",

@@ -1,6 +1,7 @@
 package org.pendant.gui.editor;
 
 import java.util.List;
+import java.util.SortedMap;
 import org.pendant.gui.editor.text.Place;
 
 /** What the editor of one program asks of the view around it. */
@@ -17,4 +18,10 @@ interface EditorDesk {
 
   /** Other lines have breakpoints. */
   void breakpointsChanged(ProgramEditor editor);
+
+  /** Breakpoints have moved with the text: where each line with one is now. */
+  void breakpointsMoved(ProgramEditor editor, SortedMap<Integer, Integer> moves);
+
+  /** Somebody is about to jump away from the caret's place. */
+  void leaving(ProgramEditor editor);
 }

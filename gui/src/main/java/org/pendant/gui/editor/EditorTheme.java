@@ -1,6 +1,7 @@
 package org.pendant.gui.editor;
 
 import com.formdev.flatlaf.fonts.jetbrains_mono.FlatJetBrainsMonoFont;
+import com.formdev.flatlaf.util.FontUtils;
 import java.awt.Color;
 import java.awt.Font;
 import javax.swing.UIManager;
@@ -20,6 +21,8 @@ final class EditorTheme {
   static Font codeFont() {
     Font font = UIManager.getFont("defaultFont");
     int size = font == null ? 13 : font.getSize();
+    // The family may be installed without having been read yet.
+    FontUtils.loadFontFamily(FlatJetBrainsMonoFont.FAMILY);
     return new Font(FlatJetBrainsMonoFont.FAMILY, Font.PLAIN, size);
   }
 

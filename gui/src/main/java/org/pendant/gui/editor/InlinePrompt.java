@@ -86,7 +86,8 @@ final class InlinePrompt {
   }
 
   void close() {
-    overlay.hide();
+    // Asked for first: what is typed meanwhile waits for the script instead of being lost.
     owner.requestFocusInWindow();
+    overlay.hide();
   }
 }

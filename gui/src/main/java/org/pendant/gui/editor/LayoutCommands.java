@@ -8,6 +8,7 @@ import org.pendant.gui.editor.text.AutoIndent;
 import org.pendant.gui.editor.text.Background;
 import org.pendant.gui.editor.text.CommentToggle;
 import org.pendant.gui.editor.text.Edit;
+import org.pendant.gui.editor.text.LineMoves;
 import org.pendant.gui.editor.text.Span;
 import org.pendant.language.service.FormatOptions;
 import org.pendant.language.service.FormatResult;
@@ -15,6 +16,7 @@ import org.pendant.language.source.ByteText;
 
 /** What can be done with whole lines: tidy, comment, move in and out, go to one. */
 final class LayoutCommands {
+  private final ProgramEditor editor;
   private final ScriptArea area;
   private final AnalysisSchedule schedule;
   private final Background background;
@@ -22,12 +24,13 @@ final class LayoutCommands {
   private final EditorDesk desk;
 
   LayoutCommands(
-      ScriptArea area,
+      ProgramEditor editor,
       AnalysisSchedule schedule,
       Background background,
       DocumentLink link,
       EditorDesk desk) {
-    this.area = area;
+    this.editor = editor;
+    area = editor.area();
     this.schedule = schedule;
     this.background = background;
     this.link = link;
@@ -71,6 +74,49 @@ final class LayoutCommands {
     make(AutoIndent.shifted(area.selectedLines(), area.getText(), deeper));
   }
 
+  /** Moves the selected lines over the one above or below. */
+  void moveLines(boolean down) {
+    List<Span> lines = area.selectedLines();
+    int first = area.lineAt(lines.getFirst().start());
+    int last = first + lines.size() - 1;
+    LineMoves.moved(area.getText(), lines, down)
+        .ifPresent(
+            move ->
+                editor.moveLines(() -> make(move), line -> lineAfter(line, first, last, down)));
+  }
+
+  private static int lineAfter(int line, int first, int last, boolean down) {
+    if (line >= first && line <= last) {
+      return down ? line + 1 : line - 1;
+    }
+    if (line == (down ? last + 1 : first - 1)) {
+      return down ? first : last;
+    }
+    return line;
+  }
+
+  /** Writes the selected lines once more below. */
+  void duplicate() {
+    make(LineMoves.duplicated(area.getText(), area.selectedLines()));
+  }
+
+  private void make(LineMoves move) {
+    int caret = area.getCaret().getDot();
+    int mark = area.getCaret().getMark();
+    area.make(List.of(move.edit()));
+    area.setCaretPosition(mark + move.shift());
+    area.moveCaretPosition(caret + move.shift());
+  }
+
+  /** Takes the selected lines away. */
+  void delete() {
+    int column = area.getCaretPosition() - area.line(area.lineAt(area.getCaretPosition())).start();
+    Edit edit = LineMoves.deleted(area.getText(), area.selectedLines());
+    area.make(List.of(edit));
+    Span line = area.line(area.lineAt(Math.min(edit.span().start(), area.getDocument().getLength())));
+    area.setCaretPosition(Math.min(line.start() + column, line.end()));
+  }
+
   private void make(List<Edit> edits) {
     if (edits.isEmpty()) {
       return;
@@ -106,6 +152,7 @@ final class LayoutCommands {
       return;
     }
     prompt.close();
+    desk.leaving(editor);
     int start = area.line(Integer.parseInt(text)).start();
     area.show(new Span(start, start));
   }

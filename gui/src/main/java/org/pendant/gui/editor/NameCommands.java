@@ -21,18 +21,26 @@ final class NameCommands {
   private final AnalysisSchedule schedule;
   private final Background background;
   private final EditorDesk desk;
+  private final Runnable leaving;
 
+  /**
+   * What can be done with names of one text.
+   *
+   * @param leaving told before the caret jumps away
+   */
   NameCommands(
       ScriptArea area,
       ProgramDocument program,
       AnalysisSchedule schedule,
       Background background,
-      EditorDesk desk) {
+      EditorDesk desk,
+      Runnable leaving) {
     this.area = area;
     this.program = program;
     this.schedule = schedule;
     this.background = background;
     this.desk = desk;
+    this.leaving = leaving;
     area.addMouseListener(
         new MouseAdapter() {
           @Override
@@ -54,7 +62,10 @@ final class NameCommands {
           analysed
               .definition(caret)
               .ifPresentOrElse(
-                  area::show,
+                  found -> {
+                    leaving.run();
+                    area.show(found);
+                  },
                   () ->
                       desk.tell(
                           analysed

@@ -36,6 +36,9 @@ public final class OutlineView implements View {
   private final JPanel content = new JPanel(new BorderLayout());
   private List<OutlineItem> shown = List.of();
 
+  /** The list that was compared last: comparing costs more than moving the caret. */
+  private List<OutlineItem> seen = List.of();
+
   /** The outline of what {@code editor} has in front. */
   public OutlineView(Workbench workbench, ScriptEditor editor) {
     this.workbench = workbench;
@@ -88,7 +91,7 @@ public final class OutlineView implements View {
         .analysed()
         .ifPresent(
             analysed -> {
-              if (!analysed.outline().equals(shown)) {
+              if (analysed.outline() != seen && !analysed.outline().equals(shown)) {
                 boolean same = sameShape(shown, analysed.outline());
                 shown = analysed.outline();
                 if (same) {
@@ -97,6 +100,7 @@ public final class OutlineView implements View {
                   fill();
                 }
               }
+              seen = analysed.outline();
               if (!tree.hasFocus()) {
                 select(analysed);
               }
@@ -182,9 +186,8 @@ public final class OutlineView implements View {
     if (tree.getLastSelectedPathComponent() instanceof DefaultMutableTreeNode node
         && node.getUserObject() instanceof OutlineItem item) {
       ProgramEditor program = editor.current();
-      program.analysed().ifPresent(now -> program.area().show(now.span(item.nameRange())));
       workbench.show(ScriptEditor.ID);
-      program.area().requestFocusInWindow();
+      program.analysed().ifPresent(now -> program.jump(now.span(item.nameRange())));
     }
   }
 

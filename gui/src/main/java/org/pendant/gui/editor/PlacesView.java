@@ -33,6 +33,7 @@ public final class PlacesView implements View {
 
   private static final String FOLDER = "search.folder";
   private static final int SHOWN_AT_ONCE = 100;
+  private static final int TOLD_EVERY = 50;
 
   private final Workbench workbench;
   private final ScriptEditor editor;
@@ -215,11 +216,23 @@ public final class PlacesView implements View {
                   show(found, stop);
                 }
               },
+              (done, all) -> tellProgress(done, all, stop),
               stop::get);
       show(found, stop);
       EventQueue.invokeLater(() -> finish(result, stop, number));
     } catch (IOException e) {
       EventQueue.invokeLater(() -> refuse(folder, "Not searched: " + e));
+    }
+  }
+
+  private void tellProgress(int done, int all, AtomicBoolean stop) {
+    if (done % TOLD_EVERY == 0) {
+      EventQueue.invokeLater(
+          () -> {
+            if (!stop.get() && start.getText().equals("Cancel")) {
+              summary.setText("Looking\u2026 " + done + " of " + all + " scripts");
+            }
+          });
     }
   }
 

@@ -17,9 +17,11 @@ final class ProblemNotices extends AbstractParser {
 
   private List<Problem> problems = List.of();
 
-  /** The problems of the text as it is. */
-  void set(List<Problem> found) {
+  /** Takes the problems of the text as it is; whether they are others than before. */
+  boolean set(List<Problem> found) {
+    List<Problem> before = problems;
     problems = found.size() > MOST ? found.subList(0, MOST) : found;
+    return !problems.equals(before);
   }
 
   @Override

@@ -112,7 +112,7 @@ public final class ProblemsView implements View {
 
   private void follow() {
     List<Problem> problems = editor.current().analysed().map(AnalysedText::problems).orElse(shown);
-    if (problems.equals(shown) && !summary.getText().isBlank()) {
+    if ((problems == shown || problems.equals(shown)) && !summary.getText().isBlank()) {
       return;
     }
     shown = problems;
@@ -143,10 +143,8 @@ public final class ProblemsView implements View {
 
   private void go() {
     if (row() >= 0) {
-      ScriptArea area = editor.current().area();
-      area.show(model.at(row()).span());
       workbench.show(ScriptEditor.ID);
-      area.requestFocusInWindow();
+      editor.current().jump(model.at(row()).span());
     }
   }
 

@@ -4,8 +4,12 @@ import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
+import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
 import java.util.SortedSet;
+import java.util.function.Consumer;
+import java.util.function.IntUnaryOperator;
 import java.util.function.Predicate;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
@@ -40,6 +44,8 @@ final class ProgramEditor extends JPanel {
   private final FixMenu fixes;
   private final NameCommands names;
   private final LayoutCommands layout;
+  private final Occurrences occurrences;
+  private boolean movingLines;
 
   ProgramEditor(
       ProgramDocument program,
@@ -69,8 +75,11 @@ final class ProgramEditor extends JPanel {
     fixes = new FixMenu(area, schedule, background, marks, desk);
     signature = new SignaturePopup(area, schedule);
     completions = new CompletionPopup(area, schedule, background, signature::request);
-    names = new NameCommands(area, program, schedule, background, desk);
-    layout = new LayoutCommands(area, schedule, background, link, desk);
+    names =
+        new NameCommands(
+            area, program, schedule, background, desk, () -> desk.leaving(this));
+    layout = new LayoutCommands(this, schedule, background, link, desk);
+    occurrences = new Occurrences(area, schedule, background);
     area.setTips(this::tip);
     area.setTyped(
         c -> {
@@ -131,6 +140,18 @@ final class ProgramEditor extends JPanel {
     return schedule.current();
   }
 
+  /** Hands over what is known as soon as it is. */
+  void whenAnalysed(Consumer<AnalysedText> receiver) {
+    schedule.whenCurrent(receiver);
+  }
+
+  /** Selects a place, to come back from it later. */
+  void jump(Span span) {
+    desk.leaving(this);
+    area.show(span);
+    area.requestFocusInWindow();
+  }
+
   void complete() {
     completions.request(true);
   }
@@ -162,12 +183,30 @@ final class ProgramEditor extends JPanel {
     area.show(new Span(start, start + length));
   }
 
-  void setExecutionLine(int line) {
-    marks.setExecutionLine(line);
+  void setExecution(Execution execution) {
+    marks.setExecution(execution);
   }
 
   SortedSet<Integer> breakpoints() {
     return marks.breakpoints();
+  }
+
+  /** Sets breakpoints on lines that had them when this program was open last. */
+  void restoreBreakpoints(SortedSet<Integer> lines) {
+    lines.stream().filter(line -> line <= area.getLineCount()).forEach(marks::addBreakpoint);
+  }
+
+  /** Shows what others know of breakpoints, by their lines. */
+  void showBreakpoints(Map<Integer, BreakpointMark> looks) {
+    marks.setLooks(looks);
+  }
+
+  /** Does an edit that takes lines to other places; breakpoints go with them. */
+  void moveLines(Runnable edit, IntUnaryOperator newLine) {
+    movingLines = true;
+    marks.whileMoving(edit, newLine);
+    movingLines = false;
+    tellMoves();
   }
 
   /** Sets or clears a breakpoint on a line, or on the next where the program can stop. */
@@ -201,8 +240,11 @@ final class ProgramEditor extends JPanel {
   }
 
   private void applyTheme() {
+    scroll.setBorder(null);
     EditorTheme.apply(area, scroll);
-    marks.themeChanged();
+    area.themeChanged();
+    marks.refresh();
+    occurrences.themeChanged();
     area.forceReparsing(notices);
   }
 
@@ -217,14 +259,28 @@ final class ProgramEditor extends JPanel {
 
   private void textChanged() {
     schedule.changed();
+    if (!movingLines && !marks.breakpoints().isEmpty()) {
+      tellMoves();
+    }
+  }
+
+  private void tellMoves() {
+    SortedMap<Integer, Integer> moves = marks.takeMoves();
+    if (!moves.isEmpty()) {
+      marks.refresh();
+      desk.breakpointsMoved(this, moves);
+    }
   }
 
   private void show(AnalysedText analysed) {
-    colours.set(analysed);
-    notices.set(analysed.problems());
-    area.forceReparsing(notices);
+    if (colours.set(analysed)) {
+      area.repaint();
+    }
+    if (notices.set(analysed.problems())) {
+      area.forceReparsing(notices);
+    }
     area.getFoldManager().reparse();
-    area.repaint();
+    marks.setStatementLines(analysed.statementLines());
     fixes.forget();
     fixes.refreshBulb();
     desk.changed(this);
@@ -244,7 +300,8 @@ final class ProgramEditor extends JPanel {
                     .filter(problem -> isOn(problem, offset))
                     .findFirst()
                     .map(RichText::of)
-                    .or(() -> analysed.hover(offset).map(RichText::of)));
+                    .or(() -> analysed.hover(offset).map(RichText::of))
+                    .or(() -> analysed.quantity(offset).map(RichText::of)));
   }
 
   private static boolean isOn(Problem problem, int offset) {

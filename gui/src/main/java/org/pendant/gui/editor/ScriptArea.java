@@ -1,5 +1,7 @@
 package org.pendant.gui.editor;
 
+import java.awt.Graphics;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
@@ -9,11 +11,13 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import javax.swing.AbstractAction;
+import javax.swing.Action;
 import javax.swing.KeyStroke;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.DefaultEditorKit;
@@ -23,6 +27,8 @@ import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.folding.FoldParserManager;
 import org.pendant.gui.editor.text.AnalysedText;
 import org.pendant.gui.editor.text.AutoIndent;
+import org.pendant.gui.editor.text.BlockEnd;
+import org.pendant.gui.editor.text.BracketPairs;
 import org.pendant.gui.editor.text.Edit;
 import org.pendant.gui.editor.text.LineColours;
 import org.pendant.gui.editor.text.Lines;
@@ -43,6 +49,7 @@ final class ScriptArea extends RSyntaxTextArea {
   private final Predicate<KeyStroke> takenKeys;
   private Function<Integer, Optional<String>> tips = offset -> Optional.empty();
   private IntConsumer typed = c -> {};
+  private ExecutionBand band;
   private int zoom;
 
   /**
@@ -83,7 +90,31 @@ final class ScriptArea extends RSyntaxTextArea {
     setName("script-text");
     getAccessibleContext().setAccessibleName("Script");
     getActionMap().put(DefaultEditorKit.insertBreakAction, new NewLine());
+    getActionMap()
+        .put(
+            DefaultEditorKit.deletePrevCharAction,
+            new DeleteBack(getActionMap().get(DefaultEditorKit.deletePrevCharAction)));
+    // The window has these keys for its tabs; alt and a number leaves the text.
+    setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, Set.of());
+    setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, Set.of());
     setToolTipText("");
+    band = new ExecutionBand(this);
+  }
+
+  /** Marks where the program is, and puts its note there. */
+  void setExecution(Execution execution) {
+    band.set(execution);
+  }
+
+  /** Takes over the colours of the present theme. */
+  void themeChanged() {
+    band.refresh();
+  }
+
+  @Override
+  protected void paintComponent(Graphics g) {
+    super.paintComponent(g);
+    band.paintNote(g);
   }
 
   /** What is known about the text as it is. */
@@ -175,6 +206,10 @@ final class ScriptArea extends RSyntaxTextArea {
 
   @Override
   public String getToolTipText(MouseEvent event) {
+    Optional<String> note = band.tip(event.getPoint());
+    if (note.isPresent()) {
+      return note.get();
+    }
     int offset = viewToModel2D(event.getPoint());
     if (offset < 0 || !isOver(offset, event.getPoint())) {
       return null;
@@ -193,6 +228,9 @@ final class ScriptArea extends RSyntaxTextArea {
   @Override
   protected boolean processKeyBinding(
       KeyStroke key, KeyEvent event, int condition, boolean pressed) {
+    if (event.getID() == KeyEvent.KEY_TYPED && event.isControlDown() && !event.isAltDown()) {
+      return true; // what a key with CTRL does is done when it is pressed; it writes nothing
+    }
     boolean plain = event.getModifiersEx() == 0 && !event.isActionKey();
     if (pressed && !plain && takenKeys != null && takenKeys.test(key)) {
       return false;
@@ -202,11 +240,44 @@ final class ScriptArea extends RSyntaxTextArea {
 
   @Override
   public void replaceSelection(String text) {
-    super.replaceSelection(text);
-    if (text != null && text.length() == 1) {
-      alignClosingWord();
-      typed.accept(text.charAt(0));
+    if (text == null || text.length() != 1 || band == null) {
+      super.replaceSelection(text);
+      return;
     }
+    write(text.charAt(0));
+    alignClosingWord();
+    typed.accept(text.charAt(0));
+  }
+
+  /** Writes a character, and the other half of a pair. */
+  private void write(char c) {
+    String own = String.valueOf(c);
+    int start = getSelectionStart();
+    int end = getSelectionEnd();
+    String selected = text(new Span(start, end));
+    if (start < end) {
+      boolean around = BracketPairs.surrounds(c) && selected.indexOf('\n') < 0;
+      super.replaceSelection(around ? own + selected + BracketPairs.closing(c) : own);
+      if (around) {
+        setCaretPosition(start + 1);
+        moveCaretPosition(end + 1);
+      }
+      return;
+    }
+    Span line = line(lineAt(start));
+    switch (BracketPairs.typed(text(line), start - line.start(), c)) {
+      case INSERT -> super.replaceSelection(own);
+      case STEP_OVER -> setCaretPosition(start + 1);
+      case INSERT_PAIR -> {
+        super.replaceSelection(own + BracketPairs.closing(c));
+        setCaretPosition(start + 1);
+      }
+    }
+  }
+
+  /** All lines, without their ends. */
+  private List<String> lines() {
+    return List.of(getText().split("\n", -1));
   }
 
   /** A line that has just become {@code end} goes back to where its block began. */
@@ -239,13 +310,49 @@ final class ScriptArea extends RSyntaxTextArea {
     }
   }
 
-  /** Begins a line, indented. */
+  /** Begins a line, indented; a block that has been begun gets its end. */
   private final class NewLine extends AbstractAction {
     @Override
     public void actionPerformed(ActionEvent event) {
       int start = getSelectionStart();
-      String before = text(new Span(line(lineAt(start)).start(), start));
-      replaceSelection("\n" + AutoIndent.behind(before));
+      Span line = line(lineAt(start));
+      String before = text(new Span(line.start(), start));
+      String behind = text(new Span(getSelectionEnd(), line(lineAt(getSelectionEnd())).end()));
+      String deeper = "\n" + AutoIndent.behind(before);
+      boolean endless =
+          before.stripTrailing().endsWith(":")
+              && behind.isBlank()
+              && BlockEnd.missing(lines(), lineAt(start) - 1);
+      if (endless) {
+        ScriptArea.super.replaceSelection(deeper + "\n" + AutoIndent.blanks(before) + "end");
+        setCaretPosition(start + deeper.length());
+      } else {
+        ScriptArea.super.replaceSelection(deeper);
+      }
+      typed.accept('\n');
+    }
+  }
+
+  /** Deletes a character, or an empty pair of brackets. */
+  private final class DeleteBack extends AbstractAction {
+    private final Action usual;
+
+    DeleteBack(Action usual) {
+      this.usual = usual;
+    }
+
+    @Override
+    public void actionPerformed(ActionEvent event) {
+      int caret = getCaretPosition();
+      Span line = line(lineAt(caret));
+      boolean pair =
+          getSelectionStart() == getSelectionEnd()
+              && BracketPairs.isEmptyPair(text(line), caret - line.start());
+      if (pair) {
+        replaceRange("", caret - 1, caret + 1);
+      } else {
+        usual.actionPerformed(event);
+      }
     }
   }
 }

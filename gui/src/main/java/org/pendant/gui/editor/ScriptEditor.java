@@ -5,16 +5,19 @@ import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
 import java.util.SortedSet;
+import java.util.function.Function;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import org.pendant.gui.editor.text.Background;
 import org.pendant.gui.editor.text.Place;
+import org.pendant.gui.editor.text.Span;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
 import org.pendant.gui.session.Programs;
@@ -28,8 +31,6 @@ public final class ScriptEditor implements View {
   /** Its name in settings and commands. */
   public static final String ID = "script";
 
-  private static final String SAVE = "file.save";
-
   private final Workbench workbench;
   private final Programs programs;
   private final Background worker = new WorkerThread("script-editor");
@@ -38,6 +39,12 @@ public final class ScriptEditor implements View {
   private final List<BreakpointListener> breakpointListeners = new ArrayList<>();
   private final EditorTabs tabs;
   private final FindBar find;
+  private final EditorStatus status;
+  private final ProgramCloser closer;
+  private final Navigation navigation;
+  private final QuickOpen quickOpen;
+  private Function<ProgramDocument, SortedSet<Integer>> breakpointMemory =
+      program -> Collections.emptySortedSet();
   private PlacesSink places = (title, found) -> {};
 
   /** Where lists of places are shown. */
@@ -53,15 +60,29 @@ public final class ScriptEditor implements View {
     Catalogue catalogue = workbench.session().controller().builtins();
     EditorDesk desk = new Desk();
     find = new FindBar(this::current);
+    status = new EditorStatus(() -> workbench.show(ProblemsView.ID));
+    closer = new ProgramCloser(workbench, programs, this::current);
+    navigation = new Navigation(programs, this::goTo);
+    quickOpen = new QuickOpen(this, programs, new WorkerThread("script-finder"));
     tabs =
         new EditorTabs(
             programs,
-            program -> new ProgramEditor(program, catalogue, worker, desk, this::isTaken),
-            this::close,
+            program -> {
+              ProgramEditor made =
+                  new ProgramEditor(program, catalogue, worker, desk, this::isTaken);
+              made.restoreBreakpoints(breakpointMemory.apply(program));
+              return made;
+            },
+            closer::close,
             this::tabShown);
+    JPanel south = new JPanel(new BorderLayout());
+    south.add(find, BorderLayout.NORTH);
+    south.add(status, BorderLayout.SOUTH);
     content.setName("script-editor");
-    content.add(find, BorderLayout.SOUTH);
+    content.add(south, BorderLayout.SOUTH);
     content.add(tabs);
+    addListener(() -> status.show(current()));
+    status.show(current());
     EditorActions.addTo(workbench.actions(), this);
   }
 
@@ -85,22 +106,34 @@ public final class ScriptEditor implements View {
     openThen(file, () -> {});
   }
 
-  /** Selects a place of the program in front; columns count characters from 1. */
+  /**
+   * Selects a place of the program in front, without taking the focus; columns count characters
+   * from 1.
+   */
   public void show(int line, int column) {
     current().show(line, column, 0);
-    current().area().requestFocusInWindow();
   }
 
-  /** Marks the line of a program that runs; 0 for none. The text does not scroll. */
-  public void setExecutionLine(ProgramDocument program, int line) {
-    editor(program).ifPresent(editor -> editor.setExecutionLine(line));
+  /** Marks where a program is. The text does not scroll. */
+  public void setExecution(ProgramDocument program, Execution execution) {
+    editor(program).ifPresent(editor -> editor.setExecution(execution));
+  }
+
+  /** Shows what is known of the breakpoints of a program, by their lines. */
+  public void showBreakpoints(ProgramDocument program, Map<Integer, BreakpointMark> looks) {
+    editor(program).ifPresent(editor -> editor.showBreakpoints(looks));
+  }
+
+  /** Asks {@code memory} for the breakpoints of programs that are opened again. */
+  public void setBreakpointMemory(Function<ProgramDocument, SortedSet<Integer>> memory) {
+    breakpointMemory = memory;
   }
 
   /** The lines of a program that have a breakpoint. */
   public SortedSet<Integer> breakpoints(ProgramDocument program) {
     return editor(program)
         .map(ProgramEditor::breakpoints)
-        .orElseGet(java.util.Collections::emptySortedSet);
+        .orElseGet(Collections::emptySortedSet);
   }
 
   /** Sets or clears a breakpoint, on the next line where the program can stop. */
@@ -115,7 +148,7 @@ public final class ScriptEditor implements View {
 
   /** Closes the program in front; asks if it has changes that are not saved. */
   public void close() {
-    close(current());
+    closer.close(current());
   }
 
   /** Puts a line below the one of the caret, indented as that is. */
@@ -127,6 +160,33 @@ public final class ScriptEditor implements View {
   public int caretLine() {
     ScriptArea area = current().area();
     return area.lineAt(area.getCaretPosition());
+  }
+
+  ProgramCloser closer() {
+    return closer;
+  }
+
+  Navigation navigation() {
+    return navigation;
+  }
+
+  QuickOpen quickOpen() {
+    return quickOpen;
+  }
+
+  /** Brings the next program to the front, or the one before. */
+  void turn(int steps) {
+    List<ProgramDocument> all = programs.all();
+    int next = Math.floorMod(all.indexOf(programs.current()) + steps, all.size());
+    programs.select(all.get(next));
+    current().area().requestFocusInWindow();
+  }
+
+  private void goTo(ProgramDocument program, int offset) {
+    programs.select(program);
+    workbench.show(ID);
+    current().area().show(new Span(offset, offset));
+    current().area().requestFocusInWindow();
   }
 
   ProgramEditor current() {
@@ -151,6 +211,7 @@ public final class ScriptEditor implements View {
 
   /** Opens the program of a place and selects it. */
   void show(Place place) {
+    navigation.left(current());
     Runnable select =
         () -> {
           workbench.show(ID);
@@ -183,52 +244,6 @@ public final class ScriptEditor implements View {
     } catch (IOException e) {
       EventQueue.invokeLater(() -> workbench.notify("Not opened: " + e.getMessage()));
     }
-  }
-
-  private void close(ProgramEditor editor) {
-    ProgramDocument program = editor.program();
-    if (!program.modified()) {
-      closeNow(program);
-      return;
-    }
-    programs.select(program);
-    Map<String, Runnable> answers = new LinkedHashMap<>();
-    if (program.file().isPresent()) {
-      answers.put("Save and close", () -> saveAndClose(program));
-    } else {
-      answers.put("Save", () -> workbench.actions().run(SAVE));
-    }
-    answers.put("Close without saving", () -> closeNow(program));
-    answers.put("Keep open", () -> editor.area().requestFocusInWindow());
-    editor.notice().ask(program.name() + " has changes that are not saved.", answers);
-  }
-
-  /**
-   * The window knows how to save; the program is closed once it is on disk. Writing on means that
-   * it stays.
-   */
-  private void saveAndClose(ProgramDocument program) {
-    program.addListener(
-        new ProgramDocument.Listener() {
-          @Override
-          public void textChanged(int offset, int removed, String added) {
-            program.removeListener(this);
-          }
-
-          @Override
-          public void fileChanged() {
-            if (!program.modified()) {
-              program.removeListener(this);
-              EventQueue.invokeLater(() -> closeNow(program));
-            }
-          }
-        });
-    workbench.actions().run(SAVE);
-  }
-
-  private void closeNow(ProgramDocument program) {
-    programs.close(program, ProgramDocument.untitled("untitled.script", ""));
-    current().area().requestFocusInWindow();
   }
 
   private Optional<ProgramEditor> editor(ProgramDocument program) {
@@ -269,6 +284,17 @@ public final class ScriptEditor implements View {
       if (tabs != null && editor == tabs.current()) {
         tellListeners();
       }
+    }
+
+    @Override
+    public void leaving(ProgramEditor editor) {
+      navigation.left(editor);
+    }
+
+    @Override
+    public void breakpointsMoved(ProgramEditor editor, SortedMap<Integer, Integer> moves) {
+      breakpointListeners.forEach(each -> each.breakpointsMoved(editor.program(), moves));
+      breakpointsChanged(editor);
     }
 
     @Override

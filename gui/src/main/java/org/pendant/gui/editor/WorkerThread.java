@@ -6,10 +6,11 @@ import java.util.concurrent.TimeUnit;
 import org.pendant.gui.editor.text.Background;
 
 /** One thread that does what would hold up the window. It does not keep the program alive. */
-final class WorkerThread implements Background {
+public final class WorkerThread implements Background {
   private final ScheduledExecutorService executor;
 
-  WorkerThread(String name) {
+  /** A thread of this name, waiting for work. */
+  public WorkerThread(String name) {
     executor =
         Executors.newSingleThreadScheduledExecutor(
             Thread.ofPlatform().daemon().name(name).factory());

@@ -3,14 +3,18 @@ package org.pendant.gui.export;
 import java.awt.Component;
 import java.awt.Dialog.ModalityType;
 import java.awt.EventQueue;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import org.pendant.gui.session.FileTrouble;
 
 /**
  * Asks where to save and saves there, while the window behind it can be used. A file that exists is
@@ -42,18 +46,52 @@ public final class SaveDialog {
       String[] endings,
       Export export,
       Consumer<String> told) {
+    ask(
+        parent,
+        title,
+        Path.of(fileName),
+        endings,
+        chosen -> chosen.ifPresent(file -> write(file, export, told)));
+  }
+
+  /**
+   * Asks for a file and leaves the writing to others.
+   *
+   * @param parent something in the window that it belongs to
+   * @param suggestion the file unless people want otherwise; its folder is the first that is shown
+   * @param endings file name endings, such as {@code csv}; the first is added where there is none
+   * @param chosen takes the file, or nothing if people do not want to any more
+   */
+  public static void ask(
+      Component parent,
+      String title,
+      Path suggestion,
+      String[] endings,
+      Consumer<Optional<Path>> chosen) {
     SaveDialog save = new SaveDialog(parent, title);
-    save.chooser.setFileFilter(
+    JFileChooser chooser = save.chooser;
+    chooser.setFileFilter(
         new FileNameExtensionFilter("*." + String.join(", *.", endings), endings));
-    save.chooser.setSelectedFile(new File(save.chooser.getCurrentDirectory(), fileName));
-    save.chooser.addActionListener(
+    if (suggestion.getParent() != null) {
+      chooser.setCurrentDirectory(suggestion.getParent().toFile());
+    }
+    chooser.setSelectedFile(
+        new File(chooser.getCurrentDirectory(), suggestion.getFileName().toString()));
+    chooser.addActionListener(
         event -> {
           save.dialog.dispose();
-          if (event.getActionCommand().equals(JFileChooser.APPROVE_SELECTION)) {
-            write(save.chooser.getSelectedFile().toPath(), export, told);
+          boolean approved = event.getActionCommand().equals(JFileChooser.APPROVE_SELECTION);
+          chosen.accept(
+              approved ? Optional.of(chooser.getSelectedFile().toPath()) : Optional.empty());
+        });
+    save.dialog.addWindowListener(
+        new WindowAdapter() {
+          @Override
+          public void windowClosing(WindowEvent event) {
+            chooser.cancelSelection();
           }
         });
-    save.dialog.add(save.chooser);
+    save.dialog.add(chooser);
     save.dialog.pack();
     save.dialog.setLocationRelativeTo(parent);
     save.dialog.setVisible(true);
@@ -74,7 +112,7 @@ public final class SaveDialog {
       export.writeTo(file);
       return "Saved " + file.toAbsolutePath();
     } catch (IOException e) {
-      return "Not saved: " + file.toAbsolutePath() + ": " + e;
+      return "Not saved: " + file.toAbsolutePath() + ": " + FileTrouble.reason(e);
     }
   }
 

@@ -1,7 +1,6 @@
 package org.pendant.gui.io;
 
 import java.util.EnumMap;
-import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
@@ -11,6 +10,8 @@ import org.pendant.controller.Command;
 import org.pendant.controller.Reply;
 import org.pendant.controller.io.DigitalLevels;
 import org.pendant.controller.io.Signal;
+import org.pendant.controller.io.SignalWrite;
+import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
@@ -20,12 +21,13 @@ final class IoPresenter {
   private final Function<Command, CompletableFuture<Reply>> submit;
   private final Executor executor;
   private final Consumer<String> notify;
-  private final Map<Signal, Boolean> asked = new HashMap<>();
+  private final Forcing forcing;
   private final PulseTimer pulses;
   private final Map<SafetyInput, Boolean> safety = new EnumMap<>(SafetyInput.class);
   private DigitalLevels levels = DigitalLevels.ALL_LOW;
   private PulseLength pulseLength = PulseLength.STANDARD;
   private long frame = -1;
+  private boolean programRuns;
 
   /**
    * A screen that has seen nothing.
@@ -44,18 +46,20 @@ final class IoPresenter {
     this.pulses = pulses;
     this.executor = executor;
     this.notify = notify;
+    forcing = new Forcing(submit, executor, notify);
   }
 
   /** Takes the newest snapshot. */
   void take(ControllerState state) {
     if (state.frame() < frame) {
       // another controller has been switched on
-      asked.clear();
+      forcing.forget();
       safety.clear();
     }
     boolean first = frame < 0 || state.frame() < frame;
     frame = state.frame();
     levels = state.io();
+    programRuns = state.program().state() != ProgramState.STOPPED;
     if (first) {
       guessSafety(state);
     }
@@ -79,22 +83,41 @@ final class IoPresenter {
 
   /** The level of a signal; one that was asked for counts before the controller has set it. */
   boolean level(Signal signal) {
-    Boolean wanted = asked.get(signal);
-    return wanted == null ? snapshotLevel(signal) : wanted;
+    return forcing
+        .asked(SignalWrite.Digital.class, signal.toString())
+        .map(SignalWrite.Digital::level)
+        .orElseGet(() -> snapshotLevel(signal));
   }
 
-  /** Changes the level of an input; a pulse of it ends. */
-  void toggle(Signal input) {
-    pulses.cancel(input);
-    boolean level = !level(input);
-    follow(input, level, submit.apply(new Command.SetInput(input.toString(), level)));
+  /** Whether people may change the level now: of outputs and flags while no program runs. */
+  boolean settable(Signal signal) {
+    return signal.bank().input() || !programRuns;
+  }
+
+  /** Changes the level of a signal; a pulse of it ends. */
+  void toggle(Signal signal) {
+    if (settable(signal)) {
+      pulses.cancel(signal);
+      forcing.write(new SignalWrite.Digital(signal, !level(signal)));
+    }
+  }
+
+  /** Signals that people set by hand. */
+  Forcing forcing() {
+    return forcing;
+  }
+
+  /** Brings all forced inputs to rest; pulses end. */
+  void releaseAll() {
+    pulses.cancelAll();
+    forcing.releaseAll();
   }
 
   /** Changes the level of an input for the length of a pulse. */
   void pulse(Signal input) {
     if (!pulsing(input)) {
       boolean level = !level(input);
-      follow(input, level, pulses.begin(input, level, pulseLength));
+      forcing.show(new SignalWrite.Digital(input, level), pulses.begin(input, level, pulseLength));
     }
   }
 
@@ -106,18 +129,6 @@ final class IoPresenter {
   /** Pulses that begin from now on have this length. */
   void setPulseLength(PulseLength length) {
     pulseLength = length;
-  }
-
-  /** Shows the level that was asked for until the controller has answered. */
-  private void follow(Signal input, boolean level, CompletableFuture<Reply> reply) {
-    asked.put(input, level);
-    var _ =
-        reply.thenAcceptAsync(
-            answer -> {
-              asked.remove(input, level);
-              tell(answer);
-            },
-            executor);
   }
 
   /** Whether a safety input demands its function, as far as it was set here. */

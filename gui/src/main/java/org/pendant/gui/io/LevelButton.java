@@ -16,6 +16,18 @@ final class LevelButton extends JToggleButton {
     addActionListener(event -> toggle.run());
   }
 
+  /** Looks like a light while it cannot be used. */
+  void showLampWhenDisabled() {
+    setDisabledIcon(new LevelIcon(LevelIcon.Form.LAMP, false));
+    setDisabledSelectedIcon(new LevelIcon(LevelIcon.Form.LAMP, true));
+  }
+
+  void allow(boolean enabled) {
+    if (isEnabled() != enabled) {
+      setEnabled(enabled);
+    }
+  }
+
   void showLevel(boolean level) {
     if (isSelected() != level) {
       setSelected(level);

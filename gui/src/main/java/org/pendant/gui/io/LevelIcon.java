@@ -1,5 +1,6 @@
 package org.pendant.gui.io;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Component;
@@ -32,18 +33,24 @@ record LevelIcon(Form form, boolean high) implements Icon {
 
   @Override
   public int getIconWidth() {
-    return form == Form.LAMP ? HEIGHT : 2 * HEIGHT - 4;
+    return UIScale.scale(width());
   }
 
   @Override
   public int getIconHeight() {
-    return HEIGHT;
+    return UIScale.scale(HEIGHT);
+  }
+
+  /** In pixels before scaling, as all that is painted. */
+  private int width() {
+    return form == Form.LAMP ? HEIGHT : 2 * HEIGHT - 4;
   }
 
   @Override
   public void paintIcon(Component c, Graphics g, int x, int y) {
     Graphics2D pen = (Graphics2D) g.create();
     pen.translate(x, y);
+    pen.scale(UIScale.scale(1f), UIScale.scale(1f));
     pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     pen.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
     pen.setStroke(new BasicStroke(1.5f));
@@ -70,7 +77,7 @@ record LevelIcon(Form form, boolean high) implements Icon {
   }
 
   private void paintSwitch(Graphics2D pen, Color on, Color off) {
-    double width = getIconWidth() - 2.0;
+    double width = width() - 2.0;
     double height = HEIGHT - 2.0;
     RoundRectangle2D body = new RoundRectangle2D.Double(1, 1, width, height, height, height);
     if (high) {

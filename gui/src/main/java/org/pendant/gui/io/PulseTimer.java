@@ -48,6 +48,14 @@ final class PulseTimer implements FrameListener {
     running.remove(input);
   }
 
+  /** Forgets all pulses, and leaves their inputs low. */
+  void cancelAll() {
+    for (Signal input : running.keySet()) {
+      cancel(input);
+      var _ = submit.apply(new Command.SetInput(input.toString(), false));
+    }
+  }
+
   boolean running(Signal input) {
     return running.containsKey(input);
   }

@@ -1,13 +1,11 @@
 package org.pendant.gui.io;
 
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JTextField;
+import javax.swing.SwingConstants;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.gui.layout.Card;
@@ -22,10 +20,7 @@ final class SignalCard {
   SignalCard(SignalBank bank, IoPresenter presenter, SignalLabels labels) {
     this.presenter = presenter;
     this.labels = labels;
-    card =
-        new Card(
-            SignalName.of(bank),
-            bank.input() ? "[][][grow,fill,110::][]" : "[][][grow,fill,110::]");
+    card = new Card(SignalName.of(bank), "[][][grow,fill,80::][]");
     for (int i = 0; i < bank.size(); i++) {
       if (bank.input()) {
         addInput(new Signal(bank, i));
@@ -51,10 +46,9 @@ final class SignalCard {
             "Force " + signal + ", in scripts " + SignalName.inScript(signal));
     JButton pulse =
         Card.named(
-            new JButton("Pulse"),
+            pulseButton(),
             SignalName.id(signal) + "-pulse",
             "Change " + signal + " for the length of a pulse");
-    pulse.putClientProperty("JButton.buttonType", "toolBarButton");
     pulse.addActionListener(event -> presenter.pulse(signal));
     card.add(level);
     addNames(signal);
@@ -69,10 +63,29 @@ final class SignalCard {
   }
 
   private void addOutput(Signal signal) {
-    Lamp lamp = new Lamp(signal);
-    card.add(lamp, "h 22!");
+    LevelButton level =
+        Card.named(
+            new LevelButton(LevelIcon.Form.SWITCH, () -> presenter.toggle(signal)),
+            SignalName.id(signal),
+            "Set " + signal + " while no program runs, in scripts " + SignalName.inScript(signal));
+    level.showLampWhenDisabled();
+    card.add(level);
     addNames(signal);
-    rows.add(() -> lamp.showLevel(presenter.level(signal)));
+    // as high and as wide as the row of an input, so that inputs and outputs stand side by side
+    JButton space = pulseButton();
+    space.setVisible(false);
+    card.add(space, "hidemode 0");
+    rows.add(
+        () -> {
+          level.showLevel(presenter.level(signal));
+          level.allow(presenter.settable(signal));
+        });
+  }
+
+  private static JButton pulseButton() {
+    JButton button = new JButton("Pulse");
+    button.putClientProperty("JButton.buttonType", "toolBarButton");
+    return button;
   }
 
   private void addNames(Signal signal) {
@@ -80,22 +93,10 @@ final class SignalCard {
     brief.putClientProperty("FlatLaf.styleClass", "monospaced");
     brief.setToolTipText("In scripts " + SignalName.inScript(signal));
     card.add(brief);
-    JTextField label =
-        Card.named(
-            new JTextField(labels.of(signal)),
-            SignalName.id(signal) + "-label",
-            "Your name for " + signal);
-    label.putClientProperty("JTextField.placeholderText", "Name");
-    label.putClientProperty(
-        "FlatLaf.style", "borderColor: $Card.fieldBorder; background: null; arc: 8");
-    label.addActionListener(event -> labels.name(signal, label.getText()));
-    label.addFocusListener(
-        new FocusAdapter() {
-          @Override
-          public void focusLost(FocusEvent event) {
-            labels.name(signal, label.getText());
-          }
-        });
-    card.add(label);
+    if (signal.bank().input()) {
+      brief.setHorizontalTextPosition(SwingConstants.LEADING);
+      rows.add(() -> ForcedMark.show(brief, presenter.forcing().forced(signal.toString())));
+    }
+    card.add(NameField.of(labels, SignalName.id(signal), signal.toString()));
   }
 }

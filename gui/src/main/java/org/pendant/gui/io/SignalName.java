@@ -1,5 +1,8 @@
 package org.pendant.gui.io;
 
+import org.pendant.controller.io.AnalogBank;
+import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 
@@ -48,6 +51,38 @@ final class SignalName {
           case FLAG -> "get_flag";
         };
     return function + "(" + signal.index() + ")";
+  }
+
+  /** As short as on the sockets of a control box, such as {@code AI 0}. */
+  static String brief(AnalogBank bank, int index) {
+    String letters =
+        switch (bank) {
+          case STANDARD_IN -> "AI";
+          case STANDARD_OUT -> "AO";
+          case TOOL_IN -> "TA";
+        };
+    return letters + " " + index;
+  }
+
+  /** The call that reads it in a script, such as {@code get_standard_analog_in(0)}. */
+  static String inScript(AnalogBank bank, int index) {
+    String function =
+        switch (bank) {
+          case STANDARD_IN -> "get_standard_analog_in";
+          case STANDARD_OUT -> "get_standard_analog_out";
+          case TOOL_IN -> "get_tool_analog_in";
+        };
+    return function + "(" + index + ")";
+  }
+
+  /** A name for components and settings, such as {@code analog-in-0}. */
+  static String id(AnalogBank bank, int index) {
+    return bank.text().replace('_', '-') + "-" + index;
+  }
+
+  /** A name for components and settings, such as {@code input-float-register-3}. */
+  static String id(Direction direction, RegisterKind kind, int address) {
+    return direction.text() + "-" + kind.text() + "-register-" + address;
   }
 
   /** A name for components and settings, such as {@code digital-in-0}. */

@@ -1,5 +1,6 @@
 package org.pendant.gui.layout;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -8,6 +9,7 @@ import java.awt.Insets;
 import java.awt.LayoutManager;
 import java.util.ArrayList;
 import java.util.List;
+import javax.swing.JComponent;
 
 /**
  * Components beside each other at their preferred sizes, centred in height; those that do not fit
@@ -15,7 +17,7 @@ import java.util.List;
  */
 public final class WrappingRow implements LayoutManager {
   private final int gap;
-  private int askedWidth = -1;
+  private Dimension asked = new Dimension();
 
   /**
    * A row with space around and between the components.
@@ -28,6 +30,11 @@ public final class WrappingRow implements LayoutManager {
 
   private record Row(List<Component> components, int width, int height) {}
 
+  private int gap() {
+    return UIScale.scale(gap);
+  }
+
+  /** The rows in {@code width}; nothing in them is wider than that. */
   private List<Row> rows(Container parent, int width) {
     List<Row> rows = new ArrayList<>();
     List<Component> present = new ArrayList<>();
@@ -38,13 +45,14 @@ public final class WrappingRow implements LayoutManager {
       if (!each.isVisible() || wanted.width == 0) {
         continue;
       }
-      if (!present.isEmpty() && used + gap + wanted.width > width) {
+      int taken = Math.min(wanted.width, width);
+      if (!present.isEmpty() && used + gap() + taken > width) {
         rows.add(new Row(present, used, height));
         present = new ArrayList<>();
         used = 0;
         height = 0;
       }
-      used += (present.isEmpty() ? 0 : gap) + wanted.width;
+      used += (present.isEmpty() ? 0 : gap()) + taken;
       height = Math.max(height, wanted.height);
       present.add(each);
     }
@@ -56,7 +64,7 @@ public final class WrappingRow implements LayoutManager {
 
   private int innerWidth(Container parent) {
     Insets insets = parent.getInsets();
-    return parent.getWidth() - insets.left - insets.right - 2 * gap;
+    return Math.max(0, parent.getWidth() - insets.left - insets.right - 2 * gap());
   }
 
   @Override
@@ -64,13 +72,13 @@ public final class WrappingRow implements LayoutManager {
     Insets insets = parent.getInsets();
     int width = parent.getWidth() > 0 ? innerWidth(parent) : Integer.MAX_VALUE;
     int widest = 0;
-    int height = gap;
+    int height = gap();
     for (Row row : rows(parent, width)) {
       widest = Math.max(widest, row.width());
-      height += row.height() + gap;
+      height += row.height() + gap();
     }
     return new Dimension(
-        widest + 2 * gap + insets.left + insets.right, height + insets.top + insets.bottom);
+        widest + 2 * gap() + insets.left + insets.right, height + insets.top + insets.bottom);
   }
 
   @Override
@@ -81,34 +89,38 @@ public final class WrappingRow implements LayoutManager {
   @Override
   public void layoutContainer(Container parent) {
     Insets insets = parent.getInsets();
-    int y = insets.top + gap;
-    for (Row row : rows(parent, innerWidth(parent))) {
-      int x = insets.left + gap;
+    int inner = innerWidth(parent);
+    int y = insets.top + gap();
+    for (Row row : rows(parent, inner)) {
+      int x = insets.left + gap();
       for (Component each : row.components()) {
         Dimension size = each.getPreferredSize();
-        int width = Math.min(size.width, Math.max(0, innerWidth(parent)));
+        int width = Math.min(size.width, inner);
         each.setBounds(x, y + (row.height() - size.height) / 2, width, size.height);
-        x += width + gap;
+        x += width + gap();
       }
-      y += row.height() + gap;
+      y += row.height() + gap();
     }
     askForHeight(parent, y + insets.bottom);
   }
 
-  /** The height depends on the width, which is known only now: has the parent lay out again. */
+  /**
+   * The height depends on the width, which is known only now: has the parent lay out again. It is
+   * asked once for each width and height: there may be parents that cannot grant it.
+   */
   private void askForHeight(Container parent, int height) {
-    if (height != parent.getHeight() && parent.getWidth() != askedWidth) {
-      askedWidth = parent.getWidth();
-      EventQueue.invokeLater(parent::invalidate);
-      EventQueue.invokeLater(
-          () -> {
-            if (parent.getParent() instanceof javax.swing.JComponent around) {
-              around.revalidate();
-            }
-          });
-    } else if (height == parent.getHeight()) {
-      askedWidth = -1;
+    Dimension wanted = new Dimension(parent.getWidth(), height);
+    if (height == parent.getHeight() || wanted.equals(asked)) {
+      return;
     }
+    asked = wanted;
+    EventQueue.invokeLater(
+        () -> {
+          parent.invalidate();
+          if (parent.getParent() instanceof JComponent around) {
+            around.revalidate();
+          }
+        });
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.pendant.gui.log;
 
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.Locale;
@@ -9,15 +11,16 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import javax.swing.Icon;
 import javax.swing.JButton;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.message.LogEntry.Level;
-import org.pendant.controller.message.LogEntry.Origin;
 import org.pendant.gui.layout.Typed;
 import org.pendant.gui.layout.WrappingRow;
 
@@ -28,15 +31,22 @@ final class LogBar {
     void step(boolean forward);
   }
 
-  private final JPanel filters = new JPanel(new MigLayout("insets 0, gap 4"));
+  /** A bar that is narrower than so many digits has its sources in a menu. */
+  private static final int NARROW_DIGITS = 66;
+
+  private final JPanel filters = new JPanel(new MigLayout("insets 0, gap 4, hidemode 3"));
+
+  private final JButton narrow = new JButton("Sources \u25be");
+  private final JPanel from = new JPanel(new MigLayout("insets 0, gap 4"));
   private final JPanel searching = new JPanel(new MigLayout("insets 0, gap 4", "[grow,fill][][]"));
   private final JPanel commands = new JPanel(new MigLayout("insets 0, gap 4"));
   private final JPanel bar = new JPanel(new WrappingRow(8));
   private final JTextField search = new JTextField(16);
-  private final JLabel matches = new JLabel();
+  private final JLabel matches = new QuietLabel();
   private final JLabel messages = new JLabel();
+  private final JToggleButton follow = new JToggleButton("Follow newest", true);
   private final Map<Level, JToggleButton> levels = new EnumMap<>(Level.class);
-  private final Map<Origin, JToggleButton> origins = new EnumMap<>(Origin.class);
+  private final Map<LogSource, JToggleButton> sources = new EnumMap<>(LogSource.class);
   private final Consumer<LogFilter> filter;
 
   LogBar(Consumer<LogFilter> filter, Consumer<String> searched, Stepping stepping) {
@@ -45,16 +55,53 @@ final class LogBar {
     for (Level level : Level.values()) {
       levels.put(level, toggle(word(level), new SeverityIcon(level)));
     }
-    filters.add(new JLabel(" "));
-    for (Origin origin : Origin.values()) {
-      origins.put(origin, toggle(LogLine.sourceOf(origin), null));
+    for (LogSource source : LogSource.values()) {
+      sources.put(source, toggle(source.title(), null));
+      sources.get(source).setToolTipText("Show " + source.meaning());
     }
     buildSearch(searched, stepping);
     bar.add(filters);
+    bar.add(from);
+    filters.add(buildNarrow());
+    bar.addComponentListener(
+        new ComponentAdapter() {
+          @Override
+          public void componentResized(ComponentEvent event) {
+            fit();
+          }
+        });
     bar.add(searching);
     bar.add(commands);
     bar.add(messages);
     name(messages, "log-counts", "How many messages there are");
+  }
+
+  /** The sources as a menu, for where there is little room. */
+  private JButton buildNarrow() {
+    JPopupMenu menu = new JPopupMenu();
+    sources.forEach(
+        (source, toggle) -> {
+          JCheckBoxMenuItem item = new JCheckBoxMenuItem(source.title());
+          item.setModel(toggle.getModel());
+          item.setToolTipText("Show " + source.meaning());
+          menu.add(item);
+        });
+    narrow.putClientProperty("JButton.buttonType", "toolBarButton");
+    name(narrow, "log-sources", "Choose whose messages are shown");
+    narrow.addActionListener(event -> menu.show(narrow, 0, narrow.getHeight()));
+    narrow.setVisible(false);
+    return narrow;
+  }
+
+  /** Where the bar is narrow, the messages get the room. */
+  private void fit() {
+    boolean little =
+        bar.getWidth() < NARROW_DIGITS * bar.getFontMetrics(bar.getFont()).charWidth('0');
+    if (narrow.isVisible() != little) {
+      narrow.setVisible(little);
+      from.setVisible(!little);
+      bar.revalidate();
+    }
   }
 
   private static String word(Level level) {
@@ -63,6 +110,23 @@ final class LogBar {
       case WARNING -> "Warnings";
       case ERROR -> "Errors";
     };
+  }
+
+  /** Has {@code follow} hear whether the newest message is to be kept in sight. */
+  void addFollowing(Consumer<Boolean> wanted) {
+    follow.putClientProperty("JButton.buttonType", "toolBarButton");
+    name(follow, "log-follow", "Keep the newest message in sight (Ctrl End)");
+    follow.addActionListener(event -> wanted.accept(follow.isSelected()));
+    commands.add(follow, 0);
+  }
+
+  /** Adds the button that opens the menu of columns below it. */
+  void addColumns(JPopupMenu menu) {
+    JButton button = new JButton("Columns");
+    button.putClientProperty("JButton.buttonType", "toolBarButton");
+    name(button, "log-columns", "Choose the columns of the table");
+    button.addActionListener(event -> menu.show(button, 0, button.getHeight()));
+    commands.add(button);
   }
 
   private JToggleButton toggle(String text, Icon icon) {
@@ -74,7 +138,7 @@ final class LogBar {
         "log-show-" + text.toLowerCase(Locale.ROOT).replace(' ', '-'),
         "Show messages: " + text);
     toggle.addActionListener(event -> filter.accept(chosen()));
-    filters.add(toggle);
+    (icon == null ? from : filters).add(toggle);
     return toggle;
   }
 
@@ -86,21 +150,20 @@ final class LogBar {
             shownLevels.add(level);
           }
         });
-    Set<Origin> shownOrigins = EnumSet.noneOf(Origin.class);
-    origins.forEach(
-        (origin, toggle) -> {
+    Set<LogSource> shownSources = EnumSet.noneOf(LogSource.class);
+    sources.forEach(
+        (source, toggle) -> {
           if (toggle.isSelected()) {
-            shownOrigins.add(origin);
+            shownSources.add(source);
           }
         });
-    return new LogFilter(shownLevels, shownOrigins);
+    return new LogFilter(shownLevels, shownSources);
   }
 
   private void buildSearch(Consumer<String> searched, Stepping stepping) {
     search.putClientProperty("JTextField.placeholderText", "Search messages");
     search.putClientProperty("JTextField.showClearButton", true);
     search.putClientProperty("JTextField.trailingComponent", matches);
-    matches.setForeground(LogColors.quiet());
     name(search, "log-search", "Search messages (Ctrl F, Enter for the next)");
     search.getDocument().addDocumentListener(new Typed(() -> searched.accept(search.getText())));
     search.addActionListener(event -> stepping.step(true));
@@ -152,6 +215,10 @@ final class LogBar {
   void focusSearch() {
     search.requestFocusInWindow();
     search.selectAll();
+  }
+
+  void showFollowing(boolean following) {
+    follow.setSelected(following);
   }
 
   void showCounts(LogCounts counts) {

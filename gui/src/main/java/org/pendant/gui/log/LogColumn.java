@@ -1,29 +1,38 @@
 package org.pendant.gui.log;
 
 import java.util.List;
-import java.util.Locale;
 
 /** The columns of the table of messages. */
 enum LogColumn {
-  TIME("Time", "000000.000"),
-  SEVERITY("Severity", "Warning mm"),
-  SOURCE("Source", "Program end"),
-  LINE("Line", "00000"),
-  MESSAGE("Message", "");
+  TIME("Time", "000000.000", "Robot time, s"),
+  WALL_TIME("Time of day", "00:00:00.000", "When the message arrived here"),
+  SEVERITY("Severity", "Warning mm", "How bad it is"),
+  SOURCE("Source", "Controller", "Who it is from"),
+  CODE("Code", "C153A2 m", "Code of the error"),
+  THREAD("Thread", "watchdog m", "Script thread of the program"),
+  LINE("Line", "00000", "Line of the program; a click shows it"),
+  MESSAGE("Message", "", "The message; errors and warnings are shown whole");
 
   private static final List<LogColumn> ALL = List.of(values());
 
   private final String title;
   private final String widest;
+  private final String meaning;
 
-  LogColumn(String title, String widest) {
+  LogColumn(String title, String widest, String meaning) {
     this.title = title;
     this.widest = widest;
+    this.meaning = meaning;
   }
 
   /** The column at a place, counted from 0. */
   static LogColumn at(int index) {
     return ALL.get(index);
+  }
+
+  /** Its place among all, counted from 0. */
+  int index() {
+    return ALL.indexOf(this);
   }
 
   /** How many there are. */
@@ -40,14 +49,26 @@ enum LogColumn {
     return widest;
   }
 
+  /** What stands in it. */
+  String meaning() {
+    return meaning;
+  }
+
+  /** Whether people may hide it. */
+  boolean optional() {
+    return this != MESSAGE;
+  }
+
   /** What stands in the cell. */
   String text(LogLine line) {
     return switch (this) {
-      case TIME -> String.format(Locale.ROOT, "%.3f", line.timeS());
+      case TIME -> line.timeText();
+      case WALL_TIME -> line.wallText();
       case SEVERITY -> line.severity();
-      case SOURCE -> line.source();
-      case LINE ->
-          line.sourceLine().isPresent() ? Integer.toString(line.sourceLine().getAsInt()) : "";
+      case SOURCE -> line.source().title();
+      case CODE -> line.shortCode();
+      case THREAD -> line.thread();
+      case LINE -> line.lineText();
       case MESSAGE -> line.firstLine();
     };
   }

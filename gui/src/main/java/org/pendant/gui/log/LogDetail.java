@@ -2,11 +2,9 @@ package org.pendant.gui.log;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.awt.Font;
 import java.awt.Insets;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
@@ -16,26 +14,31 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
-import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.language.source.ByteText;
 
 /** One message in full, wrapped and selectable. */
 final class LogDetail {
+  /** Lines that can be seen at least, the headline among them. */
+  private static final int LEAST_LINES = 6;
+
   private final JPanel content = new JPanel(new BorderLayout());
-  private final JLabel heading = new JLabel();
+  private final JLabel heading = new QuietLabel();
   private final JButton source = new JButton();
   private final JTextArea text = new JTextArea();
+  private final LogHighlights highlights = new LogHighlights(text);
   private Optional<LogLine> shown = Optional.empty();
 
   LogDetail(Consumer<LogLine> showSource) {
-    JPanel head = new JPanel(new MigLayout("insets 4 8 4 8, gap 8", "[grow][]", "[28!]"));
-    head.add(heading);
+    JPanel head =
+        new JPanel(new MigLayout("insets 4 8 4 8, gap 8", "[grow, 0::, fill][]", "[28:pref:]"));
+    head.add(heading, "wmin 0");
     head.add(source, "hidemode 3");
-    heading.setForeground(LogColors.quiet());
     source.setName("log-show-source");
     source.putClientProperty("JButton.buttonType", "toolBarButton");
     source.addActionListener(event -> shown.ifPresent(showSource));
     text.setName("log-detail");
+    text.putClientProperty("FlatLaf.styleClass", "monospaced");
     text.setEditable(false);
     text.setLineWrap(true);
     text.setWrapStyleWord(true);
@@ -46,7 +49,8 @@ final class LogDetail {
     scroll.setBorder(BorderFactory.createEmptyBorder());
     content.add(head, BorderLayout.NORTH);
     content.add(scroll, BorderLayout.CENTER);
-    content.setMinimumSize(new Dimension(0, 0));
+    content.setMinimumSize(
+        new Dimension(0, LEAST_LINES * text.getFontMetrics(text.getFont()).getHeight()));
     showNone();
   }
 
@@ -59,16 +63,47 @@ final class LogDetail {
       return;
     }
     shown = Optional.of(line);
-    heading.setText(
-        String.format(
-            Locale.ROOT, "%s from %s at %.3f s", line.severity(), line.source(), line.timeS()));
+    heading.setText(headline(line));
+    heading.setToolTipText(heading.getText());
     heading.setIcon(new SeverityIcon(line.level()));
-    Font code = UIManager.getFont("monospaced.font");
-    text.setFont(code == null ? text.getFont() : code);
-    text.setText(line.text());
+    text.setText(line.text() + help(line));
+    highlights.show();
     text.setCaretPosition(0);
     source.setVisible(line.sourceLine().isPresent());
     line.sourceLine().ifPresent(this::offerSource);
+  }
+
+  private static String headline(LogLine line) {
+    StringBuilder words = new StringBuilder();
+    words.append(line.severity()).append(" from ").append(line.source().title());
+    words.append(" at ").append(line.timeText()).append(" s (").append(line.wallText()).append(')');
+    line.place()
+        .ifPresent(
+            at -> {
+              words.append(", thread ").append(line.thread());
+              words.append(", line ").append(at.line());
+              words.append(" of ").append(ByteText.decoded(fileName(at.source())));
+            });
+    if (!line.code().isEmpty()) {
+      words.append(", ").append(line.code());
+    }
+    return words.toString();
+  }
+
+  private static String fileName(String source) {
+    return source.substring(Math.max(source.lastIndexOf('/'), source.lastIndexOf('\\')) + 1);
+  }
+
+  /** What the code of a safety function means and what may help, below the message. */
+  private static String help(LogLine line) {
+    return CodeHelp.of(line.code())
+        .map(help -> "\n\n" + line.code() + ": " + help.meaning() + "\n" + help.suggestion())
+        .orElse("");
+  }
+
+  /** Marks what is looked for. */
+  void mark(TextSearch search) {
+    highlights.mark(search);
   }
 
   private void offerSource(int line) {

@@ -19,32 +19,39 @@ enum LogExport {
 
     @Override
     String row(LogLine line) {
-      return String.format(
+      String place = line.place().map(at -> line.thread() + ":" + at.line()).orElse("");
+      String head =
+          String.format(
               Locale.ROOT,
-              "%12.3f  %-7s  %-11s  %s",
-              line.timeS(),
+              "%12s  %s  %-7s  %-10s  %-12s  ",
+              line.timeText(),
+              line.wallText(),
               line.severity(),
-              line.source(),
-              line.text().replace("\n", "\n" + " ".repeat(36)))
-          + "\n";
+              line.source().title(),
+              place);
+      return head + line.text().replace("\n", "\n" + " ".repeat(head.length())) + "\n";
     }
   },
   /** Comma-separated values (RFC 4180). */
   CSV {
     @Override
     String header() {
-      return "time_s,severity,source,message\n";
+      return "time_s,wall_time,severity,source,code,thread,line,message\n";
     }
 
     @Override
     String row(LogLine line) {
-      return String.format(
-          Locale.ROOT,
-          "%.3f,%s,%s,%s\n",
-          line.timeS(),
-          line.severity(),
-          line.source(),
-          quoted(line.text()));
+      return String.join(
+              ",",
+              line.timeText(),
+              line.wall().toString(),
+              line.severity(),
+              line.source().title(),
+              quoted(line.code()),
+              quoted(line.thread()),
+              line.lineText(),
+              quoted(line.text()))
+          + "\n";
     }
   };
 

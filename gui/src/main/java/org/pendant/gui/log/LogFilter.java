@@ -3,26 +3,25 @@ package org.pendant.gui.log;
 import java.util.EnumSet;
 import java.util.Set;
 import org.pendant.controller.message.LogEntry.Level;
-import org.pendant.controller.message.LogEntry.Origin;
 
 /**
  * Which messages are shown.
  *
  * @param levels severities
- * @param origins who wrote them
+ * @param sources who they are from
  */
-record LogFilter(Set<Level> levels, Set<Origin> origins) {
+record LogFilter(Set<Level> levels, Set<LogSource> sources) {
   /** Every message. */
   static final LogFilter ALL =
-      new LogFilter(EnumSet.allOf(Level.class), EnumSet.allOf(Origin.class));
+      new LogFilter(EnumSet.allOf(Level.class), EnumSet.allOf(LogSource.class));
 
   /** Copies the sets. */
   LogFilter {
     levels = Set.copyOf(levels);
-    origins = Set.copyOf(origins);
+    sources = Set.copyOf(sources);
   }
 
   boolean accepts(LogLine line) {
-    return levels.contains(line.level()) && origins.contains(line.origin());
+    return levels.contains(line.level()) && sources.contains(line.source());
   }
 }

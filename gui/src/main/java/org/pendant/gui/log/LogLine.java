@@ -1,30 +1,50 @@
 package org.pendant.gui.log;
 
+import java.time.Instant;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Level;
-import org.pendant.controller.message.LogEntry.Origin;
 import org.pendant.language.source.ByteText;
 
 /**
  * A message as people read it.
  *
- * @param number what the controller calls it, from 1
+ * @param number what the mailbox calls it, from 1
  * @param timeS controller time, s
+ * @param wall when it arrived here
+ * @param code such as {@code C153A2}; empty for none
  * @param text may have several lines
+ * @param place what a program was at; empty for none
  */
-record LogLine(long number, double timeS, Level level, Origin origin, String text) {
-  private static final Pattern PLACE = Pattern.compile("\\bline (\\d{1,9})\\b");
+record LogLine(
+    long number,
+    double timeS,
+    Instant wall,
+    Level level,
+    LogSource source,
+    String code,
+    String text,
+    Optional<LogEntry.Place> place) {
+  /** The name of the text that interpreter mode is fed with: no line of a file. */
+  private static final String INTERPRETER = "interpreter";
 
-  static LogLine of(LogEntry entry) {
+  private static final DateTimeFormatter CLOCK =
+      DateTimeFormatter.ofPattern("HH:mm:ss.SSS", Locale.ROOT).withZone(ZoneId.systemDefault());
+
+  static LogLine of(long number, Instant wall, LogSource source, LogEntry entry) {
     return new LogLine(
-        entry.number(),
+        number,
         entry.timeS(),
+        wall,
         entry.level(),
-        entry.origin(),
-        ByteText.decoded(entry.text()).stripTrailing());
+        source,
+        entry.code(),
+        ByteText.decoded(entry.text()).stripTrailing(),
+        entry.place());
   }
 
   /** The first line of the text; a mark at its end says that there are more. */
@@ -33,16 +53,45 @@ record LogLine(long number, double timeS, Level level, Origin origin, String tex
     return end < 0 ? text : text.substring(0, end).stripTrailing() + " \u2026";
   }
 
-  /** The 1-based line of the program that the message is about; what programs write has none. */
+  /** The text without the code at its begin, for where that stands beside it. */
+  String withoutCode() {
+    return !shortCode().isEmpty() && text.startsWith(code + " ")
+        ? text.substring(code.length() + 1)
+        : text;
+  }
+
+  /** The code where it is one of the short ones of the safety functions; empty for others. */
+  String shortCode() {
+    return source == LogSource.SAFETY ? code : "";
+  }
+
+  /** The 1-based line of the program that leads to where the message comes from, if one does. */
   OptionalInt sourceLine() {
-    if (origin == Origin.SCRIPT) {
-      return OptionalInt.empty();
-    }
-    Matcher place = PLACE.matcher(text);
-    if (!place.find() || Integer.parseInt(place.group(1)) == 0) {
-      return OptionalInt.empty();
-    }
-    return OptionalInt.of(Integer.parseInt(place.group(1)));
+    return place.isPresent() && !place.get().source().equals(INTERPRETER)
+        ? OptionalInt.of(place.get().line())
+        : OptionalInt.empty();
+  }
+
+  /** The thread of the program; empty for none. */
+  String thread() {
+    return place
+        .map(at -> at.thread() == 0 ? "main" : ByteText.decoded(at.threadName()))
+        .orElse("");
+  }
+
+  /** The line as it is shown, also that of interpreter mode; empty for none. */
+  String lineText() {
+    return place.map(at -> Integer.toString(at.line())).orElse("");
+  }
+
+  /** Robot time, s. */
+  String timeText() {
+    return String.format(Locale.ROOT, "%.3f", timeS);
+  }
+
+  /** Time of day when it arrived. */
+  String wallText() {
+    return CLOCK.format(wall);
   }
 
   /** What people call the severity. */
@@ -51,19 +100,6 @@ record LogLine(long number, double timeS, Level level, Origin origin, String tex
       case INFO -> "Info";
       case WARNING -> "Warning";
       case ERROR -> "Error";
-    };
-  }
-
-  /** What people call the part that wrote it. */
-  String source() {
-    return sourceOf(origin);
-  }
-
-  static String sourceOf(Origin origin) {
-    return switch (origin) {
-      case SCRIPT -> "Script";
-      case CONTROLLER -> "Controller";
-      case ENDING -> "Program end";
     };
   }
 }

@@ -2,7 +2,6 @@ package org.pendant.gui.log;
 
 import java.util.List;
 import java.util.function.LongFunction;
-import org.pendant.controller.message.LogEntry;
 
 /**
  * What the log screen shows: messages that pass the filter, oldest first, the matches of a search,
@@ -50,16 +49,16 @@ final class LogPresenter {
    * @param newest number of the newest message, 0 for none
    * @param since gives the messages after a number that are still there
    */
-  Change take(long newest, LongFunction<List<LogEntry>> since) {
+  Change take(long newest, LongFunction<List<LogLine>> since) {
     if (newest == taken) {
       return new Change(0, 0);
     }
     int before = shown.size();
     long oldest = store.first();
-    for (LogEntry entry : since.apply(taken)) {
-      missed += entry.number() - taken - 1;
-      taken = entry.number();
-      add(LogLine.of(entry));
+    for (LogLine line : since.apply(taken)) {
+      missed += line.number() - taken - 1;
+      taken = line.number();
+      add(line);
     }
     dropped += store.first() - oldest;
     int removed = shown.dropBelow(store.first());

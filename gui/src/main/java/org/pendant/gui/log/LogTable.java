@@ -13,6 +13,7 @@ import javax.swing.BorderFactory;
 import javax.swing.BoundedRangeModel;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 
@@ -29,12 +30,13 @@ final class LogTable {
   private int lastValue;
   private int lastMaximum;
 
-  LogTable(LogPresenter presenter, Runnable selected, Consumer<LogLine> showSource) {
+  LogTable(
+      LogPresenter presenter, LogColumns columns, Runnable selected, Consumer<LogLine> showSource) {
     this.presenter = presenter;
     this.selected = selected;
     this.showSource = showSource;
     model = new LogTableModel(presenter);
-    table = new LogRows(model, presenter);
+    table = new LogRows(model, presenter, columns);
     scroll = new JScrollPane(table);
     scroll.setBorder(BorderFactory.createEmptyBorder());
     scroll.getVerticalScrollBar().getModel().addChangeListener(event -> scrolled());
@@ -86,7 +88,9 @@ final class LogTable {
   /** Shows rows that came and went; what is in sight stays there unless the newest is followed. */
   void changed(LogPresenter.Change change) {
     boolean first = change.added() > 0 && change.added() == presenter.rows();
+    int gone = change.removed() == 0 ? 0 : table.getCellRect(change.removed(), 0, true).y;
     model.changed(change);
+    table.fitRows(presenter.rows() - change.added());
     if (first) {
       // the note of the empty table goes
       table.repaint();
@@ -95,7 +99,7 @@ final class LogTable {
       toBottom();
     } else if (change.removed() > 0) {
       Point at = scroll.getViewport().getViewPosition();
-      at.y = Math.max(0, at.y - change.removed() * table.getRowHeight());
+      at.y = Math.max(0, at.y - gone);
       scroll.getViewport().setViewPosition(at);
     }
   }
@@ -106,6 +110,7 @@ final class LogTable {
     long position = row < 0 ? -1 : presenter.positionOf(row);
     exchange.run();
     model.fireTableDataChanged();
+    table.fitRows(0);
     int now = position < 0 || presenter.rows() == 0 ? -1 : presenter.rowAt(position);
     if (now >= 0 && presenter.positionOf(now) == position) {
       table.getSelectionModel().setSelectionInterval(now, now);
@@ -114,6 +119,28 @@ final class LogTable {
       toBottom();
     }
     selected.run();
+  }
+
+  /** Shows other columns, as people now want them. */
+  void columnsChanged() {
+    table.fitColumns();
+    table.fitRows(0);
+    table.revalidate();
+    table.repaint();
+  }
+
+  /** Opens {@code menu} for a right click, and for the key that stands for one. */
+  void setMenu(JPopupMenu menu) {
+    table.setComponentPopupMenu(menu);
+  }
+
+  /** Keeps the newest in sight from now on, or no longer. */
+  void follow(boolean wanted) {
+    presenter.follow(wanted);
+    if (wanted) {
+      toBottom();
+    }
+    showUnread();
   }
 
   void jumpToNewest() {
@@ -150,7 +177,8 @@ final class LogTable {
     showUnread();
   }
 
-  private void showSelectedSource() {
+  /** Shows where the selected message comes from. */
+  void showSelectedSource() {
     int row = selectedRow();
     if (row >= 0) {
       showSource.accept(presenter.row(row));
@@ -167,6 +195,14 @@ final class LogTable {
   }
 
   private final class Clicking extends MouseAdapter {
+    @Override
+    public void mousePressed(MouseEvent event) {
+      int row = table.rowAtPoint(event.getPoint());
+      if (event.isPopupTrigger() && row >= 0 && !table.isRowSelected(row)) {
+        table.getSelectionModel().setSelectionInterval(row, row);
+      }
+    }
+
     @Override
     public void mouseClicked(MouseEvent event) {
       int row = table.rowAtPoint(event.getPoint());

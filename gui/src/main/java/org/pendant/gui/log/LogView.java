@@ -3,9 +3,11 @@ package org.pendant.gui.log;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.event.ActionEvent;
+import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntConsumer;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -23,6 +25,7 @@ public final class LogView implements View {
   private static final String ID = "log";
 
   private final Workbench workbench;
+  private final IntConsumer showLine;
   private final LogPresenter presenter = new LogPresenter();
   private final LogMailbox mailbox;
   private final LogTable table;
@@ -30,14 +33,29 @@ public final class LogView implements View {
   private final LogDetail detail;
   private final JPanel content = new JPanel(new BorderLayout());
 
-  /** A log without messages; {@link #refresh} brings them. */
+  /** A log whose lines lead to the current program. */
   public LogView(Workbench workbench) {
+    this(workbench, line -> workbench.showSource(line, 1));
+  }
+
+  /**
+   * A log without messages; {@link #refresh} brings them.
+   *
+   * @param showLine shows a line, from 1, of the program that was started last
+   */
+  public LogView(Workbench workbench, IntConsumer showLine) {
     this.workbench = workbench;
+    this.showLine = showLine;
     Session session = workbench.session();
-    mailbox = new LogMailbox(LogPresenter.KEPT, number -> session.controller().logSince(number));
+    mailbox =
+        new LogMailbox(
+            LogPresenter.KEPT,
+            number -> session.controller().logSince(number),
+            InstantSource.system());
     session.addFrameListener(mailbox);
     detail = new LogDetail(this::showSource);
-    table = new LogTable(presenter, this::selected, this::showSource);
+    LogColumns columns = new LogColumns(workbench.settings());
+    table = new LogTable(presenter, columns, this::selected, this::showSource);
     bar = new LogBar(this::filter, this::search, this::step);
     content.setName("log-view");
     content.getAccessibleContext().setAccessibleName(title());
@@ -46,7 +64,18 @@ public final class LogView implements View {
     declareActions();
     bar.addCommands(
         this::copy, this::export, this::clear, name -> workbench.actions().keysOf(ID + "." + name));
+    LogMenus menus = new LogMenus(columns, table::columnsChanged);
+    table.setMenu(menus.ofMessages(this::copy, table::showSelectedSource));
+    bar.addColumns(menus.ofColumns());
+    bar.addFollowing(table::follow);
     showCounts();
+  }
+
+  /** Keeps what the window tells, with the other messages. */
+  public void told(String text) {
+    if (!text.isBlank()) {
+      mailbox.told(text);
+    }
   }
 
   private JSplitPane split() {
@@ -65,6 +94,12 @@ public final class LogView implements View {
     actions.add(Action.of(ID + ".newest", "Log: jump to newest", "", table::jumpToNewest));
     actions.add(Action.of(ID + ".export", "Log: export\u2026", "", this::export));
     actions.add(Action.of(ID + ".clear", "Log: clear", "", this::clear));
+    actions.add(
+        Action.of(
+            ID + ".follow",
+            "Log: follow newest, or no longer",
+            "",
+            () -> table.follow(!presenter.following())));
     key("control F", "log-search", bar::focusSearch);
     key("F3", "log-next-match", () -> step(true));
     key("shift F3", "log-previous-match", () -> step(false));
@@ -123,6 +158,7 @@ public final class LogView implements View {
       table.changed(change);
       showCounts();
     }
+    bar.showFollowing(presenter.following());
   }
 
   private void filter(LogFilter wanted) {
@@ -132,6 +168,7 @@ public final class LogView implements View {
 
   private void search(String wanted) {
     presenter.setSearch(wanted);
+    detail.mark(presenter.search());
     if (!wanted.isEmpty() && presenter.matchNumber(table.selectedRow()) == 0) {
       table.select(presenter.previousMatch(presenter.rows()));
     }
@@ -156,7 +193,7 @@ public final class LogView implements View {
   }
 
   private void showSource(LogLine line) {
-    line.sourceLine().ifPresent(number -> workbench.showSource(number, 1));
+    line.sourceLine().ifPresent(showLine);
   }
 
   private void copy() {
@@ -195,5 +232,6 @@ public final class LogView implements View {
   private void showCounts() {
     bar.showCounts(LogCounts.of(presenter, table.selectedRow()));
     table.showUnread();
+    bar.showFollowing(presenter.following());
   }
 }

@@ -9,12 +9,21 @@ import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.util.Optional;
 import javax.swing.Icon;
 import org.pendant.controller.message.LogEntry.Level;
 
-/** A circle, a triangle or an octagon: severities differ in shape, not only in colour. */
-record SeverityIcon(Level level) implements Icon {
+/**
+ * A circle, a triangle or an octagon: severities differ in shape, not only in colour.
+ *
+ * @param color empty for that of the severity
+ */
+record SeverityIcon(Level level, Optional<Color> color) implements Icon {
   private static final int SIZE = 16;
+
+  SeverityIcon(Level level) {
+    this(level, Optional.empty());
+  }
 
   @Override
   public int getIconWidth() {
@@ -32,8 +41,7 @@ record SeverityIcon(Level level) implements Icon {
     pen.translate(x, y);
     pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     pen.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-    Color color = LogColors.of(level);
-    pen.setColor(color);
+    pen.setColor(color.orElseGet(() -> LogColors.of(level)));
     pen.setStroke(new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
     switch (level) {
       case INFO -> {

@@ -18,8 +18,13 @@ record TextSearch(String wanted) {
     if (wanted.isEmpty()) {
       return -1;
     }
+    // most places differ in their first character already
+    char upper = Character.toUpperCase(wanted.charAt(0));
+    char lower = Character.toLowerCase(upper);
     for (int i = from; i <= text.length() - wanted.length(); i++) {
-      if (text.regionMatches(true, i, wanted, 0, wanted.length())) {
+      char c = text.charAt(i);
+      boolean begins = c == upper || c == lower || (c > 127 && Character.toUpperCase(c) == upper);
+      if (begins && text.regionMatches(true, i, wanted, 0, wanted.length())) {
         return i;
       }
     }

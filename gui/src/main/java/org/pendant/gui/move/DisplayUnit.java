@@ -8,7 +8,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** In what people read and type numbers; everything else counts in m, rad and kg. */
+/** In what people read and type numbers; everything else counts in m, rad, kg and kg m². */
 enum DisplayUnit {
   MILLIMETRE(Kind.LENGTH, "mm", 1e-3, 2),
   METRE(Kind.LENGTH, "m", 1, 5),
@@ -16,13 +16,15 @@ enum DisplayUnit {
   DEGREE(Kind.ANGLE, "deg", Math.PI / 180, 3),
   RADIAN(Kind.ANGLE, "rad", 1, 5),
   KILOGRAM(Kind.MASS, "kg", 1, 3),
-  GRAM(Kind.MASS, "g", 1e-3, 0);
+  GRAM(Kind.MASS, "g", 1e-3, 0),
+  KILOGRAM_SQUARE_METRE(Kind.INERTIA, "kg\u00b7m\u00b2", 1, 5);
 
   /** What is counted. */
   enum Kind {
     LENGTH,
     ANGLE,
-    MASS
+    MASS,
+    INERTIA
   }
 
   private static final Pattern NUMBER =
@@ -58,6 +60,12 @@ enum DisplayUnit {
   String text(double value) {
     String text = String.format(Locale.ROOT, "%." + decimals + "f", value / factor);
     return text.matches("-0(\\.0*)?") ? text.substring(1) : text;
+  }
+
+  /** As {@link #text}, without decimals that are 0. */
+  String shortText(double value) {
+    String text = text(value);
+    return text.contains(".") ? text.replaceAll("\\.?0+$", "") : text;
   }
 
   /**

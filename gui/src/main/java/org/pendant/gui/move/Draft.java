@@ -22,6 +22,7 @@ final class Draft {
   private final String[] problems;
   private List<DisplayUnit> units;
   private boolean edited;
+  private Runnable typed = () -> {};
 
   /** Zeros in these units. */
   Draft(List<DisplayUnit> units, Check check) {
@@ -45,9 +46,24 @@ final class Draft {
     }
   }
 
+  /** Has {@code action} follow whenever somebody types. */
+  void whenTyped(Runnable action) {
+    typed = action;
+  }
+
+  /** Shows numbers, in m, rad and kg, as if somebody had typed them. */
+  void put(double[] numbers) {
+    edited = true;
+    System.arraycopy(numbers, 0, values, 0, values.length);
+    writeAll();
+    checkAll();
+    typed.run();
+  }
+
   /** Somebody types. */
   void type(int index, String text) {
     edited = true;
+    typed.run();
     texts[index] = text;
     problems[index] = "";
     try {
@@ -75,9 +91,13 @@ final class Draft {
     System.arraycopy(converted, 0, values, 0, values.length);
     writeAll();
     if (edited) {
-      for (int i = 0; i < values.length; i++) {
-        problems[i] = check.problem(i, values[i]).orElse("");
-      }
+      checkAll();
+    }
+  }
+
+  private void checkAll() {
+    for (int i = 0; i < values.length; i++) {
+      problems[i] = check.problem(i, values[i]).orElse("");
     }
   }
 

@@ -23,6 +23,7 @@ final class JogHold {
   private static final class Press {
     final Command.Jog command;
     boolean waiting;
+    boolean answered;
     boolean refused;
 
     Press(Command.Jog command) {
@@ -66,6 +67,7 @@ final class JogHold {
 
   private void answered(Press of, Reply reply) {
     of.waiting = false;
+    of.answered = true;
     if (reply instanceof Reply.Refused refused && press.isPresent() && press.get() == of) {
       of.refused = true;
       reason = refused.reason();
@@ -78,6 +80,11 @@ final class JogHold {
       press = Optional.empty();
       var _ = submit.apply(new Command.StopJog());
     }
+  }
+
+  /** Whether the controller has answered to what is held; true also when nothing is. */
+  boolean settled() {
+    return press.isEmpty() || press.get().answered;
   }
 
   /** What is held, whether the arm goes any further or not. */

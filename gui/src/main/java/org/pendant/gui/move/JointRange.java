@@ -10,10 +10,13 @@ import org.pendant.models.arm.JointLimits;
  * @param unlimited whether the joint turns without end
  */
 record JointRange(double minRad, double maxRad, boolean unlimited) {
-  static JointRange of(JointLimits limits) {
-    return limits.unlimited()
+  /** What the arm and the limits {@code lowestRad} and {@code highestRad} allow both. */
+  static JointRange of(JointLimits limits, double lowestRad, double highestRad) {
+    double min = Math.max(limits.minRad(), lowestRad);
+    double max = Math.min(limits.maxRad(), highestRad);
+    return Double.isInfinite(min) || Double.isInfinite(max)
         ? new JointRange(-2 * Math.PI, 2 * Math.PI, true)
-        : new JointRange(limits.minRad(), limits.maxRad(), false);
+        : new JointRange(min, max, false);
   }
 
   /** Where a position is in the range: 0 at its begin, 1 at its end; never outside. */

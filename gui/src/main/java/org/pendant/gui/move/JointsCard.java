@@ -25,7 +25,6 @@ final class JointsCard {
   private final Remark problem = new Remark("move-joints-problem", Palette::error);
   private final Remark hint = new Remark("move-joints-hint", Palette::quiet);
   private final HoldButton go;
-  private final HoldButton home;
   private final JButton reset = new JButton("Discard");
 
   /**
@@ -41,24 +40,21 @@ final class JointsCard {
     }
     card.add(problem, "span, " + Remark.LAYOUT);
     card.add(hint, "span, " + Remark.LAYOUT);
-    go = new HoldButton("Hold to go", null, presenter::holdJointGoal, presenter::release);
+    go = new HoldButton("Hold to go", null, presenter::holdJointGoal, presenter.jog()::release);
     Card.named(go, "move-go-joints", "Hold to move to the joint positions that you have typed");
-    home = new HoldButton("Hold for home", null, presenter::holdHome, presenter::release);
-    Card.named(home, "move-home", "Hold to move to where the robot is when it is switched on");
     Card.named(reset, "move-reset-joints", "Forget what you have typed and show the arm again");
-    reset.addActionListener(event -> presenter.joints().reset());
+    reset.addActionListener(event -> presenter.goals().joints().reset());
     JButton copyButton = new JButton("Copy");
     Card.named(copyButton, "move-copy-joints", "Copy the joint positions as URScript");
     copyButton.addActionListener(event -> copy.accept(presenter.jointsScript()));
     JButton insert = new JButton("Insert");
     Card.named(insert, "move-insert-movej", "Insert movej to these joint positions in the program");
     insert.addActionListener(event -> waypoint.accept("movej(" + presenter.jointsScript() + ")"));
-    Card.compact(go, home, reset, copyButton, insert);
-    JPanel row = new JPanel(new MigLayout("insets 0, gap 8", "[][][grow][][]"));
+    Card.compact(go, reset, copyButton, insert);
+    JPanel row = new JPanel(new MigLayout("insets 0, gap 8", "[][grow][][]"));
     row.setOpaque(false);
     row.add(go);
     row.add(reset);
-    row.add(home);
     row.add(copyButton);
     row.add(insert);
     card.add(row, "span, grow, gaptop 8");
@@ -74,48 +70,60 @@ final class JointsCard {
     bars.add(bar);
     NumberField field =
         new NumberField(
-            presenter.joints(), joint, "move-joint-" + id, "Position of " + JointNames.of(joint));
+            presenter.goals().joints(),
+            joint,
+            "move-joint-" + id,
+            "Position of " + JointNames.of(joint));
     fields.add(field);
     JLabel label = new JLabel(JointNames.of(joint));
     label.setLabelFor(field);
     JLabel unit = new JLabel();
     units.add(unit);
     card.add(label);
-    card.add(hold("\u2212", joint, -1, id), "w 40::, h 36::, sg hold");
+    card.add(hold("\u2212", joint, -1, id), "w 36::, h 34::, sg hold");
     card.add(bar, "growx");
-    card.add(hold("+", joint, 1, id), "w 40::, h 36::, sg hold");
+    card.add(hold("+", joint, 1, id), "w 36::, h 34::, sg hold");
     card.add(field);
     card.add(unit);
   }
 
   private HoldButton hold(String text, int joint, int direction, String id) {
     HoldButton button =
-        new HoldButton(text, null, () -> presenter.holdJoint(joint, direction), presenter::release);
+        new HoldButton(
+            text, null, () -> presenter.jog().turn(joint, direction), presenter.jog()::letGo);
     String way = direction > 0 ? "up" : "down";
     button.putClientProperty("FlatLaf.style", "minimumWidth: 0");
-    Card.named(
-        button, "move-" + id + "-" + way, "Hold to turn " + JointNames.of(joint) + " " + way);
+    Card.named(button, "move-" + id + "-" + way, "Turn " + JointNames.of(joint) + " " + way);
     holds.add(button);
     return button;
   }
 
   void refresh() {
-    Draft draft = presenter.joints();
+    Draft draft = presenter.goals().joints();
+    Draft pose = presenter.goals().pose();
     for (int i = 0; i < Joints.COUNT; i++) {
       JointRange range = presenter.range(i);
       OptionalDouble goal =
-          draft.edited() ? OptionalDouble.of(draft.values()[i]) : OptionalDouble.empty();
-      bars.get(i).show(range, presenter.positionRad(i), goal);
+          draft.edited() || presenter.goals().poseReachable()
+              ? OptionalDouble.of(draft.values()[i])
+              : OptionalDouble.empty();
+      bars.get(i).show(range, presenter.positionRad(i), goal, draft.unit(i));
       bars.get(i).setToolTipText(rangeText(i, range));
       fields.get(i).refresh();
       units.get(i).setText(draft.unit(i).symbol());
     }
     holds.forEach(each -> each.setEnabled(presenter.movable()));
-    home.setEnabled(presenter.movable());
     go.setEnabled(presenter.movable() && draft.edited() && draft.valid());
     reset.setEnabled(draft.edited());
     problem.say(problemText(draft));
-    hint.say(draft.edited() && draft.valid() ? Remark.GOAL : "");
+    hint.say(hintText(draft, pose));
+  }
+
+  private String hintText(Draft draft, Draft pose) {
+    if (pose.edited()) {
+      return presenter.goals().poseReachable() ? "Where the joints are at the typed pose." : "";
+    }
+    return draft.edited() && draft.valid() ? Remark.GOAL : "";
   }
 
   private static String problemText(Draft draft) {
@@ -128,7 +136,7 @@ final class JointsCard {
   }
 
   private String rangeText(int joint, JointRange range) {
-    DisplayUnit unit = presenter.joints().unit(joint);
+    DisplayUnit unit = presenter.goals().joints().unit(joint);
     return range.unlimited()
         ? JointNames.of(joint) + " turns without end"
         : JointNames.of(joint)

@@ -1,6 +1,5 @@
 package org.pendant.gui.move;
 
-import java.util.Collections;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
@@ -8,45 +7,41 @@ import java.util.function.Function;
 import org.pendant.controller.Command;
 import org.pendant.controller.Pace;
 import org.pendant.controller.Reply;
-import org.pendant.controller.box.BoxSetup;
-import org.pendant.controller.jog.JogDirection;
-import org.pendant.controller.jog.JogFrame;
 import org.pendant.controller.jog.JogMove;
+import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.workbench.Settings;
 import org.pendant.models.arm.ArmDescription;
-import org.pendant.models.arm.Joints;
-import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
 
-/** What the screen that moves the arm shows and does. One thread uses it. */
+/**
+ * What the screen that moves the arm shows and does: its parts, and what concerns several of them.
+ * One thread uses it.
+ */
 final class MovePresenter {
-  private static final Reach NOTHING_TYPED = new Reach(Optional.empty(), "");
-
   private final Function<Command, CompletableFuture<Reply>> submit;
   private final Settings settings;
-  private final GhostArm ghost;
-  private final JogHold hold;
-  private final Draft joints;
-  private final Draft pose;
+  private final JogPresenter jog;
+  private final FreedrivePresenter freedrive;
+  private final GoalPresenter goals;
+  private final HomePresenter home;
+  private final FramePresenter frame;
   private final ToolPresenter tool;
   private PoseForm form;
   private ArmDescription arm;
-  private InverseKinematics inverse;
-  private double speedFraction = 0.5;
-  private JogFrame frame = JogFrame.BASE;
+  private SafetyConfiguration safety;
   private Optional<ControllerState> state = Optional.empty();
   private Optional<Obstacle> obstacle = Optional.empty();
-  private Reach reach = NOTHING_TYPED;
-  private Optional<Joints> ghostRad = Optional.empty();
 
   /**
    * A screen that has seen nothing.
    *
    * @param submit hands commands to the controller
    * @param executor runs what replies lead to in the thread that uses this object
-   * @param settings remembers units
+   * @param settings remembers units, home, frame and TCPs
    * @param arm what is moved
+   * @param safety limits the joints, too
    * @param ghost shows goals
    */
   MovePresenter(
@@ -54,17 +49,20 @@ final class MovePresenter {
       Executor executor,
       Settings settings,
       ArmDescription arm,
+      SafetyConfiguration safety,
       GhostArm ghost) {
     this.submit = submit;
     this.settings = settings;
-    this.ghost = ghost;
     this.arm = arm;
-    hold = new JogHold(submit, executor);
-    inverse = new InverseKinematics(arm);
+    this.safety = safety;
     form = FormMemory.read(settings);
-    joints = new Draft(Collections.nCopies(Joints.COUNT, form.angle()), this::jointProblem);
-    pose = new Draft(form.units(), (index, value) -> Optional.empty());
-    tool = new ToolPresenter(submit, executor, arm, form);
+    jog = new JogPresenter(new JogHold(submit, executor), settings, this::range);
+    freedrive =
+        new FreedrivePresenter(new RepeatedCommand(submit, executor, new Command.EndFreedrive()));
+    goals = new GoalPresenter(arm, form, ghost, this::jointProblem);
+    home = new HomePresenter(settings, arm.id(), form.angle(), this::jointProblem);
+    frame = new FramePresenter(settings, form);
+    tool = new ToolPresenter(submit, executor, arm, form, new NamedTools(settings));
   }
 
   private Optional<String> jointProblem(int joint, double positionRad) {
@@ -81,12 +79,13 @@ final class MovePresenter {
   }
 
   /** Another robot has been switched on. */
-  void setArm(ArmDescription other) {
-    release();
+  void setArm(ArmDescription other, SafetyConfiguration limits) {
+    jog.release();
+    freedrive.release();
     arm = other;
-    inverse = new InverseKinematics(other);
-    joints.reset();
-    pose.reset();
+    safety = limits;
+    goals.setArm(other);
+    home.setRobot(other.id());
     tool.setArm(other);
   }
 
@@ -94,37 +93,13 @@ final class MovePresenter {
   void take(ControllerState newest, Pace pace) {
     state = Optional.of(newest);
     obstacle = Obstacle.of(newest, pace);
-    if (obstacle.isPresent()) {
-      hold.release();
-    } else {
-      hold.repeat();
-    }
-    joints.follow(newest.arm().actualPositionRad().toArray());
-    pose.follow(form.numbers(newest.arm().actualTcpInBase()));
+    jog.setFrame(frame.inBase());
+    jog.take(newest, obstacle.isEmpty());
+    freedrive.setFrame(frame.inBase());
+    freedrive.take(newest, obstacle.isEmpty());
+    goals.setFrame(shownFrameInBase());
+    goals.take(newest);
     tool.take(newest);
-    reach = pose.edited() && pose.valid() ? reach(newest) : NOTHING_TYPED;
-    showGhost();
-  }
-
-  private Reach reach(ControllerState now) {
-    return Reach.of(
-        arm, inverse, goal(), now.arm().tool().inFlange(), now.arm().targetPositionRad());
-  }
-
-  private void showGhost() {
-    Optional<Joints> wanted = reach.q();
-    if (wanted.isEmpty() && joints.edited() && joints.valid()) {
-      wanted = Optional.of(Joints.of(joints.values()));
-    }
-    if (!wanted.equals(ghostRad)) {
-      ghostRad = wanted;
-      ghost.show(wanted);
-    }
-  }
-
-  /** The pose in the fields. */
-  private Pose goal() {
-    return form.pose(pose.values());
   }
 
   /** What keeps the arm from being moved by hand; empty if nothing does. */
@@ -134,93 +109,69 @@ final class MovePresenter {
 
   /** Whether buttons that move the arm can be pressed. */
   boolean movable() {
-    return state.isPresent() && obstacle.isEmpty();
+    return jog.movable();
   }
 
   /** Does what the button beside the obstacle says. */
   void removeObstacle() {
-    obstacle.flatMap(Obstacle::command).ifPresent(this::send);
-  }
-
-  private void send(Command command) {
-    var _ = submit.apply(command);
-  }
-
-  /** Begins to turn a joint (0 to 5) up (1) or down (-1). */
-  void holdJoint(int joint, int direction) {
-    press(new JogMove.TurnJoint(joint, direction));
-  }
-
-  /** Begins to move or turn the tool along or about an axis of the chosen frame. */
-  void holdTool(JogDirection direction) {
-    press(new JogMove.MoveTool(direction, frame));
+    obstacle
+        .flatMap(Obstacle::command)
+        .ifPresent(
+            command -> {
+              var _ = submit.apply(command);
+            });
   }
 
   /** Begins to move to the joint positions that were typed. */
   void holdJointGoal() {
-    if (joints.edited() && joints.valid()) {
-      press(new JogMove.ToJoints(Joints.of(joints.values())));
-    }
+    goals.typedJoints().ifPresent(q -> jog.go(new JogMove.ToJoints(q)));
   }
 
   /** Begins to move to the pose that was typed. */
   void holdPoseGoal() {
-    if (pose.edited() && reach.q().isPresent()) {
-      press(new JogMove.ToPose(goal()));
-    }
+    goals.typedPoseInBase().ifPresent(tcp -> jog.go(new JogMove.ToPose(tcp)));
   }
 
-  /** Begins to move to where a robot is when it is switched on. */
+  /** Begins to move home. */
   void holdHome() {
-    press(new JogMove.ToJoints(BoxSetup.START_RAD));
+    jog.go(new JogMove.ToJoints(home.homeRad()));
   }
 
-  /** Begins to turn the tool parallel to the nearest axis of the base. */
+  /** Home is where the arm should be now, from now on. */
+  void setHomeHere() {
+    state.ifPresent(now -> home.set(now.arm().targetPositionRad()));
+  }
+
+  /** The frame is at the TCP from now on. */
+  void setFrameHere() {
+    state.ifPresent(now -> frame.set(now.arm().targetTcpInBase()));
+  }
+
+  /** Begins to turn the tool parallel to the nearest axis of base or frame. */
   void holdAlignment() {
     state.ifPresent(
-        now -> press(new JogMove.StraightTo(ToolAlignment.nearest(now.arm().targetTcpInBase()))));
+        now -> {
+          Pose tcp = now.arm().targetTcpInBase();
+          Pose inFrame = Poses.trans(Poses.inverse(shownFrameInBase()), tcp);
+          Pose aligned = Poses.trans(shownFrameInBase(), ToolAlignment.nearest(inFrame));
+          Pose turned =
+              new Pose(tcp.x(), tcp.y(), tcp.z(), aligned.rx(), aligned.ry(), aligned.rz());
+          jog.go(new JogMove.StraightTo(turned));
+        });
   }
 
-  private void press(JogMove move) {
-    if (movable()) {
-      hold.press(move, speedFraction);
-    }
-  }
-
-  /** Whatever was held is let go. */
-  void release() {
-    hold.release();
-  }
-
-  /** Why the arm did not do what was held last, or not any further; empty if it did. */
-  String jogReason() {
-    return hold.reason();
-  }
-
-  /** Speed of moves that begin from now on; see {@link Command.Jog}. */
-  void setSpeedFraction(double fraction) {
-    speedFraction = fraction;
-  }
-
-  double speedFraction() {
-    return speedFraction;
-  }
-
-  /** Along whose axes the tool moves from now on. */
-  void setFrame(JogFrame other) {
-    release();
-    frame = other;
+  /** The frame in which poses are shown: people's own while moves follow its axes. */
+  private Pose shownFrameInBase() {
+    return jog.axes() == JogAxes.FRAME ? frame.inBase() : Pose.ZERO;
   }
 
   /** Shows all numbers in another form. */
   void setForm(PoseForm other) {
-    pose.convert(other.units(), other.numbers(goal()));
+    goals.setForm(other);
     tool.setForm(other);
-    PoseForm before = form;
+    frame.setForm(other);
     form = other;
-    if (before.angle() != other.angle()) {
-      joints.convert(Collections.nCopies(Joints.COUNT, other.angle()), joints.values());
-    }
+    home.setAngle(other.angle());
     FormMemory.write(settings, other);
   }
 
@@ -228,14 +179,29 @@ final class MovePresenter {
     return form;
   }
 
-  /** Joint positions, of the arm or as typed. */
-  Draft joints() {
-    return joints;
+  /** Moves by button. */
+  JogPresenter jog() {
+    return jog;
   }
 
-  /** The pose of the TCP in the base frame, of the arm or as typed. */
-  Draft pose() {
-    return pose;
+  /** Guiding by hand. */
+  FreedrivePresenter freedrive() {
+    return freedrive;
+  }
+
+  /** Joint positions and pose, and what is typed there. */
+  GoalPresenter goals() {
+    return goals;
+  }
+
+  /** Where home is. */
+  HomePresenter home() {
+    return home;
+  }
+
+  /** The frame of people's own. */
+  FramePresenter frame() {
+    return frame;
   }
 
   /** The TCP and the payload. */
@@ -243,18 +209,12 @@ final class MovePresenter {
     return tool;
   }
 
-  /** Whether the pose that was typed can be gone to. */
-  boolean poseReachable() {
-    return reach.q().isPresent();
-  }
-
-  /** What is to be said of the pose that was typed; empty if nothing. */
-  String poseText() {
-    return pose.problem().isEmpty() ? reach.text() : "";
-  }
-
+  /** What arm and safety limits leave to a joint, 0 to 5. */
   JointRange range(int joint) {
-    return JointRange.of(arm.joints().get(joint));
+    return JointRange.of(
+        arm.joints().get(joint),
+        safety.normal().jointMinRad().get(joint),
+        safety.normal().jointMaxRad().get(joint));
   }
 
   /** Where a joint is, rad. */
@@ -267,7 +227,7 @@ final class MovePresenter {
     return state.map(now -> ScriptText.of(now.arm().targetPositionRad())).orElse("");
   }
 
-  /** The pose of the TCP as URScript. */
+  /** The pose of the TCP in the base as URScript. */
   String poseScript() {
     return state.map(now -> ScriptText.of(now.arm().targetTcpInBase())).orElse("");
   }

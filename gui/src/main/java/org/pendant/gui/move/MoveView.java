@@ -5,6 +5,7 @@ import java.awt.EventQueue;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.HierarchyEvent;
+import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -30,9 +31,13 @@ public final class MoveView implements View {
   private final JPanel content = new JPanel(new BorderLayout());
   private final ObstacleBar obstacle;
   private final JogCard jog;
+  private final FreedriveCard freedrive;
   private final JointsCard joints;
   private final PoseCard pose;
-  private final ToolCard tool;
+  private final HomeCard home;
+  private final FrameCard frame;
+  private final TcpCard tcp;
+  private final PayloadCard payload;
   private String robotId;
 
   /** A screen that shows no goals in 3D and copies waypoints instead of inserting them. */
@@ -56,19 +61,25 @@ public final class MoveView implements View {
             EventQueue::invokeLater,
             workbench.settings(),
             ArmLibrary.load(robotId),
+            workbench.session().options().safety(),
             ghost);
     Consumer<String> copy = text -> copy(workbench, text);
     obstacle = new ObstacleBar(presenter);
-    jog = new JogCard(presenter);
+    jog = new JogCard(presenter.jog());
+    freedrive = new FreedriveCard(presenter.freedrive());
     joints = new JointsCard(presenter, copy, insertWaypoint);
     pose = new PoseCard(presenter, copy, insertWaypoint);
-    tool = new ToolCard(presenter);
+    home = new HomeCard(presenter);
+    frame = new FrameCard(presenter);
+    tcp = new TcpCard(presenter);
+    payload = new PayloadCard(presenter.tool());
     content.setName("move-view");
     content.getAccessibleContext().setAccessibleName(title());
     content.add(obstacle, BorderLayout.NORTH);
     content.add(cards(), BorderLayout.CENTER);
     content.addHierarchyListener(this::hidden);
     declareActions(workbench.actions(), copy, insertWaypoint);
+    declareMoves(workbench.actions());
   }
 
   private void declareActions(
@@ -95,6 +106,40 @@ public final class MoveView implements View {
                     "movej(" + ScriptText.of(now().arm().targetPositionRad()) + ")")));
   }
 
+  private void declareMoves(Actions actions) {
+    for (JogSize each : JogSize.values()) {
+      actions.add(
+          Action.of(
+              "move.step-" + each.name().toLowerCase(Locale.ROOT),
+              "Move by hand: " + each.meaning().toLowerCase(Locale.ROOT),
+              "",
+              () -> presenter.jog().setSize(each)));
+    }
+    for (JogAxes each : JogAxes.values()) {
+      actions.add(
+          Action.of(
+              "move.axes-" + each.name().toLowerCase(Locale.ROOT),
+              "Move by hand along the axes of " + each.meaning(),
+              "",
+              () -> presenter.jog().setAxes(each)));
+    }
+    actions.add(
+        Action.of("move.freedrive", "Switch freedrive on or off", "", this::switchFreedrive));
+    actions.add(Action.of("move.home-here", "Set home to here", "", presenter::setHomeHere));
+    actions.add(
+        Action.of(
+            "move.frame-here", "Set the frame for moves to the TCP", "", presenter::setFrameHere));
+  }
+
+  private void switchFreedrive() {
+    if (presenter.freedrive().on()) {
+      presenter.freedrive().release();
+    } else {
+      workbench.show(id());
+      presenter.freedrive().begin();
+    }
+  }
+
   private ControllerState now() {
     return workbench.session().state();
   }
@@ -106,8 +151,9 @@ public final class MoveView implements View {
 
   private JScrollPane cards() {
     JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
-    sheet.add(stack(jog.component(), pose.component()));
-    sheet.add(stack(joints.component(), tool.component()));
+    sheet.add(stack(jog.component(), joints.component()));
+    sheet.add(stack(pose.component(), frame.component(), home.component()));
+    sheet.add(stack(freedrive.component(), tcp.component(), payload.component()));
     JScrollPane scroll =
         new JScrollPane(
             sheet,
@@ -119,18 +165,21 @@ public final class MoveView implements View {
   }
 
   /** Cards that stay below each other when one grows: nothing moves under a hand that holds. */
-  private static JComponent stack(JComponent upper, JComponent lower) {
-    JPanel stack = new JPanel(new MigLayout("insets 0, gap 0 16, wrap", "[grow, fill]"));
+  private static JComponent stack(JComponent... cards) {
+    JPanel stack =
+        new JPanel(new MigLayout("insets 0, gap 0 16, wrap, hidemode 3", "[grow, fill]"));
     stack.setOpaque(false);
-    stack.add(upper);
-    stack.add(lower);
+    for (JComponent each : cards) {
+      stack.add(each);
+    }
     return stack;
   }
 
   /** Nobody holds what they do not see. */
   private void hidden(HierarchyEvent event) {
     if ((event.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0 && !content.isShowing()) {
-      presenter.release();
+      presenter.jog().release();
+      presenter.freedrive().release();
     }
   }
 
@@ -155,16 +204,20 @@ public final class MoveView implements View {
     presenter.take(state, workbench.session().pace());
     obstacle.refresh();
     jog.refresh();
+    freedrive.refresh();
     joints.refresh();
     pose.refresh();
-    tool.refresh();
+    home.refresh();
+    frame.refresh();
+    tcp.refresh();
+    payload.refresh();
   }
 
   private void followRobot() {
     String now = workbench.session().options().robotId();
     if (!now.equals(robotId)) {
       robotId = now;
-      presenter.setArm(ArmLibrary.load(robotId));
+      presenter.setArm(ArmLibrary.load(robotId), workbench.session().options().safety());
     }
   }
 }

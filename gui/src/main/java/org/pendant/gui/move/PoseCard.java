@@ -5,6 +5,7 @@ import java.util.function.Function;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.gui.layout.Card;
@@ -13,7 +14,8 @@ import org.pendant.gui.workbench.Palette;
 /** The pose of the TCP: read it, type another one, and go there. */
 final class PoseCard {
   private final MovePresenter presenter;
-  private final Card card = new Card("TCP in the base", "[grow, fill]");
+  private final Card card = new Card("TCP pose", "[grow, fill]");
+  private final JLabel where = new JLabel();
   private final PoseFields fields;
   private final Remark problem = new Remark("move-pose-problem", Palette::error);
   private final Remark note = new Remark("move-pose-note", Palette::warning);
@@ -25,12 +27,15 @@ final class PoseCard {
   /** A card; see {@link JointsCard} for the arguments. */
   PoseCard(MovePresenter presenter, Consumer<String> copy, Consumer<String> waypoint) {
     this.presenter = presenter;
-    fields = new PoseFields(presenter.pose(), "move-pose-", "Pose of the TCP in the base");
-    go = new HoldButton("Hold to go", null, presenter::holdPoseGoal, presenter::release);
+    fields = new PoseFields(presenter.goals().pose(), "move-pose-", "Pose of the TCP");
+    where.setName("move-pose-frame");
+    go = new HoldButton("Hold to go", null, presenter::holdPoseGoal, presenter.jog()::release);
     Card.named(go, "move-go-pose", "Hold to move all joints to the pose that you have typed");
-    align = new HoldButton("Hold to align", null, presenter::holdAlignment, presenter::release);
+    align =
+        new HoldButton("Hold to align", null, presenter::holdAlignment, presenter.jog()::release);
     Card.named(
-        align, "move-align", "Hold to turn the tool parallel to the nearest axis of the base");
+        align, "move-align", "Hold to turn the tool parallel to the nearest axis of base or frame");
+    card.add(where);
     card.add(choices(), "grow");
     card.add(fields.component(), "grow, gaptop 8");
     card.add(problem, Remark.LAYOUT);
@@ -82,15 +87,15 @@ final class PoseCard {
 
   private JComponent buttons(Consumer<String> copy, Consumer<String> waypoint) {
     Card.named(reset, "move-reset-pose", "Forget what you have typed and show the arm again");
-    reset.addActionListener(event -> presenter.pose().reset());
+    reset.addActionListener(event -> presenter.goals().pose().reset());
     JButton copyButton = new JButton("Copy");
-    Card.named(copyButton, "move-copy-pose", "Copy the pose as URScript");
+    Card.named(copyButton, "move-copy-pose", "Copy the pose in the base as URScript");
     copyButton.addActionListener(event -> copy.accept(presenter.poseScript()));
     JButton insert = new JButton("Insert");
-    Card.named(insert, "move-insert-movel", "Insert movel to this pose in the program");
+    Card.named(insert, "move-insert-movel", "Insert movel to the pose in the base in the program");
     insert.addActionListener(event -> waypoint.accept("movel(" + presenter.poseScript() + ")"));
     Card.compact(go, align, reset, copyButton, insert);
-    JPanel row = new JPanel(new MigLayout("insets 0, gap 8", "[][][grow][][]"));
+    JPanel row = new JPanel(new MigLayout("insets 0, gap 6", "[][][grow][][]"));
     row.setOpaque(false);
     row.add(go);
     row.add(reset);
@@ -101,15 +106,25 @@ final class PoseCard {
   }
 
   void refresh() {
-    Draft draft = presenter.pose();
+    GoalPresenter goals = presenter.goals();
+    Draft draft = goals.pose();
+    Draft joints = goals.joints();
+    where.setText(
+        presenter.jog().axes() == JogAxes.FRAME ? "In the frame" : "In the base of the robot");
     fields.refresh(presenter.form());
     align.setEnabled(presenter.movable());
-    go.setEnabled(
-        presenter.movable() && draft.edited() && draft.valid() && presenter.poseReachable());
+    go.setEnabled(presenter.movable() && draft.edited() && draft.valid() && goals.poseReachable());
     reset.setEnabled(draft.edited());
-    boolean unreachable = draft.edited() && draft.valid() && !presenter.poseReachable();
-    problem.say(unreachable ? presenter.poseText() : fields.problem(presenter.form()));
-    note.say(unreachable ? "" : presenter.poseText());
-    hint.say(draft.edited() && draft.valid() && !unreachable ? Remark.GOAL : "");
+    boolean unreachable = draft.edited() && draft.valid() && !goals.poseReachable();
+    problem.say(unreachable ? goals.poseText() : fields.problem(presenter.form()));
+    note.say(unreachable ? "" : goals.poseText());
+    hint.say(hintText(draft, joints, unreachable));
+  }
+
+  private static String hintText(Draft draft, Draft joints, boolean unreachable) {
+    if (joints.edited()) {
+      return joints.valid() ? "Where the TCP is with the typed joints." : "";
+    }
+    return draft.edited() && draft.valid() && !unreachable ? Remark.GOAL : "";
   }
 }

@@ -1,6 +1,8 @@
 package org.pendant.gui.move;
 
 import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
@@ -9,12 +11,17 @@ import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.OptionalDouble;
 import javax.swing.JComponent;
+import javax.swing.UIManager;
 import org.pendant.gui.workbench.Palette;
 
-/** Where a joint is within its range; near either end in the colour of a warning. */
+/**
+ * Where a joint is within its range, and where that ends; near either end in the colour of a
+ * warning.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class RangeBar extends JComponent {
   private static final int HEIGHT = 20;
+  private static final int TEXT_GAP = 1;
   private static final int LEAST_WIDTH = 80;
   private static final double KNOB = 12;
 
@@ -24,14 +31,37 @@ final class RangeBar extends JComponent {
   private double share = 0.5;
   private boolean unlimited;
   private double goalShare = -1;
+  private String lowEnd = "";
+  private String highEnd = "";
 
-  RangeBar() {
-    setPreferredSize(new Dimension(LEAST_WIDTH, HEIGHT));
-    setMinimumSize(new Dimension(LEAST_WIDTH, HEIGHT));
+  @Override
+  public Dimension getPreferredSize() {
+    return new Dimension(LEAST_WIDTH, HEIGHT + TEXT_GAP + getFontMetrics(endFont()).getHeight());
   }
 
-  /** Shows a position, and the goal that somebody typed. */
-  void show(JointRange range, double positionRad, OptionalDouble goalRad) {
+  @Override
+  public Dimension getMinimumSize() {
+    return getPreferredSize();
+  }
+
+  private Font endFont() {
+    Font label = UIManager.getFont("mini.font");
+    return label == null ? UIManager.getFont("Label.font") : label;
+  }
+
+  /**
+   * Shows a position, and the goal that somebody typed.
+   *
+   * @param unit in which the ends are written
+   */
+  void show(JointRange range, double positionRad, OptionalDouble goalRad, DisplayUnit unit) {
+    String low = range.unlimited() ? "no end" : endText(range.minRad(), unit);
+    String high = range.unlimited() ? "" : endText(range.maxRad(), unit);
+    if (!low.equals(lowEnd) || !high.equals(highEnd)) {
+      lowEnd = low;
+      highEnd = high;
+      repaint();
+    }
     double shown = range.share(positionRad);
     double goal = goalRad.isPresent() ? range.share(goalRad.getAsDouble()) : -1;
     if (shown != share || goal != goalShare || unlimited != range.unlimited()) {
@@ -42,12 +72,16 @@ final class RangeBar extends JComponent {
     }
   }
 
+  private static String endText(double positionRad, DisplayUnit unit) {
+    return unit.shortText(positionRad) + (unit == DisplayUnit.DEGREE ? "\u00b0" : "");
+  }
+
   @Override
   protected void paintComponent(Graphics g) {
     Graphics2D pen = (Graphics2D) g.create();
     pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     pen.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-    double middle = getHeight() / 2.0;
+    double middle = HEIGHT / 2.0;
     double length = getWidth() - KNOB;
     double x = share * length;
     boolean nearEnd = !unlimited && (share < NEAR_END || share > 1 - NEAR_END);
@@ -60,7 +94,19 @@ final class RangeBar extends JComponent {
     }
     pen.setColor(nearEnd ? Palette.warning() : Palette.accent());
     pen.fill(new Ellipse2D.Double(x, middle - KNOB / 2, KNOB, KNOB));
+    paintEnds(pen);
     pen.dispose();
+  }
+
+  private void paintEnds(Graphics2D pen) {
+    pen.setRenderingHint(
+        RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+    pen.setFont(endFont());
+    pen.setColor(Palette.quiet());
+    FontMetrics metrics = pen.getFontMetrics();
+    int y = HEIGHT + TEXT_GAP + metrics.getAscent();
+    pen.drawString(lowEnd, 0, y);
+    pen.drawString(highEnd, getWidth() - metrics.stringWidth(highEnd), y);
   }
 
   private static void paintGoal(Graphics2D pen, double x, double middle) {

@@ -1,6 +1,7 @@
 package org.pendant.gui.move;
 
 import java.awt.Color;
+import java.awt.Rectangle;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
@@ -37,6 +38,10 @@ final class Remark extends JTextArea {
       setVisible(!text.isEmpty());
     }
   }
+
+  /** New words are no reason to scroll. */
+  @Override
+  public void scrollRectToVisible(Rectangle wanted) {}
 
   @Override
   public Color getForeground() {

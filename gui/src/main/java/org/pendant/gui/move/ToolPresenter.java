@@ -1,5 +1,6 @@
 package org.pendant.gui.move;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -7,18 +8,24 @@ import java.util.concurrent.Executor;
 import java.util.function.Function;
 import org.pendant.controller.Command;
 import org.pendant.controller.Reply;
+import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.ToolCentre;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Vector3;
+import org.pendant.language.source.ByteText;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.dynamics.Payload;
 
 /** The active TCP and the declared payload: shown, typed and set. */
 final class ToolPresenter {
+  /** Number of the first element of the inertia among those of the payload. */
+  static final int INERTIA = 4;
+
   private final Function<Command, CompletableFuture<Reply>> submit;
   private final Executor executor;
   private final Draft tcp;
   private final Draft payload;
+  private final NamedTools named;
   private ArmDescription arm;
   private PoseForm form;
   private String name = "";
@@ -30,22 +37,38 @@ final class ToolPresenter {
       Function<Command, CompletableFuture<Reply>> submit,
       Executor executor,
       ArmDescription arm,
-      PoseForm form) {
+      PoseForm form,
+      NamedTools named) {
     this.submit = submit;
     this.executor = executor;
     this.arm = arm;
     this.form = form;
+    this.named = named;
     tcp = new Draft(form.units(), (index, value) -> Optional.empty());
     payload = new Draft(payloadUnits(form), this::payloadProblem);
   }
 
   private static List<DisplayUnit> payloadUnits(PoseForm form) {
-    return List.of(DisplayUnit.KILOGRAM, form.length(), form.length(), form.length());
+    DisplayUnit inertia = DisplayUnit.KILOGRAM_SQUARE_METRE;
+    return List.of(
+        DisplayUnit.KILOGRAM,
+        form.length(),
+        form.length(),
+        form.length(),
+        inertia,
+        inertia,
+        inertia,
+        inertia,
+        inertia,
+        inertia);
   }
 
   private Optional<String> payloadProblem(int index, double value) {
-    return index == 0 && !(value >= 0)
-        ? Optional.of("the mass must be at least 0 kg")
+    if (index == 0 && !(value >= 0)) {
+      return Optional.of("the mass must be at least 0 kg");
+    }
+    return index >= INERTIA && index < INERTIA + 3 && !(value >= 0)
+        ? Optional.of("Ixx, Iyy and Izz must be at least 0 kg\u00b7m\u00b2")
         : Optional.empty();
   }
 
@@ -56,10 +79,22 @@ final class ToolPresenter {
   }
 
   void take(ControllerState state) {
-    name = state.arm().tool().name();
+    name = ByteText.decoded(state.arm().tool().name());
     tcp.follow(form.numbers(state.arm().tool().inFlange()));
     Payload p = state.readings().payload();
-    payload.follow(new double[] {p.massKg(), p.cogXM(), p.cogYM(), p.cogZM()});
+    payload.follow(
+        new double[] {
+          p.massKg(),
+          p.cogXM(),
+          p.cogYM(),
+          p.cogZM(),
+          p.ixx(),
+          p.iyy(),
+          p.izz(),
+          p.ixy(),
+          p.ixz(),
+          p.iyz()
+        });
   }
 
   void setForm(PoseForm other) {
@@ -73,7 +108,10 @@ final class ToolPresenter {
     return tcp;
   }
 
-  /** Mass and the centre of gravity in the flange frame. */
+  /**
+   * Mass, the centre of gravity in the flange frame, and the inertia about it: Ixx, Iyy, Izz, Ixy,
+   * Ixz, Iyz.
+   */
   Draft payload() {
     return payload;
   }
@@ -83,12 +121,37 @@ final class ToolPresenter {
     return name;
   }
 
-  /** Makes what was typed the active TCP. */
-  void setTcp() {
-    if (tcp.edited() && tcp.valid()) {
+  /** The TCPs that are kept by name. */
+  NamedTools named() {
+    return named;
+  }
+
+  /** Shows one that is kept, to be made the active one. */
+  void choose(String wanted) {
+    tcpReason = "";
+    named.find(wanted).ifPresent(inFlange -> tcp.put(form.numbers(inFlange)));
+  }
+
+  /** Keeps the TCP that is shown under a name; answers why not, empty if it does. */
+  String keep(String wanted) {
+    String problem = tcp.valid() ? NamedTools.problem(wanted) : tcp.problem();
+    if (problem.isEmpty()) {
+      named.keep(wanted, form.pose(tcp.values()));
+    }
+    return problem;
+  }
+
+  /**
+   * Makes what was typed the active TCP.
+   *
+   * @param wanted what it is called; may be empty
+   */
+  void setTcp(String wanted) {
+    if (tcp.valid()) {
+      ToolCentre centre = new ToolCentre(form.pose(tcp.values()), ByteText.asBytes(wanted));
       var _ =
           submit
-              .apply(new Command.SetTool(new ToolCentre(form.pose(tcp.values()), name)))
+              .apply(new Command.SetTool(centre))
               .thenAcceptAsync(reply -> tcpReason = settled(reply, tcp), executor);
     }
   }
@@ -99,9 +162,15 @@ final class ToolPresenter {
       double[] v = payload.values();
       var _ =
           submit
-              .apply(new Command.DeclarePayload(v[0], new Vector3(v[1], v[2], v[3])))
+              .apply(new Command.DeclarePayload(v[0], new Vector3(v[1], v[2], v[3]), inertia()))
               .thenAcceptAsync(reply -> payloadReason = settled(reply, payload), executor);
     }
+  }
+
+  /** The inertia that is shown; empty for that of a point. */
+  private Optional<Inertia> inertia() {
+    Inertia shown = Inertia.of(Arrays.copyOfRange(payload.values(), INERTIA, payload.size()));
+    return shown.equals(Inertia.NONE) ? Optional.empty() : Optional.of(shown);
   }
 
   /** What was typed is shown until the controller has it; returns why it does not take it. */
@@ -125,12 +194,16 @@ final class ToolPresenter {
 
   /** What is wrong with the TCP that was typed, or why it was refused; empty if nothing. */
   String tcpProblem() {
-    return firstOf(tcp, tcpReason);
+    String problem = tcp.problem();
+    return problem.isEmpty() ? tcpReason : problem;
   }
 
   /** What is wrong with the payload that was typed, or worth knowing; empty if nothing. */
   String payloadProblem() {
     String problem = firstOf(payload, payloadReason);
+    if (problem.isEmpty() && payload.edited()) {
+      problem = inertia().flatMap(Inertia::problem).map(why -> "Inertia: " + why).orElse("");
+    }
     boolean heavy = payload.edited() && payload.values()[0] > arm.payloadKg();
     return problem.isEmpty() && heavy
         ? "More than the " + arm.payloadKg() + " kg that " + arm.displayName() + " is made for"

@@ -6,10 +6,21 @@ import java.util.stream.Collectors;
 
 /** Quantities that are drawn on one pair of axes, in the order they were added. */
 final class Chart {
+  /** Lines beyond which a chart cannot be read. */
+  static final int MOST = 12;
+
+  /** Lines beyond which a chart takes no more by itself. */
+  private static final int ENOUGH = 8;
+
   private final List<Trace> traces = new ArrayList<>();
 
   List<Trace> traces() {
     return List.copyOf(traces);
+  }
+
+  /** Whether it has as many lines as it can. */
+  boolean full() {
+    return traces.size() >= MOST;
   }
 
   boolean empty() {
@@ -47,7 +58,13 @@ final class Chart {
 
   /** Whether a quantity of this unit belongs here rather than on a chart of its own. */
   boolean suits(Quantity quantity) {
-    return !empty() && unit().equals(quantity.unit()) && traces.size() < 8;
+    return !empty()
+        && traces.size() < ENOUGH
+        && traces.stream()
+            .map(Trace::quantity)
+            .allMatch(
+                each ->
+                    each.unit().equals(quantity.unit()) && each.variable() == quantity.variable());
   }
 
   /** Ids of the quantities, separated by commas. */

@@ -127,10 +127,10 @@ final class ChartPainter {
 
   private void paintTrace(
       Graphics2D pen, Quantity quantity, Columns columns, Scale scale, Rectangle area) {
-    History history = presenter.history();
+    Series series = presenter.history().of(quantity);
     TimeWindow window = presenter.window();
-    long begin = Math.max(history.first(), history.firstAtLeast(window.beginS()) - 1);
-    long end = Math.min(history.end(), history.firstAtLeast(window.endS()) + 1);
+    long begin = Math.max(series.first(), series.firstAtLeast(window.beginS()) - 1);
+    long end = Math.min(series.end(), series.firstAtLeast(window.endS()) + 1);
     if (end - begin <= area.width || quantity.digital()) {
       pen.draw(everySample(quantity, scale, area, begin, end));
     } else if (columns.meanSpan() / (scale.high() - scale.low()) * area.height < SMOOTH_PIXELS) {
@@ -145,7 +145,7 @@ final class ChartPainter {
     double before = Double.NaN;
     for (int x = 0; x < columns.width(); x++) {
       if (columns.has(x)) {
-        boolean first = Double.isNaN(before);
+        boolean first = Double.isNaN(before) || columns.broken(x);
         int top = y(scale, first ? columns.most(x) : Math.max(columns.most(x), before), area);
         int bottom = y(scale, first ? columns.least(x) : Math.min(columns.least(x), before), area);
         pen.fillRect(area.x + x, top, 1, bottom - top + 1);
@@ -156,16 +156,16 @@ final class ChartPainter {
 
   /** A line through all samples; levels go up and down at once. */
   private Path2D everySample(Quantity quantity, Scale scale, Rectangle area, long begin, long end) {
-    History history = presenter.history();
+    Series series = presenter.history().of(quantity);
     TimeWindow window = presenter.window();
     Path2D path = new Path2D.Double();
     boolean drawing = false;
     double before = Double.NaN;
     for (long number = begin; number < end; number++) {
-      double value = history.value(quantity, number);
+      double value = series.value(quantity, number);
       boolean steady = quantity.digital() && value == before && number < end - 1;
       if (!steady && !Double.isNaN(value)) {
-        double x = area.x + window.placeOf(history.timeS(number)) * area.width;
+        double x = area.x + window.placeOf(series.timeS(number)) * area.width;
         double y = exactY(scale, value, area);
         if (!drawing) {
           path.moveTo(x, y);
@@ -192,7 +192,7 @@ final class ChartPainter {
       }
       double at = area.x + x + 0.5;
       double first = exactY(scale, columns.first(x), area);
-      if (drawing) {
+      if (drawing && !columns.broken(x)) {
         path.lineTo(at, first);
       } else {
         path.moveTo(at, first);

@@ -11,20 +11,27 @@ final class Columns {
   private double[] most = new double[0];
   private double[] first = new double[0];
   private double[] last = new double[0];
+  private boolean[] broken = new boolean[0];
+  private boolean unknown;
 
   /** Fills the columns with the part of a quantity that is in a window. */
   void fill(History history, Quantity quantity, TimeWindow window, int width) {
     reset(width);
     // one sample beyond either edge, so that the line reaches the edges
-    long begin = Math.max(history.first(), history.firstAtLeast(window.beginS()) - 1);
+    Series series = history.of(quantity);
+    long begin = Math.max(series.first(), series.firstAtLeast(window.beginS()) - 1);
     double beginS = window.beginS();
     double columnsPerS = width / window.widthS();
-    history.visit(
+    series.visit(
         quantity,
         begin,
         (timeS, value) -> {
           int column = (int) Math.floor((timeS - beginS) * columnsPerS);
-          add(Math.clamp(column, 0, width - 1), value);
+          if (Double.isNaN(value)) {
+            unknown = true;
+          } else {
+            add(Math.clamp(column, 0, width - 1), value);
+          }
           return column < width;
         });
   }
@@ -35,7 +42,9 @@ final class Columns {
       most = new double[width];
       first = new double[width];
       last = new double[width];
+      broken = new boolean[width];
     }
+    unknown = false;
     Arrays.fill(least, Double.NaN);
   }
 
@@ -44,6 +53,8 @@ final class Columns {
       least[column] = value;
       most[column] = value;
       first[column] = value;
+      broken[column] = unknown;
+      unknown = false;
     } else {
       least[column] = Math.min(least[column], value);
       most[column] = Math.max(most[column], value);
@@ -79,6 +90,11 @@ final class Columns {
   /** Whether any sample falls on a column. */
   boolean has(int column) {
     return !Double.isNaN(least[column]);
+  }
+
+  /** Whether the value was unknown between the column before that has one and this. */
+  boolean broken(int column) {
+    return broken[column];
   }
 
   double least(int column) {

@@ -1,148 +1,117 @@
 package org.pendant.gui.plot;
 
-import java.util.Arrays;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.Map;
 import org.pendant.controller.state.ControllerState;
 
 /**
- * Ten minutes of the quantities that are drawn, as columns of numbers with one column of times.
- * Samples have numbers that never change; times rise with them. One thread uses it.
+ * Ten minutes of the quantities that are drawn: 125 samples a second, and of script variables every
+ * frame. One thread uses it.
  */
 final class History {
-  /** Ten minutes at 125 samples a second. */
-  static final int KEPT = 600 * 125;
+  private static final int KEPT_S = 600;
 
   private final Tape tape;
-  private final double[] timeS = new double[KEPT];
-  private final Map<Quantity, double[]> columns = new LinkedHashMap<>();
-  private long first;
-  private long end;
+  private final Series samples;
+  private final Series frames;
+
+  /** One name for each script variable that is tracked, with its readings of the present frame. */
+  private final Map<Quantity, String> names = new HashMap<>();
 
   /** A history that follows a tape, beginning with what is on it. */
   History(Tape tape) {
     this.tape = tape;
-    first = tape.first();
-    end = first;
+    samples = new Series(KEPT_S * 125, tape.first());
+    frames = new Series(KEPT_S * 500, tape.firstFrame());
   }
 
   /** Takes what is new on the tape; returns whether there was anything. */
   boolean follow() {
+    boolean news = followSamples();
+    return followFrames() || news;
+  }
+
+  private boolean followSamples() {
     long newest = tape.end();
-    if (newest == end) {
+    if (newest == samples.end()) {
       return false;
     }
-    if (tape.first() > end) {
+    if (tape.first() > samples.end()) {
       // more has gone by than the tape holds: an honest gap is better than a line across it
-      first = tape.first();
-      end = first;
+      samples.startAt(tape.first());
     }
-    for (long number = end; number < newest; number++) {
-      take(number, tape.at(number));
+    for (long number = samples.end(); number < newest; number++) {
+      ControllerState state = tape.at(number);
+      samples.take(state.timeS(), quantity -> quantity.value().applyAsDouble(state));
     }
-    end = newest;
-    first = Math.max(first, end - KEPT);
     return true;
   }
 
-  private void take(long number, ControllerState state) {
-    int slot = slot(number);
-    timeS[slot] = state.timeS();
-    if (number > first && timeS[slot] <= timeS[slot(number - 1)]) {
-      // another controller has been switched on, its time begins again
-      first = number;
+  private boolean followFrames() {
+    long newest = tape.endFrame();
+    if (newest == frames.end()) {
+      return false;
     }
-    columns.forEach((quantity, column) -> column[slot] = quantity.value().applyAsDouble(state));
+    if (names.isEmpty()) {
+      // nobody looks at them
+      frames.startAt(newest);
+      return false;
+    }
+    if (tape.firstFrame() > frames.end()) {
+      frames.startAt(tape.firstFrame());
+    }
+    for (long number = frames.end(); number < newest; number++) {
+      long frame = number;
+      frames.take(tape.timeS(frame), quantity -> tape.traced(frame).value(names.get(quantity)));
+    }
+    return true;
+  }
+
+  /** The samples that a tracked quantity is in. */
+  Series of(Quantity quantity) {
+    return quantity.variable() ? frames : samples;
   }
 
   /** Keeps a quantity from now on, and what the tape has of it. */
   void track(Quantity quantity) {
-    if (columns.containsKey(quantity)) {
+    Series series = of(quantity);
+    if (series.has(quantity)) {
       return;
     }
-    double[] column = new double[KEPT];
-    Arrays.fill(column, Double.NaN);
-    for (long number = Math.max(first, tape.first()); number < end; number++) {
-      column[slot(number)] = quantity.value().applyAsDouble(tape.at(number));
+    if (quantity.variable()) {
+      // nobody had asked the controller for it
+      names.put(quantity, quantity.id().substring(ScriptVariables.PREFIX.length()));
+      frames.add(quantity);
+      return;
     }
-    columns.put(quantity, column);
+    samples.add(quantity);
+    for (long number = Math.max(samples.first(), tape.first()); number < samples.end(); number++) {
+      samples.set(quantity, number, quantity.value().applyAsDouble(tape.at(number)));
+    }
   }
 
   /** Forgets a quantity. */
   void untrack(Quantity quantity) {
-    columns.remove(quantity);
-  }
-
-  /** Number of the oldest sample. */
-  long first() {
-    return first;
-  }
-
-  /** One more than the number of the newest. */
-  long end() {
-    return end;
+    of(quantity).remove(quantity);
+    names.remove(quantity);
   }
 
   boolean empty() {
-    return first == end;
+    return samples.empty();
   }
 
-  /** Time of a sample, s. */
-  double timeS(long number) {
-    return timeS[slot(number)];
+  /** Time of the oldest sample, s; 0 without one. */
+  double oldestS() {
+    return empty() ? 0 : samples.timeS(samples.first());
   }
 
   /** Time of the newest sample, s; 0 without one. */
   double newestS() {
-    return empty() ? 0 : timeS(end - 1);
-  }
-
-  /** Value of a tracked quantity; not a number where it was not tracked yet. */
-  double value(Quantity quantity, long number) {
-    return columns.get(quantity)[slot(number)];
-  }
-
-  /** Takes samples one after another. */
-  interface Visitor {
-    /** One sample; returns whether more are wanted. */
-    boolean sample(double timeS, double value);
-  }
-
-  /** Shows the samples of a tracked quantity from number {@code begin} on, known values only. */
-  void visit(Quantity quantity, long begin, Visitor visitor) {
-    double[] column = columns.get(quantity);
-    int slot = slot(begin);
-    for (long number = begin; number < end; number++) {
-      double value = column[slot];
-      if (!Double.isNaN(value) && !visitor.sample(timeS[slot], value)) {
-        return;
-      }
-      slot = slot + 1 == KEPT ? 0 : slot + 1;
-    }
-  }
-
-  /** Number of the first sample at or after a time; the end if there is none. */
-  long firstAtLeast(double time) {
-    long low = first;
-    long high = end;
-    while (low < high) {
-      long middle = (low + high) >>> 1;
-      if (timeS(middle) < time) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return low;
+    return empty() ? 0 : samples.timeS(samples.end() - 1);
   }
 
   /** Value of a quantity at a time, that of the last sample until then; not a number before. */
   double valueAt(Quantity quantity, double time) {
-    long after = firstAtLeast(Math.nextUp(time));
-    return after == first ? Double.NaN : value(quantity, after - 1);
-  }
-
-  private static int slot(long number) {
-    return (int) (number % KEPT);
+    return of(quantity).valueAt(quantity, time);
   }
 }

@@ -16,6 +16,7 @@ import org.pendant.gui.workbench.Palette;
 @SuppressWarnings("serial") // never written to a stream
 final class LegendItem extends JPanel {
   private final Trace trace;
+  private final JLabel name;
   private final JLabel value = new JLabel();
   private int widest;
 
@@ -23,8 +24,8 @@ final class LegendItem extends JPanel {
     super(new MigLayout("insets 0, gap 6", "[][][]"));
     this.trace = trace;
     setOpaque(false);
-    String title = trace.quantity().label();
-    JLabel name = new JLabel(title, new Swatch(trace.color()), JLabel.LEADING);
+    String title = trace.quantity().namedLabel();
+    name = new JLabel(title, new Swatch(trace.color()), JLabel.LEADING);
     name.setToolTipText(title + ", " + trace.quantity().id());
     value.setName("plot-value-" + trace.quantity().id());
     value.setToolTipText("Value of " + title);
@@ -43,6 +44,10 @@ final class LegendItem extends JPanel {
 
   /** Shows a value; room once taken is kept, so that the legend does not jump. */
   void show(PlotPresenter presenter) {
+    String title = trace.quantity().namedLabel();
+    if (!title.equals(name.getText())) {
+      name.setText(title);
+    }
     String text = presenter.legend(trace.quantity());
     if (text.length() > widest || text.length() < widest - 12) {
       widest = text.length();

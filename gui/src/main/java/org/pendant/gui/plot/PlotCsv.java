@@ -6,10 +6,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.LongStream;
 
 /**
  * Samples as comma-separated values: a header with ids and units, then one row a sample. Numbers
- * have full precision and a point, whatever the country; unknown values are empty.
+ * have full precision and a point, whatever the country; unknown values are empty. Script variables
+ * have a row each frame, in which other quantities are empty unless they were sampled in it.
  */
 final class PlotCsv {
   private final List<Quantity> quantities;
@@ -24,17 +27,37 @@ final class PlotCsv {
 
   /** Copies what is in a window, so that another thread can write it. */
   static PlotCsv of(History history, List<Quantity> quantities, TimeWindow window) {
-    long begin = history.firstAtLeast(window.beginS());
-    int count = (int) (history.firstAtLeast(Math.nextUp(window.endS())) - begin);
-    double[] timeS = new double[count];
-    double[][] values = new double[quantities.size()][count];
-    for (int i = 0; i < count; i++) {
-      timeS[i] = history.timeS(begin + i);
-      for (int k = 0; k < values.length; k++) {
-        values[k][i] = history.value(quantities.get(k), begin + i);
-      }
+    double[] timeS =
+        quantities.stream()
+            .map(history::of)
+            .distinct()
+            .flatMapToDouble(series -> times(series, window))
+            .sorted()
+            .distinct()
+            .toArray();
+    double[][] values = new double[quantities.size()][];
+    for (int k = 0; k < values.length; k++) {
+      values[k] = column(history.of(quantities.get(k)), quantities.get(k), timeS);
     }
     return new PlotCsv(quantities, timeS, values);
+  }
+
+  private static DoubleStream times(Series series, TimeWindow window) {
+    long begin = series.firstAtLeast(window.beginS());
+    long end = series.firstAtLeast(Math.nextUp(window.endS()));
+    return LongStream.range(begin, end).mapToDouble(series::timeS);
+  }
+
+  /** The values at some times; unknown where the series has no sample of exactly that time. */
+  private static double[] column(Series series, Quantity quantity, double[] timeS) {
+    double[] column = new double[timeS.length];
+    long number = timeS.length == 0 ? series.end() : series.firstAtLeast(timeS[0]);
+    for (int i = 0; i < column.length; i++) {
+      boolean sampled = number < series.end() && series.timeS(number) == timeS[i];
+      column[i] = sampled ? series.value(quantity, number) : Double.NaN;
+      number += sampled ? 1 : 0;
+    }
+    return column;
   }
 
   int rows() {

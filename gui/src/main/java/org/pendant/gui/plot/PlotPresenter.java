@@ -3,6 +3,7 @@ package org.pendant.gui.plot;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.pendant.gui.workbench.Settings;
 
@@ -22,6 +23,8 @@ final class PlotPresenter {
   private final List<Chart> charts = new ArrayList<>();
   private TimeWindow window = TimeWindow.START;
   private Optional<Cursors> cursors = Optional.empty();
+  private Consumer<List<String>> traced = paths -> {};
+  private Consumer<String> told = text -> {};
 
   /** The charts that the settings remember; two examples if they remember none. */
   PlotPresenter(Quantities quantities, History history, Settings settings) {
@@ -56,6 +59,28 @@ final class PlotPresenter {
     }
   }
 
+  /** Tells {@code listener} what cannot be done. */
+  void onRefusal(Consumer<String> listener) {
+    told = listener;
+  }
+
+  /** Tells {@code listener} which script variables are drawn, now and whenever that changes. */
+  void onTraced(Consumer<List<String>> listener) {
+    traced = listener;
+    tellTraced();
+  }
+
+  private void tellTraced() {
+    traced.accept(
+        charts.stream()
+            .flatMap(chart -> chart.traces().stream())
+            .map(Trace::quantity)
+            .filter(Quantity::variable)
+            .map(quantity -> quantity.id().substring(ScriptVariables.PREFIX.length()))
+            .distinct()
+            .toList());
+  }
+
   /** Takes new samples; returns whether anything in sight may have changed. */
   boolean refresh() {
     boolean news = history.follow();
@@ -88,8 +113,12 @@ final class PlotPresenter {
     addTo(chart, quantity);
   }
 
-  /** Draws a quantity on a certain chart. */
+  /** Draws a quantity on a certain chart, unless that is full. */
   void addTo(Chart chart, Quantity quantity) {
+    if (chart.full() && !chart.has(quantity)) {
+      told.accept("A chart has at most " + Chart.MOST + " lines: drop the others beside it");
+      return;
+    }
     history.track(quantity);
     chart.add(quantity);
     remember();
@@ -119,6 +148,7 @@ final class PlotPresenter {
   }
 
   private void remember() {
+    tellTraced();
     settings.put(CHARTS, charts.stream().map(Chart::ids).collect(Collectors.joining(";")));
   }
 
@@ -162,8 +192,7 @@ final class PlotPresenter {
       return;
     }
     pause(true);
-    double oldestS = history.empty() ? 0 : history.timeS(history.first());
-    double beginS = Math.min(Math.max(window.beginS(), oldestS), window.endS());
+    double beginS = Math.min(Math.max(window.beginS(), history.oldestS()), window.endS());
     double thirdS = (window.endS() - beginS) / 3;
     cursors = Optional.of(new Cursors(beginS + thirdS, beginS + 2 * thirdS));
   }

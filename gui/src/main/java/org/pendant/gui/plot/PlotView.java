@@ -1,13 +1,16 @@
 package org.pendant.gui.plot;
 
 import java.awt.BorderLayout;
+import java.awt.EventQueue;
 import java.util.List;
+import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.export.SaveDialog;
+import org.pendant.gui.io.SignalLabels;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
@@ -28,7 +31,13 @@ public final class PlotView implements View {
     this.workbench = workbench;
     Tape tape = new Tape();
     workbench.session().addFrameListener(tape);
-    presenter = new PlotPresenter(Quantities.standard(), new History(tape), workbench.settings());
+    Quantities quantities = Quantities.standard(new SignalLabels(workbench.settings())::of);
+    presenter = new PlotPresenter(quantities, new History(tape), workbench.settings());
+    presenter.onRefusal(workbench::notify);
+    VariableTrace trace =
+        new VariableTrace(workbench.session()::submit, EventQueue::invokeLater, workbench::notify);
+    presenter.onTraced(trace::want);
+    workbench.session().addFrameListener(trace);
     stack = new ChartStack(presenter, this::changed);
     bar = new PlotBar(presenter, this::changed, this::export);
     tree = new QuantityTree(presenter.quantities(), this::add);
@@ -85,9 +94,34 @@ public final class PlotView implements View {
 
   @Override
   public void refresh(ControllerState state) {
+    if (presenter.quantities().variables().show(state.variables())) {
+      tree.refill();
+    }
     if (presenter.refresh()) {
       stack.refresh();
     }
+  }
+
+  /**
+   * Draws script variables, or the numbers in poses, lists and structs, and tells which.
+   *
+   * @param expressions such as {@code count} or {@code p[2]}
+   */
+  public void addVariables(List<String> expressions) {
+    presenter.quantities().variables().show(workbench.session().state().variables());
+    List<Quantity> found =
+        expressions.stream()
+            .flatMap(each -> presenter.quantities().variables().of(each).stream())
+            .toList();
+    if (found.isEmpty()) {
+      workbench.notify(String.join(", ", expressions) + " has no number that could be drawn");
+      return;
+    }
+    add(found);
+    workbench.notify(
+        found.stream().map(Quantity::label).collect(Collectors.joining(", "))
+            + (found.size() == 1 ? " is" : " are")
+            + " drawn on the Plots screen");
   }
 
   private void add(List<Quantity> chosen) {

@@ -7,29 +7,38 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
-import org.pendant.controller.io.SignalBank;
+import java.util.stream.Stream;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 
-/** What can be drawn, in the order of the list. More can be added, such as script variables. */
+/** What can be drawn, in the order of the list; script variables come first. */
 public final class Quantities {
   private static final List<String> JOINTS =
       List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
   private static final List<String> AXES = List.of("x", "y", "z", "rx", "ry", "rz");
 
   private final Map<String, Quantity> byId = new LinkedHashMap<>();
+  private final ScriptVariables variables = new ScriptVariables();
 
   /** What every controller has. */
   public static Quantities standard() {
+    return standard(signal -> "");
+  }
+
+  /**
+   * What every controller has.
+   *
+   * @param names what people call a signal, by an id such as {@code digital-in-0}; empty text for
+   *     none
+   */
+  public static Quantities standard(Function<String, String> names) {
     Quantities all = new Quantities();
     all.addJoints();
     all.addTool();
     all.addController();
-    for (SignalBank bank : SignalBank.values()) {
-      all.addSignals(bank);
-    }
+    new SignalQuantities(names, all::add).addAll();
     return all;
   }
 
@@ -46,23 +55,29 @@ public final class Quantities {
 
   /** All of them. */
   public List<Quantity> all() {
-    return List.copyOf(byId.values());
+    return Stream.concat(variables.all().stream(), byId.values().stream()).toList();
   }
 
-  /** The one called {@code id}. */
+  /** The one called {@code id}; script variables are found also while no program has them. */
   public Optional<Quantity> find(String id) {
-    return Optional.ofNullable(byId.get(id));
+    Quantity present = byId.get(id);
+    return present == null ? variables.find(id) : Optional.of(present);
+  }
+
+  ScriptVariables variables() {
+    return variables;
   }
 
   /** Those whose group and title have every word of {@code text}, upper and lower case alike. */
   public List<Quantity> search(String text) {
     String[] words = text.strip().toLowerCase(Locale.ROOT).split("\\s+");
-    return byId.values().stream().filter(each -> hasAll(each, words)).toList();
+    return all().stream().filter(each -> hasAll(each, words)).toList();
   }
 
   private static boolean hasAll(Quantity quantity, String[] words) {
     String text =
-        (quantity.group() + " " + quantity.title() + " " + quantity.id()).toLowerCase(Locale.ROOT);
+        (quantity.group() + " " + quantity.namedTitle() + " " + quantity.id())
+            .toLowerCase(Locale.ROOT);
     for (String word : words) {
       if (!text.contains(word)) {
         return false;
@@ -171,29 +186,5 @@ public final class Quantities {
 
   private static double boxC(ControllerState state) {
     return state.readings().controllerTemperatureC();
-  }
-
-  private void addSignals(SignalBank bank) {
-    for (int i = 0; i < bank.size(); i++) {
-      int index = i;
-      tool(
-          bank.text() + "_" + i,
-          "Signals/" + titleOf(bank),
-          bank.text() + "[" + i + "]",
-          Quantity.DIGITAL,
-          state -> state.io().bits(bank) >> index & 1);
-    }
-  }
-
-  private static String titleOf(SignalBank bank) {
-    return switch (bank) {
-      case STANDARD_IN -> "Digital inputs";
-      case STANDARD_OUT -> "Digital outputs";
-      case CONFIGURABLE_IN -> "Configurable inputs";
-      case CONFIGURABLE_OUT -> "Configurable outputs";
-      case TOOL_IN -> "Tool inputs";
-      case TOOL_OUT -> "Tool outputs";
-      case FLAG -> "Flags";
-    };
   }
 }

@@ -14,7 +14,10 @@ import java.util.stream.Collectors;
 import javax.swing.JComponent;
 import javax.swing.TransferHandler;
 
-/** Carries quantities from the list to a chart, as text with their ids. */
+/**
+ * Carries quantities from the list to a chart, as text with their ids. A chart also takes the name
+ * of a script variable as plain text, from wherever it was dragged.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class QuantityTransfer extends TransferHandler {
   private static final String MARK = "pendant-quantities:";
@@ -74,10 +77,11 @@ final class QuantityTransfer extends TransferHandler {
     List<Quantity> found = new ArrayList<>();
     try {
       String text = (String) carried.getTransferData(DataFlavor.stringFlavor);
-      if (text.startsWith(MARK)) {
-        for (String id : text.substring(MARK.length()).split(",", -1)) {
-          quantities.find(id).ifPresent(found::add);
-        }
+      if (!text.startsWith(MARK)) {
+        return quantities.variables().of(text);
+      }
+      for (String id : text.substring(MARK.length()).split(",", -1)) {
+        quantities.find(id).ifPresent(found::add);
       }
     } catch (UnsupportedFlavorException | IOException e) {
       // whoever offered a text has none any more: nothing was dropped

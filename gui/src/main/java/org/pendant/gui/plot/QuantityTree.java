@@ -8,8 +8,11 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
@@ -103,6 +106,39 @@ final class QuantityTree {
   void focusSearch() {
     search.requestFocusInWindow();
     search.selectAll();
+  }
+
+  /** Shows quantities that have come and gone; what is open stays open. */
+  void refill() {
+    Set<String> open = new HashSet<>();
+    Set<String> closed = new HashSet<>();
+    eachGroup((name, path) -> (tree.isExpanded(path) ? open : closed).add(name));
+    List<String> chosenIds = selected().stream().map(Quantity::id).toList();
+    fill();
+    eachGroup(
+        (name, path) -> {
+          if (open.contains(name)) {
+            tree.expandPath(path);
+          } else if (closed.contains(name)) {
+            tree.collapsePath(path);
+          }
+        });
+    for (int row = 0; row < tree.getRowCount(); row++) {
+      TreePath path = tree.getPathForRow(row);
+      if (isLeaf(path) && chosenIds.contains(quantitiesOf(List.of(path)).getFirst().id())) {
+        tree.addSelectionPath(path);
+      }
+    }
+  }
+
+  /** Every group in sight with its place; rows that come to be in sight are visited too. */
+  private void eachGroup(BiConsumer<String, TreePath> visitor) {
+    for (int row = 0; row < tree.getRowCount(); row++) {
+      TreePath path = tree.getPathForRow(row);
+      if (!isLeaf(path)) {
+        visitor.accept(path.toString(), path);
+      }
+    }
   }
 
   private void fill() {
@@ -202,8 +238,8 @@ final class QuantityTree {
       setIcon(null);
       if (((DefaultMutableTreeNode) value).getUserObject() instanceof Quantity quantity) {
         boolean plain = quantity.unit().isEmpty() || quantity.digital();
-        ((JLabel) this)
-            .setText(plain ? quantity.title() : quantity.title() + " (" + quantity.unit() + ")");
+        String title = quantity.namedTitle();
+        ((JLabel) this).setText(plain ? title : title + " (" + quantity.unit() + ")");
       }
       return this;
     }

@@ -1,5 +1,7 @@
 package org.pendant.gui.scene;
 
+import java.awt.geom.Point2D;
+import java.util.Optional;
 import org.joml.Matrix4f;
 import org.joml.Vector3d;
 import org.pendant.controller.world.Vector3;
@@ -12,8 +14,10 @@ import org.pendant.controller.world.Vector3;
  * @param azimuthRad direction from the target to the eye, from x towards y, rad
  * @param elevationRad how far above the horizontal the eye is, -pi/2 to pi/2, rad
  * @param distanceM from the eye to the target, {@value #NEAREST_M} to {@value #FARTHEST_M} m
+ * @param lens how depth is shown; what is at the target has the same size in both
  */
-public record Camera(Vector3 targetM, double azimuthRad, double elevationRad, double distanceM) {
+public record Camera(
+    Vector3 targetM, double azimuthRad, double elevationRad, double distanceM, Lens lens) {
   /** Least distance from the target, m. */
   public static final double NEAREST_M = 0.05;
 
@@ -29,6 +33,10 @@ public record Camera(Vector3 targetM, double azimuthRad, double elevationRad, do
   private static final double NEAR_SHARE = 0.03;
 
   private static final double BEHIND_TARGET_M = 60;
+
+  /** Without perspective this much is seen before and behind the target, m. */
+  private static final double DEPTH_M = 30;
+
   private static final int FITTING_TURNS = 12;
   private static final double FITTING_MARGIN = 1.12;
 
@@ -36,6 +44,11 @@ public record Camera(Vector3 targetM, double azimuthRad, double elevationRad, do
   public Camera {
     elevationRad = Math.clamp(elevationRad, -Math.PI / 2, Math.PI / 2);
     distanceM = Math.clamp(distanceM, NEAREST_M, FARTHEST_M);
+  }
+
+  /** With perspective. */
+  public Camera(Vector3 targetM, double azimuthRad, double elevationRad, double distanceM) {
+    this(targetM, azimuthRad, elevationRad, distanceM, Lens.PERSPECTIVE);
   }
 
   /**
@@ -66,7 +79,7 @@ public record Camera(Vector3 targetM, double azimuthRad, double elevationRad, do
     double top = Double.NEGATIVE_INFINITY;
     for (Ball ball : outline.balls()) {
       Vector3d from = vector(ball.centreM()).sub(vector(eyeM()));
-      double depthM = Math.max(from.dot(forward()), NEAREST_M);
+      double depthM = depthM(from);
       double pad = ball.radiusM() / depthM;
       double x = from.dot(right()) / depthM;
       double y = from.dot(up()) / depthM;
@@ -80,12 +93,25 @@ public record Camera(Vector3 targetM, double azimuthRad, double elevationRad, do
     target.fma(distanceM * (bottom + top) / 2, up());
     double factor = Math.max((right - left) / aspect, top - bottom) / (2 * TANGENT);
     return new Camera(
-        vector(target), azimuthRad, elevationRad, FITTING_MARGIN * factor * distanceM);
+        vector(target), azimuthRad, elevationRad, FITTING_MARGIN * factor * distanceM, lens);
+  }
+
+  /** The distance that says how large something is seen. */
+  private double depthM(Vector3d fromEye) {
+    return switch (lens) {
+      case PERSPECTIVE -> Math.max(fromEye.dot(forward()), NEAREST_M);
+      case ORTHOGRAPHIC -> distanceM;
+    };
   }
 
   /** The same place seen from a standard direction. */
   public Camera from(StandardView view) {
-    return new Camera(targetM, view.azimuthRad(), view.elevationRad(), distanceM);
+    return new Camera(targetM, view.azimuthRad(), view.elevationRad(), distanceM, lens);
+  }
+
+  /** The same place seen through another lens. */
+  public Camera through(Lens other) {
+    return new Camera(targetM, azimuthRad, elevationRad, distanceM, other);
   }
 
   /** Turned about the target, by angles in rad. */
@@ -94,7 +120,8 @@ public record Camera(Vector3 targetM, double azimuthRad, double elevationRad, do
         targetM,
         Math.IEEEremainder(azimuthRad + azimuthByRad, 2 * Math.PI),
         elevationRad + elevationByRad,
-        distanceM);
+        distanceM,
+        lens);
   }
 
   /**
@@ -108,12 +135,12 @@ public record Camera(Vector3 targetM, double azimuthRad, double elevationRad, do
     double pixelM = 2 * distanceM * TANGENT / heightPx;
     Vector3d target = vector(targetM);
     target.fma(-rightPx * pixelM, right()).fma(downPx * pixelM, up());
-    return new Camera(vector(target), azimuthRad, elevationRad, distanceM);
+    return new Camera(vector(target), azimuthRad, elevationRad, distanceM, lens);
   }
 
   /** At {@code factor} times the distance. */
   public Camera dollied(double factor) {
-    return new Camera(targetM, azimuthRad, elevationRad, factor * distanceM);
+    return new Camera(targetM, azimuthRad, elevationRad, factor * distanceM, lens);
   }
 
   /**
@@ -127,12 +154,12 @@ public record Camera(Vector3 targetM, double azimuthRad, double elevationRad, do
     Vector3d target = vector(targetM);
     target.fma(halfM * across(xPx, widthPx, heightPx), right());
     target.fma(halfM * above(yPx, heightPx), up());
-    return new Camera(vector(target), azimuthRad, elevationRad, nearer.distanceM);
+    return new Camera(vector(target), azimuthRad, elevationRad, nearer.distanceM, lens);
   }
 
   /** Looking at a point, m, from a distance, m. */
   public Camera zoomedTo(Vector3 pointM, double fromM) {
-    return new Camera(pointM, azimuthRad, elevationRad, fromM);
+    return new Camera(pointM, azimuthRad, elevationRad, fromM, lens);
   }
 
   /** Where the eye is, m. */
@@ -140,12 +167,44 @@ public record Camera(Vector3 targetM, double azimuthRad, double elevationRad, do
     return vector(vector(targetM).fma(-distanceM, forward()));
   }
 
+  /** Whether a level plane at a height, m, shows its upper side. */
+  public boolean looksDownOn(double heightM) {
+    return switch (lens) {
+      case PERSPECTIVE -> eyeM().z() > heightM;
+      case ORTHOGRAPHIC -> elevationRad > 0;
+    };
+  }
+
   /** What is seen at a pixel, from the eye onwards; pixels count from the top left corner. */
   public Ray ray(double xPx, double yPx, double widthPx, double heightPx) {
-    Vector3d direction = forward();
-    direction.fma(TANGENT * across(xPx, widthPx, heightPx), right());
-    direction.fma(TANGENT * above(yPx, heightPx), up());
-    return new Ray(eyeM(), vector(direction.normalize()));
+    double right = TANGENT * across(xPx, widthPx, heightPx);
+    double up = TANGENT * above(yPx, heightPx);
+    return switch (lens) {
+      case PERSPECTIVE -> {
+        Vector3d direction = forward().fma(right, right()).fma(up, up());
+        yield new Ray(eyeM(), vector(direction.normalize()));
+      }
+      case ORTHOGRAPHIC -> {
+        Vector3d from = vector(eyeM()).fma(distanceM * right, right()).fma(distanceM * up, up());
+        yield new Ray(vector(from), vector(forward()));
+      }
+    };
+  }
+
+  /**
+   * Where a point of the base frame, m, is seen, in pixels from the top left corner; empty for one
+   * behind the eye.
+   */
+  public Optional<Point2D> pixel(Vector3 pointM, double widthPx, double heightPx) {
+    Vector3d from = vector(pointM).sub(vector(eyeM()));
+    double depthM = lens == Lens.PERSPECTIVE ? from.dot(forward()) : distanceM;
+    if (depthM <= 0) {
+      return Optional.empty();
+    }
+    double unitPx = heightPx / (2 * TANGENT * depthM);
+    return Optional.of(
+        new Point2D.Double(
+            widthPx / 2 + unitPx * from.dot(right()), heightPx / 2 - unitPx * from.dot(up())));
   }
 
   /** From the base frame to clip space, with the top of the picture at y = 1. */
@@ -153,10 +212,7 @@ public record Camera(Vector3 targetM, double azimuthRad, double elevationRad, do
     Vector3d eye = vector(eyeM());
     Vector3d target = vector(targetM);
     Vector3d up = up();
-    float near = (float) (NEAR_SHARE * distanceM);
-    float far = (float) (distanceM + BEHIND_TARGET_M);
-    return new Matrix4f()
-        .perspective((float) (2 * HALF_HEIGHT_RAD), (float) aspect, near, far)
+    return lens(aspect)
         .lookAt(
             (float) eye.x,
             (float) eye.y,
@@ -167,6 +223,27 @@ public record Camera(Vector3 targetM, double azimuthRad, double elevationRad, do
             (float) up.x,
             (float) up.y,
             (float) up.z);
+  }
+
+  private Matrix4f lens(double aspect) {
+    return switch (lens) {
+      case PERSPECTIVE ->
+          new Matrix4f()
+              .perspective(
+                  (float) (2 * HALF_HEIGHT_RAD),
+                  (float) aspect,
+                  (float) (NEAR_SHARE * distanceM),
+                  (float) (distanceM + BEHIND_TARGET_M));
+      case ORTHOGRAPHIC -> {
+        float half = (float) (distanceM * TANGENT);
+        yield new Matrix4f()
+            .orthoSymmetric(
+                2 * half * (float) aspect,
+                2 * half,
+                (float) (distanceM - DEPTH_M),
+                (float) (distanceM + DEPTH_M));
+      }
+    };
   }
 
   /** Units of half the picture's height, to the right of its middle. */

@@ -17,6 +17,9 @@ public final class Pick {
    */
   private static final double TCP_SHARE = 0.012;
 
+  /** Farther than this from the middle planes have faded, as a share of the arm's reach. */
+  private static final double PLANE_SHARE = 1.6;
+
   private static final float EPSILON = 1e-9f;
 
   private Pick() {}
@@ -30,7 +33,13 @@ public final class Pick {
    */
   public static Optional<Picked> at(Ray ray, SceneModel model, ArmMeshes meshes) {
     Optional<Picked> tcp = tcp(ray, model.tcpInBase());
-    return tcp.isPresent() ? tcp : link(ray, model, meshes);
+    if (tcp.isPresent()) {
+      return tcp;
+    }
+    Optional<Picked> link = link(ray, model, meshes);
+    Optional<Picked> object = ObjectHit.nearest(ray, model, PLANE_SHARE * model.arm().reachM());
+    double linkM = link.map(Picked::distanceM).orElse(Double.POSITIVE_INFINITY);
+    return object.filter(hit -> hit.distanceM() < linkM).or(() -> link);
   }
 
   private static Optional<Picked> tcp(Ray ray, Pose tcpInBase) {

@@ -14,6 +14,9 @@ public sealed interface Picked {
   /** A body of the arm. */
   record OnLink(Link link, Vector3 pointInBaseM, double distanceM) implements Picked {}
 
+  /** Something that stands around the arm, by its name. */
+  record OnObject(String name, Vector3 pointInBaseM, double distanceM) implements Picked {}
+
   /** The tool centre point, or near enough to be meant. */
   record OnTcp(Vector3 pointInBaseM, double distanceM) implements Picked {}
 }

@@ -19,6 +19,8 @@ import org.pendant.models.pose.Pose;
  * @param ghostRad where a translucent second arm is, rad: a target or a preview
  * @param tcpInFlange the tool centre point, m and rad
  * @param framesInBase frames to draw besides those of the base and the tool centre point
+ * @param payload a ball as heavy as what programs have declared to hang on the flange, around its
+ *     centre of gravity; empty for none to draw
  * @param world what stands around the arm
  * @param touched names of the objects of the world that the tool touches
  * @param trace where the tool centre point has been
@@ -31,6 +33,7 @@ public record SceneModel(
     Optional<Joints> ghostRad,
     Pose tcpInFlange,
     List<Pose> framesInBase,
+    Optional<Ball> payload,
     Scene world,
     Set<String> touched,
     Trace trace,
@@ -51,6 +54,7 @@ public record SceneModel(
         Optional.empty(),
         Pose.ZERO,
         List.of(),
+        Optional.empty(),
         Scene.EMPTY,
         Set.of(),
         Trace.EMPTY,
@@ -66,6 +70,7 @@ public record SceneModel(
         ghostRad,
         state.tool().inFlange(),
         framesInBase,
+        payload,
         world,
         touched,
         trace,
@@ -80,6 +85,7 @@ public record SceneModel(
         positionOfGhostRad,
         tcpInFlange,
         framesInBase,
+        payload,
         world,
         touched,
         trace,
@@ -88,12 +94,47 @@ public record SceneModel(
 
   public SceneModel withTool(Pose tcp) {
     return new SceneModel(
-        arm, kinematics, positionRad, ghostRad, tcp, framesInBase, world, touched, trace, theme);
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcp,
+        framesInBase,
+        payload,
+        world,
+        touched,
+        trace,
+        theme);
   }
 
   public SceneModel withFrames(List<Pose> frames) {
     return new SceneModel(
-        arm, kinematics, positionRad, ghostRad, tcpInFlange, frames, world, touched, trace, theme);
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        frames,
+        payload,
+        world,
+        touched,
+        trace,
+        theme);
+  }
+
+  public SceneModel withPayload(Optional<Ball> ball) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        framesInBase,
+        ball,
+        world,
+        touched,
+        trace,
+        theme);
   }
 
   public SceneModel withWorld(Scene surroundings, Set<String> touchedNames) {
@@ -104,6 +145,7 @@ public record SceneModel(
         ghostRad,
         tcpInFlange,
         framesInBase,
+        payload,
         surroundings,
         touchedNames,
         trace,
@@ -118,6 +160,7 @@ public record SceneModel(
         ghostRad,
         tcpInFlange,
         framesInBase,
+        payload,
         world,
         touched,
         way,
@@ -132,6 +175,7 @@ public record SceneModel(
         ghostRad,
         tcpInFlange,
         framesInBase,
+        payload,
         world,
         touched,
         trace,

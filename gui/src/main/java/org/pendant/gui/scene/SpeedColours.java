@@ -16,12 +16,17 @@ public final class SpeedColours {
    * @param share 0 for rest to 1 for the fastest; what is outside counts as the end next to it
    */
   public static int rgb(double share) {
-    double at = Math.sqrt(Math.clamp(share, 0, 1)) * (STOPS.length - 1);
+    double at = place(share) * (STOPS.length - 1);
     int stop = Math.min((int) at, STOPS.length - 2);
     double part = at - stop;
     int from = STOPS[stop];
     int to = STOPS[stop + 1];
     return mix(from, to, 16, part) | mix(from, to, 8, part) | mix(from, to, 0, part);
+  }
+
+  /** Where on a scale from the first to the last colour, 0 to 1, a speed has its place. */
+  public static double place(double share) {
+    return Math.sqrt(Math.clamp(share, 0, 1));
   }
 
   private static int mix(int from, int to, int shift, double part) {

@@ -8,22 +8,24 @@ import java.util.Optional;
 /** Directions to look from, by the axes of the base frame. */
 public enum StandardView {
   /** From the right in front, and above. */
-  ISO(-52, 24),
+  ISO("1", -52, 24),
   /** Against y: x goes to the right. */
-  FRONT(-90, 4),
+  FRONT("2", -90, 4),
   /** Along y: x goes to the left. */
-  BACK(90, 4),
+  BACK("3", 90, 4),
   /** Along x. */
-  LEFT(180, 4),
+  LEFT("4", 180, 4),
   /** Against x: y goes to the right. */
-  RIGHT(0, 4),
+  RIGHT("5", 0, 4),
   /** From above: x goes to the right, y up. */
-  TOP(-90, 90);
+  TOP("6", -90, 90);
 
+  private final String key;
   private final double azimuthRad;
   private final double elevationRad;
 
-  StandardView(double azimuthDeg, double elevationDeg) {
+  StandardView(String key, double azimuthDeg, double elevationDeg) {
+    this.key = key;
     azimuthRad = Math.toRadians(azimuthDeg);
     elevationRad = Math.toRadians(elevationDeg);
   }
@@ -36,6 +38,11 @@ public enum StandardView {
   /** How far above the horizontal the eye is, rad. */
   public double elevationRad() {
     return elevationRad;
+  }
+
+  /** The digit that looks from there, for keyboards. */
+  public String key() {
+    return key;
   }
 
   /** Its name in commands, such as {@code front}. */

@@ -7,7 +7,7 @@ import org.pendant.gui.scene.mesh.Finish;
 
 /** Colours of the scene, as 0xRRGGBB. */
 public enum Theme {
-  LIGHT(0xF3F5F8, 0xDDE3EA, 0xE9EDF1, 0x8D9AA8) {
+  LIGHT(0xF3F5F8, 0xDDE3EA, 0xE9EDF1, 0x8D9AA8, 0x5E5138) {
     @Override
     public int rgb(Finish finish) {
       return switch (finish) {
@@ -20,7 +20,7 @@ public enum Theme {
       };
     }
   },
-  DARK(0x23282E, 0x15181C, 0x262B31, 0x76828F) {
+  DARK(0x23282E, 0x15181C, 0x262B31, 0x76828F, 0xD8C7A4) {
     @Override
     public int rgb(Finish finish) {
       return switch (finish) {
@@ -38,12 +38,14 @@ public enum Theme {
   private final int bottom;
   private final int floor;
   private final int grid;
+  private final int edge;
 
-  Theme(int top, int bottom, int floor, int grid) {
+  Theme(int top, int bottom, int floor, int grid, int edge) {
     this.top = top;
     this.bottom = bottom;
     this.floor = floor;
     this.grid = grid;
+    this.edge = edge;
   }
 
   /** Colour of a surface in white light. */
@@ -69,6 +71,11 @@ public enum Theme {
     return grid;
   }
 
+  /** The edges of boxes. */
+  public int edgeRgb() {
+    return edge;
+  }
+
   /** Its name in commands: {@code light} or {@code dark}. */
   public String word() {
     return name().toLowerCase(Locale.ROOT);
@@ -86,6 +93,7 @@ public enum Theme {
       case AXIS_Z -> 0x3B73D9;
       case TOUCHED -> 0xE8762D;
       case TOOL -> 0x6B7580;
+      case LOAD -> 0xC9971C;
       case SHELL, LID, SEAL, METAL, OBJECT ->
           throw new IllegalArgumentException(finish + " has a colour in each theme");
     };

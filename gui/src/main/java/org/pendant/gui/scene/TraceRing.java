@@ -92,7 +92,7 @@ public final class TraceRing {
       System.arraycopy(ring, from, points, Trace.STRIDE * i, Trace.STRIDE);
       fastest = Math.max(fastest, points[Trace.STRIDE * i + 3]);
     }
-    return new Trace(points, fastest);
+    return new Trace(points, fastest, capacity);
   }
 
   private static double square(double x) {

@@ -14,14 +14,29 @@ public final class AtomicFile {
    * Writes a file so that it is either the old one or the new one, whatever happens meanwhile.
    * Links are followed; folders are made.
    *
-   * @throws IOException if it cannot be written; the old one is still there then
+   * @throws IOException if it cannot be written; its message is the file and the reason, and the
+   *     old one is still there then
    */
   public static void write(Path path, byte[] bytes) throws IOException {
+    try {
+      replace(path, bytes);
+    } catch (IOException e) {
+      throw FileTrouble.of(path, e);
+    }
+  }
+
+  private static void replace(Path path, byte[] bytes) throws IOException {
     Path target = Files.exists(path) ? path.toRealPath() : path.toAbsolutePath();
     if (Files.exists(target) && !Files.isWritable(target)) {
-      throw new IOException(path + " may not be written");
+      throw new IOException("it may not be written");
+    }
+    if (Files.isDirectory(target)) {
+      throw new IOException("it is a folder");
     }
     Files.createDirectories(target.getParent());
+    if (!Files.isWritable(target.getParent())) {
+      throw new IOException("nothing may be written in its folder");
+    }
     Path beside = Files.createTempFile(target.getParent(), "." + target.getFileName(), ".new");
     try {
       Files.write(beside, bytes);

@@ -12,12 +12,23 @@ import java.util.Optional;
  */
 public final class DiskChange {
   private Optional<Stamp> seen = Optional.empty();
+  private boolean wasGone;
 
   private record Stamp(Path path, long modifiedMs, long bytes) {}
 
+  /** Whether the file is there no more, where it was at the last look. */
+  public boolean gone(ProgramFile known) {
+    boolean gone = seen.isPresent() && !Files.exists(known.path());
+    if (gone) {
+      seen = Optional.empty();
+      wasGone = true;
+    }
+    return gone;
+  }
+
   /**
    * The file as it is now, if it has changed since the last look and its text is another one than
-   * {@code known}.
+   * {@code known}, or if it was gone.
    *
    * @throws IOException if it is there but cannot be read
    */
@@ -34,6 +45,8 @@ public final class DiskChange {
     }
     seen = now;
     ProgramFile read = ProgramFile.read(path);
-    return read.text().equals(known.text()) ? Optional.empty() : Optional.of(read);
+    boolean back = wasGone;
+    wasGone = false;
+    return !back && read.text().equals(known.text()) ? Optional.empty() : Optional.of(read);
   }
 }

@@ -18,6 +18,7 @@ public final class ProgramDocument {
   private Optional<ProgramFile> onDisk;
   private String savedText;
   private String text;
+  private boolean gone;
 
   /** Who wants to know. */
   public interface Listener {
@@ -86,9 +87,15 @@ public final class ProgramDocument {
     }
   }
 
-  /** Whether the text is another one than on disk. */
+  /** Whether the text is another one than on disk, or is on disk no more. */
   public boolean modified() {
-    return !text.equals(savedText);
+    return gone || !text.equals(savedText);
+  }
+
+  /** Its file is on disk no more, so that the text is all there is. */
+  public void gone() {
+    gone = true;
+    tellFileChanged();
   }
 
   /** Where it is on disk. */
@@ -106,6 +113,13 @@ public final class ProgramDocument {
     return onDisk.map(file -> file.withText(text));
   }
 
+  /** The program as Save as writes it: as it was read, except where that cannot be. */
+  public ProgramFile toSaveAs(Path path) {
+    return onDisk
+        .map(file -> file.copyTo(path, text))
+        .orElseGet(() -> ProgramFile.create(path, text));
+  }
+
   /** The text as the controller takes it; offsets are those of the bytes in the file's charset. */
   public Source source() {
     Charset charset = onDisk.map(ProgramFile::charset).orElse(StandardCharsets.UTF_8);
@@ -116,6 +130,7 @@ public final class ProgramDocument {
   public void saved(ProgramFile file) {
     onDisk = Optional.of(file);
     savedText = file.text();
+    gone = false;
     tellFileChanged();
   }
 

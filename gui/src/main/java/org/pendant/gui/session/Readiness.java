@@ -40,7 +40,7 @@ public record Readiness(
           "Shut down",
           "",
           Optional.empty(),
-          "A program has switched the controller off: Robot, Restart controller switches it on");
+          "A program has switched the controller off; the menu Robot switches it on again");
     }
     Optional<SafetyStop> stop = state.safety().stop();
     return stop.isPresent() ? stopped(stop.get(), state) : power(state);

@@ -3,12 +3,14 @@ package org.pendant.gui.session;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.LongPredicate;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /**
@@ -16,12 +18,12 @@ import java.util.stream.Stream;
  * and writes, so not in the dispatch thread.
  */
 public final class RecoveryFolder {
-  private static final String HEADING = "pendant recovery 1";
+  private static final String HEADING = "pendant recovery 2";
   private static final String ENDING = ".recovery";
 
   private final Path folder;
-  private final long process;
-  private final LongPredicate alive;
+  private final Owner self;
+  private final Predicate<Owner> alive;
 
   /**
    * A text that was left behind.
@@ -32,45 +34,80 @@ public final class RecoveryFolder {
    */
   public record LeftBehind(Path kept, Optional<Path> file, String name, String text) {}
 
-  /** The folder for this process. */
-  public RecoveryFolder(Path folder) {
-    this(
-        folder,
-        ProcessHandle.current().pid(),
-        id -> ProcessHandle.of(id).map(ProcessHandle::isAlive).orElse(false));
+  /**
+   * A process. Systems use numbers again, small ones soon, so its start belongs to it.
+   *
+   * @param startedMs when it was started, ms since 1970; 0 where the system does not tell
+   */
+  record Owner(long process, long startedMs) {
+    static Owner of(ProcessHandle handle) {
+      return new Owner(
+          handle.pid(), handle.info().startInstant().map(Instant::toEpochMilli).orElse(0L));
+    }
+
+    static Optional<Owner> parse(String text) {
+      return text.matches("\\d{1,18} \\d{1,18}")
+          ? Optional.of(
+              new Owner(
+                  Long.parseLong(text.substring(0, text.indexOf(' '))),
+                  Long.parseLong(text.substring(text.indexOf(' ') + 1))))
+          : Optional.empty();
+    }
+
+    boolean alive() {
+      return ProcessHandle.of(process)
+          .filter(ProcessHandle::isAlive)
+          .filter(handle -> of(handle).equals(this))
+          .isPresent();
+    }
+
+    @Override
+    public String toString() {
+      return process + " " + startedMs;
+    }
   }
 
-  RecoveryFolder(Path folder, long process, LongPredicate alive) {
+  /** The folder for this process. */
+  public RecoveryFolder(Path folder) {
+    this(folder, Owner.of(ProcessHandle.current()), Owner::alive);
+  }
+
+  RecoveryFolder(Path folder, Owner self, Predicate<Owner> alive) {
     this.folder = folder;
-    this.process = process;
+    this.self = self;
     this.alive = alive;
   }
 
   /** Where the text of a program is kept: each process has its own. */
-  private Path place(Optional<Path> file, String name) {
-    String key = file.map(path -> path.toAbsolutePath().toString()).orElse(name);
-    return folder.resolve(process + "-" + Integer.toHexString(key.hashCode()) + ENDING);
+  private Path place(int number) {
+    return folder.resolve(self.process() + "-" + self.startedMs() + "-" + number + ENDING);
   }
 
-  /** Keeps a text until it is forgotten or kept again. */
-  public void keep(Optional<Path> file, String name, String text) throws IOException {
+  /**
+   * Keeps a text until it is forgotten or kept again.
+   *
+   * @param number of the program in this process; two may have the same name
+   * @param file where it is to be saved; empty if it has no file yet
+   */
+  public void keep(int number, Optional<Path> file, String name, String text)
+      throws IOException {
     String whole =
         String.join(
             "\n",
             HEADING,
-            Long.toString(process),
+            self.toString(),
             file.map(path -> path.toAbsolutePath().toString()).orElse(""),
             name,
             text);
-    AtomicFile.write(place(file, name), whole.getBytes(StandardCharsets.UTF_8));
+    AtomicFile.write(place(number), whole.getBytes(StandardCharsets.UTF_8));
   }
 
   /** The text is saved, or not wanted any more. */
-  public void forget(Optional<Path> file, String name) throws IOException {
-    Files.deleteIfExists(place(file, name));
+  public void forget(int number) throws IOException {
+    Files.deleteIfExists(place(number));
   }
 
-  /** As {@link #forget(Optional, String)}, for one that was left behind. */
+  /** As {@link #forget(int)}, for one that was left behind. */
   public void forget(LeftBehind text) throws IOException {
     Files.deleteIfExists(text.kept());
   }
@@ -91,13 +128,18 @@ public final class RecoveryFolder {
 
   private Optional<LeftBehind> read(Path kept) throws IOException {
     String[] parts = new String(Files.readAllBytes(kept), StandardCharsets.UTF_8).split("\n", 5);
-    if (parts.length < 5 || !parts[0].equals(HEADING) || !parts[1].matches("\\d{1,18}")) {
+    if (parts.length < 5 || !parts[0].equals(HEADING)) {
       return Optional.empty();
     }
-    if (alive.test(Long.parseLong(parts[1]))) {
+    if (Owner.parse(parts[1]).filter(alive.negate()).isEmpty()) {
       return Optional.empty();
     }
-    Optional<Path> file = parts[2].isEmpty() ? Optional.empty() : Optional.of(Path.of(parts[2]));
-    return Optional.of(new LeftBehind(kept, file, parts[3], parts[4]));
+    try {
+      Optional<Path> file = parts[2].isEmpty() ? Optional.empty() : Optional.of(Path.of(parts[2]));
+      return Optional.of(new LeftBehind(kept, file, parts[3], parts[4]));
+    } catch (InvalidPathException e) {
+      // The text is worth more than where it was.
+      return Optional.of(new LeftBehind(kept, Optional.empty(), parts[3], parts[4]));
+    }
   }
 }

@@ -5,9 +5,10 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -31,6 +32,7 @@ public final class Desktop {
 
   private final Path folder;
   private final FileSettings settings;
+  private final List<String> missing = new ArrayList<>();
   private final CompletableFuture<Boolean> closed = new CompletableFuture<>();
 
   private Desktop(Path folder) {
@@ -38,24 +40,31 @@ public final class Desktop {
     settings = FileSettings.open(folder.resolve("settings.txt"));
   }
 
+  /** As {@link #open(List)}, with no programs but those that were open last time. */
+  public static Desktop open() {
+    return open(List.of());
+  }
+
   /**
    * Opens the window, with a controller of its own, and returns while that is under way.
    *
+   * @param files programs to open besides those that were open last time; the window tells which of
+   *     them cannot be
    * @throws java.awt.HeadlessException if there is no display
    * @throws java.awt.AWTError if the display cannot be used
    */
-  public static Desktop open() {
+  public static Desktop open(List<Path> files) {
     Desktop desktop = new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()));
     // The arm's files are read while the look is set up.
     CompletableFuture<Session> session =
         CompletableFuture.supplyAsync(() -> Session.start(options(desktop.settings)));
     Look look = new Look(desktop.settings);
-    ProgramDocument first = desktop.first();
+    Programs programs = desktop.lastTime();
     EventQueue.invokeLater(
         () -> {
           try {
             look.install();
-            desktop.show(session.join(), look, first);
+            desktop.show(session.join(), look, programs, files);
           } catch (RuntimeException | Error fault) {
             // There is no window that could tell it: whoever waits does.
             desktop.closed.completeExceptionally(fault);
@@ -76,19 +85,24 @@ public final class Desktop {
         .withPower(settings.get("robot.power-at-start").map(Boolean::parseBoolean).orElse(true));
   }
 
-  /** The program that was open last, or an example. */
-  private ProgramDocument first() {
-    Optional<Path> last =
-        ProgramFiles.recent(settings).stream().filter(Files::isReadable).findFirst();
-    if (last.isPresent()) {
+  /** The programs that were open last time, or an example. */
+  private Programs lastTime() {
+    List<ProgramDocument> open = new ArrayList<>();
+    Optional<Path> last = ProgramFiles.recent(settings).stream().findFirst();
+    Optional<ProgramDocument> front = Optional.empty();
+    for (Path each : ProgramFiles.openLastTime(settings)) {
       try {
-        return ProgramDocument.of(ProgramFile.read(last.get()));
+        ProgramDocument program = ProgramDocument.of(ProgramFile.read(each));
+        open.add(program);
+        front = last.equals(Optional.of(each)) ? Optional.of(program) : front;
       } catch (IOException e) {
-        // Gone in the meantime: then the example.
-        return example();
+        missing.add("Not opened again: " + e.getMessage());
       }
     }
-    return example();
+    Programs programs = new Programs(open.isEmpty() ? example() : open.getFirst());
+    open.forEach(programs::select);
+    front.ifPresent(programs::select);
+    return programs;
   }
 
   private static ProgramDocument example() {
@@ -103,18 +117,21 @@ public final class Desktop {
     }
   }
 
-  private void show(Session session, Look look, ProgramDocument first) {
+  private void show(Session session, Look look, Programs programs, List<Path> files) {
     DesktopWindow window =
         new DesktopWindow(
             session,
             settings,
             look,
-            new Programs(first),
+            programs,
             new RecoveryFolder(folder.resolve("recovery")),
             () -> close(session));
     Faults.tellTo(window::tell, folder.resolve("errors.txt"));
     window.open();
-    settings.notice().ifPresent(window::tell);
+    settings.notice().ifPresent(window::warn);
+    settings.onTrouble(text -> EventQueue.invokeLater(() -> window.warn(text)));
+    missing.forEach(window::warn);
+    files.forEach(window::open);
     Thread.ofVirtual()
         .name("system theme")
         .start(

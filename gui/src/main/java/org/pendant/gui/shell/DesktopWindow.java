@@ -1,15 +1,8 @@
 package org.pendant.gui.shell;
 
 import java.awt.BorderLayout;
-import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.Frame;
-import java.awt.GraphicsEnvironment;
-import java.awt.Rectangle;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JFrame;
@@ -17,14 +10,13 @@ import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.gui.session.ProgramControls;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.RecoveryFolder;
 import org.pendant.gui.session.Session;
-import org.pendant.gui.shell.Notices.Choice;
 import org.pendant.gui.shell.bar.Footer;
 import org.pendant.gui.shell.bar.Header;
+import org.pendant.gui.shell.bar.ProgramMenu;
 import org.pendant.gui.shell.bar.Rail;
 import org.pendant.gui.shell.bar.StatusLine;
 import org.pendant.gui.shell.dock.DockFrame;
@@ -32,10 +24,9 @@ import org.pendant.gui.shell.dock.DockPlan;
 import org.pendant.gui.shell.find.CommandPalette;
 import org.pendant.gui.shell.find.KeyEditor;
 import org.pendant.gui.shell.look.Look;
-import org.pendant.gui.shell.run.PopupPanel;
+import org.pendant.gui.shell.prompt.PromptPanel;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
-import org.pendant.gui.workbench.KeyText;
 import org.pendant.gui.workbench.Settings;
 import org.pendant.gui.workbench.View;
 
@@ -43,7 +34,6 @@ import org.pendant.gui.workbench.View;
 final class DesktopWindow {
   private static final int REFRESH_MS = 33;
   private static final int KEEP_MS = 2_000;
-  private static final String ROBOT = "robot.id";
 
   private final Session session;
   private final Settings settings;
@@ -56,17 +46,23 @@ final class DesktopWindow {
   private final Views views;
   private final DockFrame docks;
   private final Keeper keeper;
+  private final DiskWatch disk;
+  private final Leaving leaving;
   private final KeyBindings keys;
-  private final PopupPanel popups;
-  private final JFrame frame = new JFrame("Pendant");
-  private final StatusLine status = new StatusLine();
+  private final PromptPanel prompts;
+  private final StopNotice stopNotice;
+  private final WindowFrame window;
+  private final Typing typing = new Typing();
   private final Notices notices = new Notices();
-  private final Header header = new Header(this::chooseRobot);
+  private final StatusLine status = new StatusLine(text -> notices.tell("whole-notice", text));
+  private final Header header;
+  private final RobotChange robot;
   private final Footer footer;
   private final Timer refresh = new Timer(REFRESH_MS, event -> refresh());
   private final Timer keep;
   private final Runnable closed;
   private boolean failureTold;
+  private int warnings;
 
   /**
    * The window, not visible yet.
@@ -87,35 +83,51 @@ final class DesktopWindow {
     this.programs = programs;
     this.closed = closed;
     actions = new ActionTable(settings);
-    workbench = new ShellWorkbench(session, actions, settings, status::tell);
+    workbench = new ShellWorkbench(session, actions, settings, status::tell, typing);
     runner = new ProgramRunner(session, programs, status::tell, workbench::showSource);
     ProgramActions programActions = new ProgramActions(actions, session, runner);
     programActions.addProgram();
     programActions.addRobot();
     views = new Views(workbench, programs, runner);
+    status.alsoTell(views::told);
     docks = new DockFrame(new DockPlan(settings, views.home()), views.all(), views.home());
     workbench.attach(docks);
-    files = new ProgramFiles(programs, settings, status::tell, docks.component());
-    keeper = new Keeper(programs, recovery, notices, status::tell);
-    keep = new Timer(KEEP_MS, event -> keeper.look());
+    files = new ProgramFiles(programs, settings, status::tell, this::warn, docks.component());
+    header =
+        new Header(
+            new ProgramMenu(actions, programs, files::recent, files::open), this::chooseRobot);
+    robot = new RobotChange(session, settings, notices, status::tell, header::showRobot);
+    keeper = new Keeper(programs, recovery, notices, this::warn);
+    disk = new DiskWatch(programs, notices, status::tell);
+    leaving = new Leaving(programs, files, notices, this::dispose);
+    keep =
+        new Timer(
+            KEEP_MS,
+            event -> {
+              keeper.look();
+              disk.look();
+            });
+    window = new WindowFrame(settings, leaving::ask);
     addActions(programActions);
     footer = new Footer(session, actions, runner::send);
-    popups = new PopupPanel(docks.component(), runner::send);
-    keys = new KeyBindings(frame.getRootPane(), actions);
+    prompts = new PromptPanel(docks.component(), actions, runner::send);
+    stopNotice = new StopNotice(notices, () -> views.showing("run"), () -> docks.show("run"));
+    keys = new KeyBindings(window.frame().getRootPane(), actions);
     build();
     follow();
   }
 
   private void addActions(ProgramActions programActions) {
     programActions.addFiles(files, programs);
-    actions.add(Action.of("file.quit", "Quit", "control Q", this::close));
     actions.add(
-        new Action(
-            "robot.restart",
-            "Switch the controller off and on",
-            "",
-            () -> true,
-            () -> restart(session.options().robotId())));
+        Action.of(
+            "file.recent", "Open a recent program\u2026", "control alt O", header::openPrograms));
+    actions.add(Action.of("file.quit", "Quit", "control Q", leaving::ask));
+    actions.add(
+        Action.of("robot.restart", "Switch the controller off and on", "", robot::restart));
+    actions.add(
+        Action.of("robot.choose", "Choose another robot\u2026", "", header::openRobots));
+    programActions.addSpeed();
     WindowActions windowActions = new WindowActions(actions);
     windowActions.addViews(docks, List.copyOf(views.screens().keySet()));
     windowActions.addDocks(docks);
@@ -125,6 +137,22 @@ final class DesktopWindow {
     actions.add(
         Action.of("help.palette", "Find an action\u2026", "control shift P", palette::open));
     actions.add(Action.of("help.keys", "Change keys\u2026", "", keyEditor::open));
+    actions.add(
+        new Action(
+            "help.question",
+            "Answer the question at the top",
+            "control alt UP",
+            notices::any,
+            notices::focus),
+        () -> "There is no question");
+    actions.add(
+        new Action(
+            "help.notice",
+            "Show the last notice as a whole",
+            "",
+            () -> !status.text().isEmpty(),
+            () -> notices.tell("whole-notice", status.text())),
+        () -> "There was no notice");
   }
 
   private void build() {
@@ -134,32 +162,19 @@ final class DesktopWindow {
     JPanel south = new JPanel(new BorderLayout());
     south.add(status, BorderLayout.NORTH);
     south.add(footer, BorderLayout.CENTER);
+    JFrame frame = window.frame();
     frame.add(header, BorderLayout.NORTH);
     frame.add(rail(), BorderLayout.WEST);
     frame.add(middle, BorderLayout.CENTER);
     frame.add(south, BorderLayout.SOUTH);
     frame.setJMenuBar(new Menus(actions, files::recent, files::open).bar());
-    frame.setName("pendant");
-    frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
-    frame.setMinimumSize(new Dimension(720, 480));
-    frame.addWindowListener(
-        new WindowAdapter() {
-          @Override
-          public void windowClosing(WindowEvent event) {
-            close();
-          }
-        });
-    frame.setBounds(remembered());
   }
 
   private Rail rail() {
-    Rail rail = new Rail(docks::show, docks::moveMenu);
+    Rail rail = new Rail(actions, docks::show, docks::moveMenu);
     for (View view : docks.views()) {
       if (views.screens().containsKey(view.id())) {
-        rail.add(
-            view,
-            views.screens().get(view.id()),
-            KeyText.shown(actions.keysOf("view." + view.id())));
+        rail.add(view, views.screens().get(view.id()));
       }
     }
     Runnable mark = () -> rail.mark(docks.mainView().orElse(""));
@@ -189,7 +204,7 @@ final class DesktopWindow {
   private void showProgram() {
     header.show(programs.current());
     String mark = programs.current().modified() ? "\u2022 " : "";
-    frame.setTitle(mark + programs.current().name() + " - Pendant");
+    window.frame().setTitle(mark + programs.current().name() + " - Pendant");
   }
 
   /** Views that are not in front are not reached by a change of the look. */
@@ -201,22 +216,13 @@ final class DesktopWindow {
     }
   }
 
-  private Rectangle remembered() {
-    Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-    return WindowBounds.parse(settings.get("window.bounds").orElse(""))
-        .filter(bounds -> bounds.intersects(screen))
-        .orElseGet(() -> WindowBounds.usual(screen));
-  }
-
   /** Shows the window. */
   void open() {
-    if (settings.get("window.maximized").map(Boolean::parseBoolean).orElse(false)) {
-      frame.setExtendedState(Frame.MAXIMIZED_BOTH);
-    }
     showProgram();
     header.showRobot(session.options().robotId());
     refresh();
-    frame.setVisible(true);
+    typing.start();
+    window.frame().setVisible(true);
     docks.mainView().ifPresent(docks::show);
     refresh.start();
     keep.start();
@@ -233,13 +239,20 @@ final class DesktopWindow {
     status.tell(text);
   }
 
+  /** Tells something that must not be overlooked. */
+  void warn(String text) {
+    warnings++;
+    notices.tell("warning-" + warnings, text);
+  }
+
   private void refresh() {
     ControllerState state = session.state();
     keys.refresh();
     header.refresh(state);
     footer.refresh(state);
     status.refresh(session.lateness(), state.debug().held());
-    popups.refresh(state);
+    prompts.refresh(state);
+    stopNotice.refresh(state);
     views.follow(state);
     for (View view : docks.views()) {
       if (view.component().isShowing()) {
@@ -254,63 +267,15 @@ final class DesktopWindow {
   }
 
   private void chooseRobot(String id) {
-    if (id.equals(session.options().robotId())) {
-      return;
-    }
-    if (!ProgramControls.of(session.state()).canStop()) {
-      restart(id);
-      return;
-    }
-    notices.ask(
-        "robot-change",
-        "Another robot ends the program that runs.",
-        List.of(
-            new Choice("Change robot", () -> restart(id)),
-            new Choice("Keep", () -> header.showRobot(session.options().robotId()))));
-  }
-
-  private void restart(String id) {
-    Background.run(
-        () -> {
-          session.restart(session.options().withRobot(id));
-          return id;
-        },
-        done -> {
-          settings.put(ROBOT, id);
-          header.showRobot(id);
-          status.tell("The controller was switched on with another arm: " + id);
-        },
-        failed -> status.tell(failed.getMessage()));
-  }
-
-  /** Closes the window, after asking for what is not saved. */
-  void close() {
-    List<ProgramDocument> unsaved =
-        new ArrayList<>(programs.all().stream().filter(ProgramDocument::modified).toList());
-    if (unsaved.isEmpty()) {
-      dispose();
-      return;
-    }
-    String names = String.join(", ", unsaved.stream().map(ProgramDocument::name).toList());
-    notices.ask(
-        "unsaved",
-        "Not saved: " + names,
-        List.of(
-            new Choice("Save", () -> unsaved.forEach(files::save)),
-            new Choice("Quit without saving", this::dispose),
-            new Choice("Cancel", () -> {})));
+    robot.choose(id);
   }
 
   private void dispose() {
     refresh.stop();
     keep.stop();
-    boolean maximized = (frame.getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH;
-    settings.put("window.maximized", Boolean.toString(maximized));
-    if (!maximized) {
-      settings.put("window.bounds", WindowBounds.format(frame.getBounds()));
-    }
+    typing.stop();
     keeper.end();
-    frame.dispose();
+    window.end();
     closed.run();
   }
 }

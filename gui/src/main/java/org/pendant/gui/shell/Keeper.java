@@ -1,36 +1,44 @@
 package org.pendant.gui.shell;
 
-import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.pendant.gui.session.DiskChange;
+import org.pendant.gui.session.FileTrouble;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.RecoveryFolder;
 import org.pendant.gui.shell.Notices.Choice;
 
-/**
- * Looks after the open programs: keeps what is not saved against a crash, and notices what others
- * change on disk.
- */
+/** Keeps what is not saved against a crash, and offers it at the next start. */
 final class Keeper {
   private final Programs programs;
   private final RecoveryFolder recovery;
   private final Notices notices;
   private final Consumer<String> tell;
-  private final IdentityHashMap<ProgramDocument, Kept> kept = new IdentityHashMap<>();
-  private final IdentityHashMap<ProgramDocument, DiskChange> watched = new IdentityHashMap<>();
+  private final Map<ProgramDocument, Kept> kept = new IdentityHashMap<>();
   private boolean busy;
+  private boolean troubleTold;
+  private int programsKept;
 
-  /** What was kept of a program, and under which name. */
-  private record Kept(ProgramDocument document, Optional<Path> file, String text) {}
+  /**
+   * What was kept of a program.
+   *
+   * @param number of the program
+   */
+  private record Kept(int number, Optional<Path> file, String text) {}
+
+  /** Something that reads or writes. */
+  @FunctionalInterface
+  private interface IoAction {
+    void run() throws IOException;
+  }
 
   Keeper(Programs programs, RecoveryFolder recovery, Notices notices, Consumer<String> tell) {
     this.programs = programs;
@@ -39,12 +47,14 @@ final class Keeper {
     this.tell = tell;
   }
 
+  // --- what was left behind
+
   /** Offers what was left behind by a Pendant that did not end properly. */
   void offerLeftBehind() {
     Background.run(
         recovery::leftBehind,
         found -> found.forEach(this::offer),
-        failed -> tell.accept("Unsaved texts cannot be read: " + failed.getMessage()));
+        failed -> tell.accept("Unsaved texts cannot be read: " + FileTrouble.reason(failed)));
   }
 
   private void offer(RecoveryFolder.LeftBehind left) {
@@ -53,34 +63,49 @@ final class Keeper {
         "recovery-" + left.kept().getFileName(),
         "Pendant ended before " + where + " was saved.",
         List.of(
-            new Choice("Restore", () -> restore(left)), new Choice("Discard", () -> forget(left))));
+            new Choice("Restore", () -> restore(left)),
+            new Choice("Discard", () -> forget(left)),
+            Choice.nothing("Ask next time")));
   }
 
   private void restore(RecoveryFolder.LeftBehind left) {
+    Optional<ProgramDocument> open =
+        left.file().flatMap(programs::of).filter(program -> !program.modified());
+    if (open.isPresent()) {
+      restore(left, open.get());
+      return;
+    }
     Background.run(
-        () -> left.file().isPresent() ? document(left) : untitled(left),
-        document -> {
-          programs.select(document);
-          document.setText(left.text());
-          forget(left);
-        },
-        failed -> tell.accept("Not restored: " + failed.getMessage()));
+        () -> document(left),
+        document -> restore(left, document),
+        failed -> notices.tell("not-restored", "Not restored: " + failed.getMessage()));
   }
 
+  private void restore(RecoveryFolder.LeftBehind left, ProgramDocument document) {
+    programs.select(document);
+    document.setText(left.text());
+    List<IoAction> work = new ArrayList<>();
+    // Kept anew before the old one goes: there is no moment without it.
+    keep(document, work);
+    work.add(() -> recovery.forget(left));
+    run(work, () -> {});
+  }
+
+  /** The program that a text belongs to, as it is on disk. */
   private static ProgramDocument document(RecoveryFolder.LeftBehind left) throws IOException {
-    Path file = left.file().orElseThrow();
-    return Files.exists(file)
-        ? ProgramDocument.of(ProgramFile.read(file))
-        : ProgramDocument.of(ProgramFile.create(file, ""));
-  }
-
-  private static ProgramDocument untitled(RecoveryFolder.LeftBehind left) {
-    return ProgramDocument.untitled(left.name(), "");
+    if (left.file().isEmpty()) {
+      return ProgramDocument.untitled(left.name(), "");
+    }
+    Path file = left.file().get();
+    return ProgramDocument.of(
+        Files.exists(file) ? ProgramFile.read(file) : ProgramFile.create(file, ""));
   }
 
   private void forget(RecoveryFolder.LeftBehind left) {
-    work(() -> recovery.forget(left));
+    run(List.of(() -> recovery.forget(left)), () -> {});
   }
+
+  // --- keeping
 
   /** Looks at all open programs; called every few seconds. */
   void look() {
@@ -88,76 +113,36 @@ final class Keeper {
       return;
     }
     List<IoAction> work = new ArrayList<>();
-    for (ProgramDocument each : programs.all()) {
-      keep(each, work);
-      watch(each, work);
-    }
-    kept.keySet().stream()
+    programs.all().forEach(each -> keep(each, work));
+    List.copyOf(kept.keySet()).stream()
         .filter(each -> !programs.all().contains(each))
-        .toList()
         .forEach(closed -> drop(closed, work));
     if (!work.isEmpty()) {
       busy = true;
-      work(
-          () -> {
-            for (IoAction each : work) {
-              each.run();
-            }
-          });
+      run(work, () -> busy = false);
     }
   }
 
   private void keep(ProgramDocument document, List<IoAction> work) {
-    Kept before = kept.get(document);
     if (!document.modified()) {
       drop(document, work);
       return;
     }
-    Kept now = new Kept(document, document.file(), document.text());
+    Kept before = kept.get(document);
+    int number = before == null ? programsKept++ : before.number();
+    Kept now = new Kept(number, document.file(), document.text());
     if (!now.equals(before)) {
       kept.put(document, now);
       String name = document.name();
-      work.add(() -> recovery.keep(now.file(), name, now.text()));
+      work.add(() -> recovery.keep(number, now.file(), name, now.text()));
     }
   }
 
   private void drop(ProgramDocument document, List<IoAction> work) {
     Kept before = kept.remove(document);
     if (before != null) {
-      String name = document.name();
-      work.add(() -> recovery.forget(before.file(), name));
+      work.add(() -> recovery.forget(before.number()));
     }
-  }
-
-  private void watch(ProgramDocument document, List<IoAction> work) {
-    Optional<ProgramFile> known = document.onDisk();
-    if (known.isEmpty()) {
-      return;
-    }
-    DiskChange change = watched.computeIfAbsent(document, d -> new DiskChange());
-    work.add(
-        () ->
-            change
-                .look(known.get())
-                .ifPresent(now -> EventQueue.invokeLater(() -> changed(document, known, now))));
-  }
-
-  private void changed(ProgramDocument document, Optional<ProgramFile> known, ProgramFile now) {
-    if (!document.onDisk().equals(known)) {
-      // It was saved or read again meanwhile.
-      return;
-    }
-    if (!document.modified()) {
-      document.reloaded(now);
-      tell.accept(document.name() + " has changed on disk and was read again");
-      return;
-    }
-    notices.ask(
-        "disk-change",
-        document.name() + " has changed on disk, and here too.",
-        List.of(
-            new Choice("Read it again", () -> document.reloaded(now)),
-            new Choice("Keep mine", () -> {})));
   }
 
   /** The window closes: nothing has to be kept any more. */
@@ -169,27 +154,32 @@ final class Keeper {
         each.run();
       } catch (IOException e) {
         // It is offered at the next start, which is better than lost.
-        tell.accept("Not removed: " + e.getMessage());
+        tell.accept("Not removed: " + FileTrouble.reason(e));
       }
     }
   }
 
-  /** Something that reads or writes. */
-  @FunctionalInterface
-  private interface IoAction {
-    void run() throws IOException;
-  }
-
-  private void work(IoAction action) {
+  private void run(List<IoAction> work, Runnable then) {
     Background.run(
         () -> {
-          action.run();
+          for (IoAction each : work) {
+            each.run();
+          }
           return true;
         },
-        done -> busy = false,
+        done -> {
+          troubleTold = false;
+          then.run();
+        },
         failed -> {
-          busy = false;
-          tell.accept("Unsaved texts cannot be kept: " + failed.getMessage());
+          // The next look tries again; saying it once is enough.
+          kept.replaceAll((document, before) -> new Kept(before.number(), before.file(), ""));
+          if (!troubleTold) {
+            troubleTold = true;
+            tell.accept(
+                "Unsaved texts cannot be kept against a crash: " + failed.getMessage());
+          }
+          then.run();
         });
   }
 }

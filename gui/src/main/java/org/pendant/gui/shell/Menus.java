@@ -8,10 +8,12 @@ import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
-import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
+import org.pendant.gui.layout.WrappingRow;
+import org.pendant.gui.shell.bar.ActionItem;
+import org.pendant.gui.shell.bar.ProgramMenu;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
 
@@ -24,7 +26,7 @@ final class Menus {
           new Group("Edit", List.of("edit", "editor", "script")),
           new Group("View", List.of("view", "dock", "look")),
           new Group("Program", List.of("program", "debug")),
-          new Group("Robot", List.of("robot", "clock", "move", "scene")),
+          new Group("Robot", List.of("robot", "speed", "clock", "move", "scene")),
           new Group("Tools", List.of()));
 
   /**
@@ -43,6 +45,10 @@ final class Menus {
     this.actions = actions;
     this.recent = recent;
     this.open = open;
+    // Wraps where the window is too narrow for all menus.
+    bar.setLayout(new WrappingRow(0));
+    // Filled when they open. Items that stay would do actions by keys that these had once.
+    actions.addListener(this::empty);
     // F10 would open the menus; Alt does too.
     bar.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke("F10"), "none");
     for (Group group : GROUPS) {
@@ -56,6 +62,12 @@ final class Menus {
 
   JMenuBar bar() {
     return bar;
+  }
+
+  private void empty() {
+    for (int i = 0; i < bar.getMenuCount(); i++) {
+      bar.getMenu(i).removeAll();
+    }
   }
 
   private static String group(Action action) {
@@ -76,7 +88,7 @@ final class Menus {
       if (!before.isEmpty() && !members.isEmpty()) {
         menu.addSeparator();
       }
-      members.forEach(each -> menu.add(item(each)));
+      members.forEach(each -> menu.add(ActionItem.of(actions, each.id())));
       before = members.isEmpty() ? before : wanted;
     }
     if (groups.contains("file")) {
@@ -88,26 +100,13 @@ final class Menus {
     return actions.all().stream().map(Menus::group).filter(g -> !known(g)).distinct().toList();
   }
 
-  private JMenuItem item(Action action) {
-    JMenuItem item = new JMenuItem(action.title());
-    item.setName("menu-" + action.id().replace('.', '-'));
-    actions.strokeOf(action.id()).ifPresent(item::setAccelerator);
-    item.setEnabled(action.enabled().getAsBoolean());
-    String reason = actions.reason(action.id());
-    item.setToolTipText(reason.isEmpty() ? null : reason);
-    item.addActionListener(event -> actions.run(action.id()));
-    return item;
-  }
-
   private void addRecent(JMenu menu) {
     List<Path> files = recent.get();
     JMenu list = new JMenu("Recent");
     list.setName("menu-recent");
     list.setEnabled(!files.isEmpty());
     for (Path file : files) {
-      JMenuItem item = new JMenuItem(file.toString());
-      item.addActionListener(event -> open.accept(file));
-      list.add(item);
+      list.add(ProgramMenu.recentItem(file, open));
     }
     menu.insert(list, Math.min(2, menu.getItemCount()));
   }

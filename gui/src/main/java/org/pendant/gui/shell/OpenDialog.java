@@ -2,6 +2,9 @@ package org.pendant.gui.shell;
 
 import java.awt.Component;
 import java.awt.Dialog.ModalityType;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.io.File;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -10,7 +13,7 @@ import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
-/** Asks for a program to open, while the window behind it can be used. */
+/** Asks for programs to open, while the window behind it can be used. */
 final class OpenDialog {
   private OpenDialog() {}
 
@@ -22,11 +25,21 @@ final class OpenDialog {
     chooser.setName("open-dialog");
     chooser.getAccessibleContext().setAccessibleName("Open program");
     chooser.setFileFilter(new FileNameExtensionFilter("URScript programs", "script", "urscript"));
+    chooser.setMultiSelectionEnabled(true);
     chooser.addActionListener(
         event -> {
           dialog.dispose();
           if (event.getActionCommand().equals(JFileChooser.APPROVE_SELECTION)) {
-            chosen.accept(chooser.getSelectedFile().toPath());
+            for (File each : chooser.getSelectedFiles()) {
+              chosen.accept(each.toPath());
+            }
+          }
+        });
+    dialog.addWindowListener(
+        new WindowAdapter() {
+          @Override
+          public void windowClosing(WindowEvent event) {
+            chooser.cancelSelection();
           }
         });
     dialog.add(chooser);

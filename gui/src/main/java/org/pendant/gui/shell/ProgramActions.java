@@ -117,6 +117,31 @@ final class ProgramActions {
             () -> session.setPace(Pace.REAL_TIME)));
   }
 
+  /** How fast programs move the arm. */
+  void addSpeed() {
+    addSpeed("faster", "Programs 10 % faster", "control alt PAGE_UP", 10);
+    addSpeed("slower", "Programs 10 % slower", "control alt PAGE_DOWN", -10);
+    actions.add(
+        Action.of("speed.full", "Programs at full speed", "", () -> sendSpeed(100)));
+  }
+
+  private void addSpeed(String id, String title, String keys, int percent) {
+    actions.add(
+        Action.of(
+            "speed." + id,
+            title,
+            keys,
+            () -> sendSpeed(Math.clamp(speedPercent() + percent, 0, 100))));
+  }
+
+  private int speedPercent() {
+    return (int) Math.round(100 * session.state().arm().speedFraction());
+  }
+
+  private void sendSpeed(int percent) {
+    runner.send(new Command.SetSpeedFraction(percent / 100.0));
+  }
+
   private Optional<Command> remedy() {
     return Readiness.of(session.state()).command();
   }

@@ -1,7 +1,7 @@
 package org.pendant.gui.shell;
 
 import java.awt.Component;
-import java.awt.EventQueue;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,19 +16,35 @@ import org.pendant.gui.workbench.Settings;
 /** Opens and saves programs. Only the dispatch thread calls it; it reads and writes elsewhere. */
 final class ProgramFiles {
   private static final String RECENT = "file.recent";
+  private static final String OPEN = "file.open";
   private static final int MOST_RECENT = 10;
 
   private final Programs programs;
   private final Settings settings;
   private final Consumer<String> tell;
+  private final Consumer<String> warn;
   private final Component parent;
   private int untitled = 1;
 
-  ProgramFiles(Programs programs, Settings settings, Consumer<String> tell, Component parent) {
+  /**
+   * Files of {@code programs}.
+   *
+   * @param tell tells what was done
+   * @param warn tells what was not done, so that it cannot be overlooked
+   * @param parent dialogs belong to its window
+   */
+  ProgramFiles(
+      Programs programs,
+      Settings settings,
+      Consumer<String> tell,
+      Consumer<String> warn,
+      Component parent) {
     this.programs = programs;
     this.settings = settings;
     this.tell = tell;
+    this.warn = warn;
     this.parent = parent;
+    programs.addListener(this::rememberOpen);
   }
 
   /** A new program with a frame to fill. */
@@ -56,54 +72,86 @@ final class ProgramFiles {
     }
     Background.run(
         () -> ProgramFile.read(file),
-        read -> {
-          ProgramDocument before = programs.current();
-          programs.select(ProgramDocument.of(read));
-          if (before.file().isEmpty() && !before.modified()) {
-            // The example, or a new program that nobody has touched.
-            programs.close(before, before);
-          }
-          remember(file);
-        },
-        failed -> tell.accept("Not opened: " + failed.getMessage()));
+        this::opened,
+        failed -> {
+          warn.accept("Not opened: " + failed.getMessage());
+          forget(file);
+        });
+  }
+
+  private void opened(ProgramFile read) {
+    // Somebody else may have opened it meanwhile.
+    Optional<ProgramDocument> already = programs.of(read.path());
+    ProgramDocument before = programs.current();
+    programs.select(already.orElseGet(() -> ProgramDocument.of(read)));
+    if (before.file().isEmpty() && !before.modified()) {
+      // The example, or a new program that nobody has touched.
+      programs.close(before, before);
+    }
+    remember(read.path());
   }
 
   /** Saves a program where it is, or asks where. */
   void save(ProgramDocument document) {
+    save(document, saved -> {});
+  }
+
+  /**
+   * As {@link #save(ProgramDocument)}.
+   *
+   * @param then hears whether it is on disk now
+   */
+  void save(ProgramDocument document, Consumer<Boolean> then) {
     Optional<ProgramFile> file = document.toSave();
     if (file.isEmpty()) {
-      saveAs(document);
-      return;
+      saveAs(document, then);
+    } else {
+      write(document, file.get(), then);
     }
-    Background.run(
-        () -> {
-          file.get().write();
-          return file.get();
-        },
-        written -> saved(document, written),
-        failed -> tell.accept("Not saved: " + failed.getMessage()));
   }
 
   /** Asks where to save a program. */
   void saveAs(ProgramDocument document) {
-    String text = document.text();
-    SaveDialog.open(
-        parent,
-        "Save program as",
-        document.name(),
-        new String[] {"script"},
-        path -> {
-          ProgramFile written = ProgramFile.create(path, text);
-          written.write();
-          EventQueue.invokeLater(() -> saved(document, written));
-        },
-        tell);
+    saveAs(document, saved -> {});
   }
 
-  private void saved(ProgramDocument document, ProgramFile written) {
-    document.saved(written);
-    remember(written.path());
-    tell.accept("Saved " + written.path().toAbsolutePath());
+  private void saveAs(ProgramDocument document, Consumer<Boolean> then) {
+    Path here = document.file().orElse(Path.of(document.name()));
+    SaveDialog.ask(
+        parent,
+        "Save " + document.name() + " as",
+        document.file().isPresent() ? here.toAbsolutePath() : folder().orElse(home()).resolve(here),
+        new String[] {"script"},
+        chosen ->
+            chosen.ifPresentOrElse(
+                path -> write(document, document.toSaveAs(path), then), () -> then.accept(false)));
+  }
+
+  /** The folder of the program that was opened last. */
+  private Path home() {
+    return recent().stream()
+        .findFirst()
+        .map(file -> file.toAbsolutePath().getParent())
+        .orElse(Path.of(System.getProperty("user.home")));
+  }
+
+  private void write(ProgramDocument document, ProgramFile file, Consumer<Boolean> then) {
+    Background.run(
+        () -> {
+          file.write();
+          return file;
+        },
+        written -> {
+          document.saved(written);
+          remember(written.path());
+          rememberOpen();
+          tell.accept("Saved " + written.path().toAbsolutePath());
+          then.accept(true);
+        },
+        failed -> {
+          warn.accept("Not saved: " + failed.getMessage());
+          then.accept(false);
+        });
   }
 
   /** Takes the text from disk again. */
@@ -115,7 +163,29 @@ final class ProgramFiles {
                 Background.run(
                     () -> ProgramFile.read(path),
                     document::reloaded,
-                    failed -> tell.accept("Not read: " + failed.getMessage())));
+                    failed -> warn.accept("Not read: " + failed.getMessage())));
+  }
+
+  /** The files that are open now are opened again at the next start. */
+  private void rememberOpen() {
+    settings.put(
+        OPEN,
+        String.join(
+            "\n",
+            programs.all().stream()
+                .flatMap(each -> each.file().stream())
+                .map(file -> file.toAbsolutePath().toString())
+                .toList()));
+  }
+
+  /** The files that were open at the end, in the order of their tabs. */
+  static List<Path> openLastTime(Settings settings) {
+    return files(settings, OPEN);
+  }
+
+  private void forget(Path file) {
+    String name = file.toAbsolutePath().toString();
+    putRecent(recent().stream().map(Path::toString).filter(each -> !each.equals(name)).toList());
   }
 
   private void remember(Path file) {
@@ -123,6 +193,10 @@ final class ProgramFiles {
     List<String> recent = new ArrayList<>();
     recent.add(name);
     recent().stream().map(Path::toString).filter(each -> !each.equals(name)).forEach(recent::add);
+    putRecent(recent);
+  }
+
+  private void putRecent(List<String> recent) {
     settings.put(
         RECENT, String.join("\n", recent.subList(0, Math.min(MOST_RECENT, recent.size()))));
   }
@@ -134,6 +208,19 @@ final class ProgramFiles {
 
   /** As {@link #recent()}. */
   static List<Path> recent(Settings settings) {
-    return settings.get(RECENT).orElse("").lines().filter(l -> !l.isBlank()).map(Path::of).toList();
+    return files(settings, RECENT);
+  }
+
+  private static List<Path> files(Settings settings, String name) {
+    return settings.get(name).orElse("").lines().flatMap(line -> path(line).stream()).toList();
+  }
+
+  /** People may have written anything into the settings. */
+  private static Optional<Path> path(String line) {
+    try {
+      return line.isBlank() ? Optional.empty() : Optional.of(Path.of(line));
+    } catch (InvalidPathException e) {
+      return Optional.empty();
+    }
   }
 }

@@ -1,79 +1,134 @@
 package org.pendant.gui.shell;
 
 import java.awt.BorderLayout;
+import java.awt.EventQueue;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import javax.swing.BorderFactory;
-import javax.swing.JButton;
+import java.util.concurrent.CompletableFuture;
+import javax.imageio.ImageIO;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.Timer;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.gui.layout.WrappingRow;
+import org.pendant.controller.world.Scene;
+import org.pendant.gui.export.SaveDialog;
+import org.pendant.gui.move.ArmPull;
 import org.pendant.gui.move.GhostArm;
+import org.pendant.gui.scene.JointFrames;
+import org.pendant.gui.scene.Lens;
+import org.pendant.gui.scene.PayloadBall;
 import org.pendant.gui.scene.SceneModel;
 import org.pendant.gui.scene.StandardView;
 import org.pendant.gui.scene.Theme;
 import org.pendant.gui.scene.Touching;
+import org.pendant.gui.scene.Trace;
 import org.pendant.gui.scene.TraceRing;
 import org.pendant.gui.scene.view.SceneView;
-import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.pose.Pose;
 
 /** The arm in 3D, what is around it, and where its tool has been. */
 final class ScenePanel implements View, GhostArm {
-  /** Points of the tool's way that are remembered. */
-  private static final int TRACE_POINTS = 4000;
+  /** Points of the tool's way that are remembered: a minute of steady motion. */
+  private static final int TRACE_POINTS = 2000;
+
+  /** While something moves, a faster machine is given newer snapshots: 60 in a second and more. */
+  private static final int MOVING_MS = 15;
+
+  /** So long after the last change nothing moves any more. */
+  private static final long REST_NS = 300_000_000;
 
   private final Workbench workbench;
   private final SceneView picture = new SceneView();
   private final JPanel panel = new JPanel(new BorderLayout());
   private final TraceRing trace = new TraceRing(TRACE_POINTS);
+  private final SceneShows shows;
+  private final ArmPull pull;
+  private final SceneBar bar;
+  private final Timer moving = new Timer(MOVING_MS, event -> follow());
   private Optional<Joints> ghostRad = Optional.empty();
-  private Optional<ArmDescription> arm = Optional.empty();
-  private Optional<Touching> touching = Optional.empty();
+  private Optional<Surroundings> surroundings = Optional.empty();
+  private Optional<Seen> seen = Optional.empty();
+  private long changedNs;
+
+  /** An arm and what is around it: people may change both at any time. */
+  private record Surroundings(ArmDescription arm, Scene scene, Touching touching) {}
+
+  /** All that the picture depends on. */
+  private record Seen(
+      Surroundings surroundings,
+      Joints positionRad,
+      Pose toolInFlange,
+      Optional<Joints> ghostRad,
+      Optional<Payload> payload,
+      boolean frames,
+      Trace trace,
+      Theme theme) {}
 
   ScenePanel(Workbench workbench) {
     this.workbench = workbench;
-    JPanel bar =
-        new JPanel(new WrappingRow(4)) {
-          private static final long serialVersionUID = 1L;
-
-          @Override
-          public void updateUI() {
-            super.updateUI();
-            setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
-          }
-        };
-    for (StandardView direction : StandardView.values()) {
-      String word = direction.name().toLowerCase(Locale.ROOT);
-      String title = word.substring(0, 1).toUpperCase(Locale.ROOT) + word.substring(1);
-      offer(bar, "scene." + word, title, "3D: look from: " + word, () -> picture.look(direction));
-    }
-    offer(bar, "scene.fit", "Fit", "3D: show the whole robot", picture::fit);
-    offer(bar, "scene.tool", "Tool", "3D: look at the tool from near by", picture::zoomToTool);
-    workbench
-        .actions()
-        .add(Action.of("scene.clear", "3D: forget where the tool was", "", trace::clear));
+    shows = new SceneShows(workbench.settings());
+    pull = new ArmPull(workbench.session()::submit, EventQueue::invokeLater);
+    picture.setHand(new PullingHand(pull));
+    bar = bar();
     panel.add(bar, BorderLayout.NORTH);
     panel.add(picture, BorderLayout.CENTER);
   }
 
-  private void offer(JPanel bar, String id, String title, String describes, Runnable run) {
-    workbench.actions().add(Action.of(id, describes, "", run));
-    JButton button = new JButton(title);
-    button.setName(id.replace('.', '-'));
-    button.setToolTipText(describes);
-    button.getAccessibleContext().setAccessibleName(describes);
-    button.putClientProperty("JButton.buttonType", "toolBarButton");
-    button.addActionListener(event -> run.run());
-    bar.add(button);
+  private SceneBar bar() {
+    SceneBar buttons = new SceneBar(workbench.actions());
+    for (StandardView direction : StandardView.values()) {
+      String word = direction.word();
+      String title = word.substring(0, 1).toUpperCase(Locale.ROOT) + word.substring(1);
+      buttons.button(
+          "scene." + word,
+          title,
+          "look from: " + word,
+          direction.key(),
+          () -> picture.look(direction));
+    }
+    buttons.button("scene.fit", "Fit", "show the whole robot", "Home", picture::fit);
+    buttons.button(
+        "scene.tool", "Tool", "look at the tool from near by", "Enter", picture::zoomToTool);
+    buttons.toggle(
+        "scene.drag",
+        "Drag arm",
+        "drag the arm by freedrive; Ctrl and a drag do so, too",
+        "",
+        pull::wanted,
+        pull::setWanted);
+    buttons.toggle(
+        "scene.ortho",
+        "Ortho",
+        "without perspective, to compare lengths",
+        "O",
+        () -> picture.lens() == Lens.ORTHOGRAPHIC,
+        on -> picture.setLens(on ? Lens.ORTHOGRAPHIC : Lens.PERSPECTIVE));
+    buttons.toggle(
+        "scene.frames",
+        "Frames",
+        "show the frames of joints and flange",
+        "",
+        shows::frames,
+        shows::setFrames);
+    buttons.check("scene.payload", "Show the payload as a ball", shows::payload, shows::setPayload);
+    buttons.check("scene.trace", "Show where the tool was", shows::trace, shows::setTrace);
+    buttons.item("scene.clear", "Forget where the tool was", trace::clear);
+    buttons.item("scene.save", "Save the picture\u2026", this::save);
+    return buttons.done();
   }
 
   @Override
@@ -98,33 +153,91 @@ final class ScenePanel implements View, GhostArm {
 
   @Override
   public void refresh(ControllerState state) {
-    ArmState now = state.arm();
-    ArmDescription shown = arm();
-    trace.add(now, state.timeS());
-    picture.setModel(
-        new SceneModel(
-            shown,
-            now.kinematics(),
-            now.actualPositionRad(),
-            ghostRad,
-            now.tool().inFlange(),
-            List.of(),
-            workbench.session().options().scene(),
-            touching
-                .orElseThrow()
-                .names(now.kinematics(), now.actualPositionRad(), now.tool().inFlange()),
-            trace.trace(),
-            Palette.dark() ? Theme.DARK : Theme.LIGHT));
+    bar.refresh();
+    see(state);
+    pull.take(state, workbench.session().pace());
+    pull.newReason().ifPresent(workbench::notify);
   }
 
-  /** The arm of the session, which people may change at any time. */
-  private ArmDescription arm() {
+  private void follow() {
+    if (!panel.isShowing() || System.nanoTime() - changedNs > REST_NS) {
+      moving.stop();
+    } else if (picture.hasTime()) {
+      see(workbench.session().state());
+    }
+  }
+
+  private void see(ControllerState state) {
+    Surroundings around = surroundings();
+    ArmState arm = state.arm();
+    trace.add(arm, state.timeS());
+    Seen now =
+        new Seen(
+            around,
+            arm.actualPositionRad(),
+            arm.tool().inFlange(),
+            ghostRad,
+            shows.payload() ? Optional.of(state.readings().payload()) : Optional.empty(),
+            shows.frames(),
+            shows.trace() ? trace.trace() : Trace.EMPTY,
+            Palette.dark() ? Theme.DARK : Theme.LIGHT);
+    if (seen.equals(Optional.of(now))) {
+      return;
+    }
+    seen = Optional.of(now);
+    changedNs = System.nanoTime();
+    moving.start();
+    picture.setModel(model(now, arm));
+  }
+
+  private static SceneModel model(Seen now, ArmState arm) {
+    ArmDescription described = now.surroundings.arm;
+    List<Pose> frames =
+        now.frames ? JointFrames.of(arm.kinematics(), described.dh(), now.positionRad) : List.of();
+    return new SceneModel(
+        described,
+        arm.kinematics(),
+        now.positionRad,
+        now.ghostRad,
+        now.toolInFlange,
+        frames,
+        now.payload.flatMap(
+            load -> PayloadBall.of(load, arm.kinematics().flangePose(now.positionRad))),
+        now.surroundings.scene,
+        now.surroundings.touching.names(arm.kinematics(), now.positionRad, now.toolInFlange),
+        now.trace,
+        now.theme);
+  }
+
+  private Surroundings surroundings() {
     String id = workbench.session().options().robotId();
-    if (arm.isEmpty() || !arm.get().id().equals(id)) {
-      arm = Optional.of(ArmLibrary.load(id));
-      touching = Optional.of(new Touching(workbench.session().options().scene()));
+    Scene scene = workbench.session().options().scene();
+    if (surroundings.isEmpty()
+        || !surroundings.get().arm.id().equals(id)
+        || !surroundings.get().scene.equals(scene)) {
+      surroundings = Optional.of(new Surroundings(ArmLibrary.load(id), scene, new Touching(scene)));
       trace.clear();
     }
-    return arm.get();
+    return surroundings.get();
+  }
+
+  private void save() {
+    CompletableFuture<Optional<BufferedImage>> photo = picture.photo();
+    SaveDialog.open(
+        panel,
+        "Save the picture",
+        workbench.session().options().robotId() + ".png",
+        new String[] {"png"},
+        file -> write(photo, file),
+        workbench::notify);
+  }
+
+  private static void write(CompletableFuture<Optional<BufferedImage>> photo, Path file)
+      throws IOException {
+    BufferedImage image =
+        photo.join().orElseThrow(() -> new IOException("there is no picture on this machine"));
+    try (OutputStream out = Files.newOutputStream(file)) {
+      ImageIO.write(image, "png", out);
+    }
   }
 }

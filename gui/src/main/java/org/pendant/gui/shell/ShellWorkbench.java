@@ -1,10 +1,12 @@
 package org.pendant.gui.shell;
 
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.gui.session.Session;
 import org.pendant.gui.shell.dock.DockFrame;
 import org.pendant.gui.workbench.ActionTable;
 import org.pendant.gui.workbench.Settings;
+import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
 
 /** The window as its views see it. */
@@ -14,10 +16,17 @@ final class ShellWorkbench implements Workbench {
   private final Settings settings;
   private final Consumer<String> tell;
   private DockFrame docks;
-  private String sourceView = "";
+  private final Typing typing;
+  private Optional<View> sourceView = Optional.empty();
   private SourcePlace source = (line, column) -> {};
 
-  ShellWorkbench(Session session, ActionTable actions, Settings settings, Consumer<String> tell) {
+  ShellWorkbench(
+      Session session,
+      ActionTable actions,
+      Settings settings,
+      Consumer<String> tell,
+      Typing typing) {
+    this.typing = typing;
     this.session = session;
     this.actions = actions;
     this.settings = settings;
@@ -51,15 +60,30 @@ final class ShellWorkbench implements Workbench {
     }
   }
 
-  /** Source is shown by {@code place}, in the view {@code viewId}. */
-  void showSourceIn(String viewId, SourcePlace place) {
-    sourceView = viewId;
+  /** Source is shown by {@code place}, in {@code view}. */
+  void showSourceIn(View view, SourcePlace place) {
+    sourceView = Optional.of(view);
     source = place;
   }
 
+  /**
+   * Keys go there afterwards, except when this happens by itself, at a stop of the debugger, while
+   * keys go somewhere else on purpose. The caret of somebody who is writing stays as well.
+   */
   @Override
   public void showSource(int line, int column) {
-    show(sourceView);
+    if (docks == null || sourceView.isEmpty()) {
+      return;
+    }
+    View view = sourceView.get();
+    if (typing.within(view.component())) {
+      return;
+    }
+    if (typing.elsewhere(view.component())) {
+      docks.reveal(view.id());
+    } else {
+      docks.show(view.id());
+    }
     source.show(line, column);
   }
 

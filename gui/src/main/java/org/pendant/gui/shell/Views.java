@@ -9,6 +9,8 @@ import org.pendant.gui.debug.BreakpointsView;
 import org.pendant.gui.debug.CallStackView;
 import org.pendant.gui.debug.DebugActions;
 import org.pendant.gui.debug.DebugPresenter;
+import org.pendant.gui.debug.EditorLink;
+import org.pendant.gui.debug.Favourites;
 import org.pendant.gui.debug.VariablesView;
 import org.pendant.gui.debug.WatchesView;
 import org.pendant.gui.editor.OutlineView;
@@ -31,7 +33,9 @@ final class Views {
   private final List<Place> places;
   private final ScriptEditor editor;
   private final ProgramRunner runner;
+  private final LogView log;
   private final DebugPresenter debug;
+  private final EditorLink link;
 
   /**
    * A view and where it belongs at first.
@@ -43,15 +47,25 @@ final class Views {
   Views(ShellWorkbench workbench, Programs programs, ProgramRunner runner) {
     editor = new ScriptEditor(workbench, programs);
     this.runner = runner;
-    workbench.showSourceIn(editor.id(), editor::show);
+    workbench.showSourceIn(editor, editor::show);
     debug = new DebugPresenter(workbench, programs);
-    debug.breakpoints().setMarks(editor::toggleBreakpoint);
-    editor.addBreakpointListener(debug.breakpoints()::linesChanged);
-    runner.beforeEachRun(this::handOverBreakpoints);
+    link = new EditorLink(editor, debug, programs);
+    runner.beforeEachRun(link::beforeRun);
     BreakpointsView breakpoints = new BreakpointsView(workbench, debug);
     DebugActions.addTo(workbench, debug, breakpoints, editor::caretLine);
     ScenePanel scene = new ScenePanel(workbench);
-    View run = new RunView(workbench, workbench.actions(), programs, runner::line, runner::send);
+    Favourites favourites = new Favourites(workbench.settings());
+    PlotView plots = new PlotView(workbench);
+    View run =
+        new RunView(
+            workbench,
+            workbench.actions(),
+            programs,
+            runner::line,
+            runner::send,
+            line -> showStarted(workbench, programs, line),
+            favourites);
+    log = new LogView(workbench, line -> showStarted(workbench, programs, line));
     places =
         List.of(
             screen(run, Glyph.RUN),
@@ -60,10 +74,11 @@ final class Views {
             // An Installation screen goes here.
             screen(new MoveView(workbench, scene, editor::insertLine), Glyph.MOVE),
             screen(new IoView(workbench), Glyph.SIGNALS),
-            screen(new LogView(workbench), Glyph.LOG),
-            screen(new PlotView(workbench), Glyph.PLOT),
+            screen(log, Glyph.LOG),
+            screen(plots, Glyph.PLOT),
             panel(scene, Side.RIGHT),
-            panel(new VariablesView(workbench, debug), Side.RIGHT),
+            panel(
+                new VariablesView(workbench, debug, favourites, plots::addVariables), Side.RIGHT),
             panel(new WatchesView(workbench, debug), Side.RIGHT),
             panel(new OutlineView(workbench, editor), Side.RIGHT),
             panel(new ProblemsView(workbench, editor), Side.BOTTOM),
@@ -72,9 +87,15 @@ final class Views {
             panel(breakpoints, Side.BOTTOM));
   }
 
-  private void handOverBreakpoints(ProgramDocument document) {
-    debug.breakpoints().linesChanged(document, editor.breakpoints(document));
-    debug.breakpoints().beforeRun(document);
+  /** Shows a line of the program that was started last, whichever is in front. */
+  private void showStarted(ShellWorkbench workbench, Programs programs, int line) {
+    runner.program().ifPresent(programs::select);
+    workbench.showSource(line, 1);
+  }
+
+  /** Keeps what the window tells. */
+  void told(String text) {
+    log.told(text);
   }
 
   private static Place screen(View view, Glyph glyph) {
@@ -88,13 +109,19 @@ final class Views {
   /** Has debugger and editor follow the program, whatever is in front. */
   void follow(ControllerState state) {
     debug.refresh(state);
-    int line = debug.held() ? debug.executionLine() : state.program().line();
-    runner.program().ifPresent(program -> editor.setExecutionLine(program, line));
+    link.follow(state);
   }
 
   /** All of them, screens first. */
   List<View> all() {
     return places.stream().map(Place::view).toList();
+  }
+
+  /** Whether people see the view of this id. */
+  boolean showing(String id) {
+    return places.stream()
+        .map(Place::view)
+        .anyMatch(view -> view.id().equals(id) && view.component().isShowing());
   }
 
   /** Where each belongs at first, by id. */

@@ -1,6 +1,7 @@
 package org.pendant.gui.shell;
 
 import java.awt.Rectangle;
+import java.util.List;
 import java.util.Optional;
 
 /** Where the window is, as settings have it: x, y, width, height. */
@@ -19,6 +20,27 @@ final class WindowBounds {
         screen.y + (screen.height - height) / 2,
         width,
         height);
+  }
+
+  /**
+   * The bounds on the first screen that they touch, no larger than that; empty if they touch none.
+   *
+   * @param screens what of each can be used
+   */
+  static Optional<Rectangle> within(Rectangle bounds, List<Rectangle> screens) {
+    return screens.stream()
+        .filter(bounds::intersects)
+        .findFirst()
+        .map(
+            screen -> {
+              int width = Math.min(bounds.width, screen.width);
+              int height = Math.min(bounds.height, screen.height);
+              return new Rectangle(
+                  Math.clamp(bounds.x, screen.x, screen.x + screen.width - width),
+                  Math.clamp(bounds.y, screen.y, screen.y + screen.height - height),
+                  width,
+                  height);
+            });
   }
 
   static String format(Rectangle bounds) {

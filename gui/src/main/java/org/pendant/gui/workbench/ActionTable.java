@@ -11,20 +11,26 @@ import java.util.function.Supplier;
 import javax.swing.KeyStroke;
 
 /**
- * The actions of one window. Keys that people have chosen are settings named {@code key.} and the
+ * The actions of one window. On macOS they are done with Cmd where they come with control. Keys that people have chosen are settings named {@code key.} and the
  * action's id; {@code none} there takes the key away.
  */
 public final class ActionTable implements Actions {
   private static final String NONE = "none";
 
   private final Settings settings;
+  private final KeyStyle style;
   private final Map<String, Action> byId = new LinkedHashMap<>();
   private final Map<String, Supplier<String>> reasons = new HashMap<>();
   private final List<Runnable> listeners = new ArrayList<>();
 
   /** No actions yet. */
   public ActionTable(Settings settings) {
+    this(settings, KeyStyle.of(System.getProperty("os.name", "")));
+  }
+
+  ActionTable(Settings settings, KeyStyle style) {
     this.settings = settings;
+    this.style = style;
   }
 
   @Override
@@ -75,12 +81,12 @@ public final class ActionTable implements Actions {
   @Override
   public String keysOf(String id) {
     Optional<String> chosen = settings.get(setting(id));
-    if (chosen.isPresent() && chosen.get().equals(NONE)) {
+    if (chosen.filter(NONE::equals).isPresent()) {
       return "";
     }
     return chosen
         .filter(keys -> KeyStroke.getKeyStroke(keys) != null)
-        .or(() -> find(id).map(Action::keys))
+        .or(() -> find(id).map(Action::keys).map(style::keys))
         .orElse("");
   }
 
@@ -93,7 +99,7 @@ public final class ActionTable implements Actions {
   public boolean rebound(String id) {
     return !Objects.equals(
         KeyStroke.getKeyStroke(keysOf(id)),
-        find(id).map(action -> KeyStroke.getKeyStroke(action.keys())).orElse(null));
+        find(id).map(action -> KeyStroke.getKeyStroke(style.keys(action.keys()))).orElse(null));
   }
 
   /**
@@ -112,9 +118,8 @@ public final class ActionTable implements Actions {
 
   /** Does an action by the key that it came with again. */
   public void reset(String id) {
-    find(id)
-        .ifPresent(
-            action -> settings.put(setting(id), action.keys().isEmpty() ? NONE : action.keys()));
+    // Blank, not the key itself: the setting may be read on another kind of computer.
+    find(id).ifPresent(action -> settings.put(setting(id), ""));
     tell();
   }
 

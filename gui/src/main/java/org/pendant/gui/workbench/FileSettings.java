@@ -12,7 +12,9 @@ import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
 import org.pendant.gui.session.AtomicFile;
+import org.pendant.gui.session.FileTrouble;
 
 /**
  * Settings in a file of the user's configuration folder. Changes are written soon, by a thread of
@@ -22,7 +24,12 @@ public final class FileSettings implements Settings, AutoCloseable {
   /** Changes within this time (ms) are written together. */
   private static final long DELAY_MS = 300;
 
+  private static final String UNKEPT = "what is changed is forgotten at the end";
+
   private static final long PATIENCE_S = 5;
+
+  /** Far above any real settings; a larger file is something else. */
+  private static final long LARGEST_BYTES = 1 << 20;
 
   private final Path file;
   private final Map<String, String> values = new ConcurrentSkipListMap<>();
@@ -30,6 +37,12 @@ public final class FileSettings implements Settings, AutoCloseable {
   private final ScheduledThreadPoolExecutor writer =
       new ScheduledThreadPoolExecutor(1, Thread.ofPlatform().daemon().name("settings").factory());
   private volatile Optional<String> notice = Optional.empty();
+  private volatile Consumer<String> told = text -> {};
+
+  /** Whether the file has something that could not be read, and must not be lost. */
+  private boolean unreadable;
+
+  private boolean failed;
 
   private FileSettings(Path file) {
     this.file = file;
@@ -50,6 +63,11 @@ public final class FileSettings implements Settings, AutoCloseable {
       return;
     }
     try {
+      if (Files.size(file) > LARGEST_BYTES) {
+        unreadable = true;
+        notice = Optional.of("Settings " + file + " are too large to be settings; " + UNKEPT);
+        return;
+      }
       SettingsText text = SettingsText.parse(Files.readString(file));
       values.putAll(text.values());
       if (!text.wrongLines().isEmpty()) {
@@ -58,7 +76,10 @@ public final class FileSettings implements Settings, AutoCloseable {
     } catch (CharacterCodingException e) {
       keepAside("is no text");
     } catch (IOException e) {
-      notice = Optional.of("Settings " + file + " cannot be read: " + e.getMessage());
+      unreadable = true;
+      notice =
+          Optional.of(
+              "Settings " + file + " cannot be read: " + FileTrouble.reason(e) + "; " + UNKEPT);
     }
   }
 
@@ -74,13 +95,19 @@ public final class FileSettings implements Settings, AutoCloseable {
       notice =
           Optional.of("Settings " + file + " " + why + "; they are ignored, a copy is " + copy);
     } catch (IOException e) {
-      notice = Optional.of("Settings " + file + " " + why + "; they are ignored");
+      unreadable = true;
+      notice = Optional.of("Settings " + file + " " + why + "; " + UNKEPT);
     }
   }
 
   /** What people should know about the file, such as that a part of it was ignored. */
   public Optional<String> notice() {
     return notice;
+  }
+
+  /** Tells {@code listener} from now on when they cannot be written, in any thread. */
+  public void onTrouble(Consumer<String> listener) {
+    told = listener;
   }
 
   @Override
@@ -99,13 +126,18 @@ public final class FileSettings implements Settings, AutoCloseable {
   }
 
   private void write() {
-    if (!changed.getAndSet(false)) {
+    if (!changed.getAndSet(false) || unreadable) {
       return;
     }
     try {
       AtomicFile.write(file, SettingsText.format(values).getBytes(StandardCharsets.UTF_8));
+      failed = false;
     } catch (IOException e) {
-      notice = Optional.of("Settings " + file + " cannot be written: " + e.getMessage());
+      // Told once: each later change would fail as well. The next one tries again.
+      if (!failed) {
+        told.accept("Settings cannot be written: " + e.getMessage() + "; " + UNKEPT);
+      }
+      failed = true;
     }
   }
 

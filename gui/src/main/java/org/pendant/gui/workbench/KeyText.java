@@ -2,13 +2,13 @@ package org.pendant.gui.workbench;
 
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import javax.swing.KeyStroke;
 
 /** Keys as people and settings write them. */
 public final class KeyText {
+  private static final KeyStyle STYLE = KeyStyle.of(System.getProperty("os.name", ""));
+
   private static final Map<Integer, String> NAMES =
       Map.ofEntries(
           Map.entry(KeyEvent.VK_ESCAPE, "Esc"),
@@ -28,7 +28,12 @@ public final class KeyText {
           Map.entry(KeyEvent.VK_PLUS, "+"),
           Map.entry(KeyEvent.VK_EQUALS, "="),
           Map.entry(KeyEvent.VK_MINUS, "-"),
-          Map.entry(KeyEvent.VK_SLASH, "/"));
+          Map.entry(KeyEvent.VK_SLASH, "/"),
+          Map.entry(KeyEvent.VK_BACK_SLASH, "\\"),
+          Map.entry(KeyEvent.VK_SEMICOLON, ";"),
+          Map.entry(KeyEvent.VK_QUOTE, "'"),
+          Map.entry(KeyEvent.VK_OPEN_BRACKET, "["),
+          Map.entry(KeyEvent.VK_CLOSE_BRACKET, "]"));
 
   private KeyText() {}
 
@@ -38,24 +43,20 @@ public final class KeyText {
     return stroke == null ? "" : shown(stroke);
   }
 
-  private static String shown(KeyStroke stroke) {
-    List<String> parts = new ArrayList<>();
-    int modifiers = stroke.getModifiers();
-    addIf(parts, modifiers, InputEvent.CTRL_DOWN_MASK, "Ctrl");
-    addIf(parts, modifiers, InputEvent.META_DOWN_MASK, "Cmd");
-    addIf(parts, modifiers, InputEvent.ALT_DOWN_MASK, "Alt");
-    addIf(parts, modifiers, InputEvent.SHIFT_DOWN_MASK, "Shift");
-    parts.add(name(stroke.getKeyCode()));
-    return String.join("+", parts);
+  /** A key stroke as a menu shows it. */
+  public static String shown(KeyStroke stroke) {
+    return STYLE.shown(stroke);
   }
 
-  private static void addIf(List<String> parts, int modifiers, int mask, String name) {
-    if ((modifiers & mask) != 0) {
-      parts.add(name);
-    }
+  /**
+   * Keys with this computer's key of menus in place of control, such as {@code meta P} for {@code
+   * control P} on macOS. {@link ActionTable} does so by itself; keys bound without it need this.
+   */
+  public static String ofMenus(String keys) {
+    return STYLE.keys(keys);
   }
 
-  private static String name(int code) {
+  static String name(int code) {
     boolean plain =
         (code >= KeyEvent.VK_0 && code <= KeyEvent.VK_9)
             || (code >= KeyEvent.VK_A && code <= KeyEvent.VK_Z);
@@ -69,6 +70,19 @@ public final class KeyText {
   /** A key stroke as {@link Action#keys} has it, such as {@code ctrl shift P}. */
   public static String keys(KeyStroke stroke) {
     return stroke.toString().replace("pressed ", "");
+  }
+
+  /**
+   * Whether a key can do an action: one that writes a character, or that moves around in texts and
+   * lists, cannot while nothing is held with it.
+   */
+  public static boolean bindable(KeyStroke stroke) {
+    int code = stroke.getKeyCode();
+    boolean function =
+        (code >= KeyEvent.VK_F1 && code <= KeyEvent.VK_F12)
+            || (code >= KeyEvent.VK_F13 && code <= KeyEvent.VK_F24);
+    int held = InputEvent.CTRL_DOWN_MASK | InputEvent.ALT_DOWN_MASK | InputEvent.META_DOWN_MASK;
+    return function || (stroke.getModifiers() & held) != 0;
   }
 
   /** Whether a key is only there to be held with others. */

@@ -5,8 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalInt;
-import java.util.TreeSet;
+import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.debug.Breakpoint;
 
@@ -55,7 +56,7 @@ final class BreakpointDeskTest {
     fixture.breakAt(4);
     fixture.run();
     fixture.breakAt(6);
-    debug.resume();
+    debug.steps().resume();
     fixture.advance();
     assertEquals("Breakpoint on line 6", debug.stopText());
   }
@@ -83,8 +84,8 @@ final class BreakpointDeskTest {
     BreakpointList list = new BreakpointList();
     list.set(Breakpoint.at(4).when("i == 3"));
     list.set(Breakpoint.at(9));
-    list.setLines(new TreeSet<>(List.of(5, 9)));
-    assertEquals(List.of(Breakpoint.at(5).when("i == 3"), Breakpoint.at(9)), list.all());
+    list.move(new TreeMap<>(Map.of(4, 9, 9, 14)));
+    assertEquals(List.of(Breakpoint.at(9).when("i == 3"), Breakpoint.at(14)), list.all());
   }
 
   @Test

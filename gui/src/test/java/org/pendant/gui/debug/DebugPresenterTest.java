@@ -59,13 +59,13 @@ final class DebugPresenterTest {
   void stepsGoOverIntoAndOut() {
     fixture.breakAt(7);
     fixture.run();
-    debug.stepOver();
+    debug.steps().over();
     fixture.advance();
     assertEquals(8, debug.executionLine());
-    debug.stepInto();
+    debug.steps().into();
     fixture.advance();
     assertEquals(4, debug.executionLine());
-    debug.stepOut();
+    debug.steps().out();
     fixture.advance();
     assertEquals(9, debug.executionLine());
     assertEquals("Stepped to line 9", debug.stopText());
@@ -75,7 +75,7 @@ final class DebugPresenterTest {
   void aRunToALineStopsThere() {
     fixture.breakAt(7);
     fixture.run();
-    debug.runTo(9);
+    debug.steps().runTo(9);
     fixture.advance();
     assertEquals(9, debug.executionLine());
   }
@@ -84,20 +84,20 @@ final class DebugPresenterTest {
   void aRunningProgramIsHeldOnRequest() {
     fixture.breakAt(9);
     fixture.run();
-    debug.resume();
+    debug.steps().resume();
     fixture.frames(3);
-    assertTrue(debug.canPause());
-    debug.pause();
+    assertTrue(debug.steps().canPause());
+    debug.steps().pause();
     fixture.frames(1);
     assertEquals("Held on request on line 9", debug.stopText());
-    assertFalse(debug.canPause());
+    assertFalse(debug.steps().canPause());
   }
 
   @Test
   void valuesLingerForAStepAndGoWhenTheProgramRunsOn() {
     fixture.breakAt(9);
     fixture.run();
-    debug.resume();
+    debug.steps().resume();
     fixture.frames(10);
     assertFalse(debug.held());
     assertTrue(debug.showsValues());
@@ -109,7 +109,7 @@ final class DebugPresenterTest {
 
   @Test
   void refusalsAreTold() {
-    debug.resume();
+    debug.steps().resume();
     assertEquals(List.of("Refused: the program is not held"), fixture.told());
   }
 
@@ -119,7 +119,7 @@ final class DebugPresenterTest {
     failing.debug().breakpoints().setOnErrors(true);
     failing.run();
     assertTrue(failing.debug().held());
-    assertFalse(failing.debug().canStep());
+    assertFalse(failing.debug().steps().canStep());
     assertTrue(
         failing.debug().stopText().startsWith("Failed on line 2: "), failing.debug().stopText());
   }
@@ -141,12 +141,12 @@ final class DebugPresenterTest {
     threads.run();
     assertEquals(
         List.of(
-            new CallRow(0, 0, "Main thread: program", "ready"),
+            new CallRow(0, 0, "Main thread: program", "ready, line 7"),
             new CallRow(0, 1, "program", "line 7"),
-            new CallRow(1, 0, "Thread 1: other", "waits in sleep"),
+            new CallRow(1, 0, "Thread 1: other", "waits in sleep, line 3"),
             new CallRow(1, 1, "other", "line 3")),
-        CallRow.of(threads.debug().threads()));
-    threads.debug().kill(1);
+        CallRow.of(threads.debug().threads(), line -> line));
+    threads.debug().steps().kill(1);
     threads.frames(1);
     assertEquals(1, threads.debug().threads().size());
     assertEquals(7, threads.debug().executionLine());

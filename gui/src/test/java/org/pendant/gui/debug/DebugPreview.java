@@ -72,7 +72,8 @@ public final class DebugPreview {
     DebugActions.addTo(workbench, debug, breakpoints, () -> 15);
     List<View> views =
         List.of(
-            new VariablesView(workbench, debug),
+            new VariablesView(
+                workbench, debug, new Favourites(workbench.settings()), expressions -> {}),
             new WatchesView(workbench, debug),
             new CallStackView(workbench, debug),
             breakpoints);
@@ -107,7 +108,7 @@ public final class DebugPreview {
               ValueTree tree = debug.variables();
               tree.toggle(DebugFixture.row(tree, "parts"));
               tree.assign(DebugFixture.row(tree, "count"), "\"many\"");
-              debug.resume();
+              debug.steps().resume();
             });
     later.setRepeats(false);
     later.start();

@@ -63,10 +63,10 @@ final class ValueTreeTest {
   void whatHasChangedSinceTheLastStopIsMarked() {
     holdAt(5);
     toggle("part");
-    debug.stepOver();
+    debug.steps().over();
     fixture.advance();
     assertTrue(DebugFixture.rows(tree).contains("n = 2 *"), DebugFixture.rows(tree).toString());
-    debug.stepOver();
+    debug.steps().over();
     fixture.advance();
     assertTrue(DebugFixture.rows(tree).contains("n = 2"), DebugFixture.rows(tree).toString());
     assertTrue(
@@ -103,7 +103,7 @@ final class ValueTreeTest {
     List<String> rows = DebugFixture.rows(debug.watchTree());
     assertEquals("n * 10 = 10", rows.get(0));
     assertTrue(rows.get(2).startsWith("! ") && rows.get(2).contains("nothing"), rows.toString());
-    debug.stepOver();
+    debug.steps().over();
     fixture.advance();
     assertEquals("n * 10 = 20 *", DebugFixture.rows(debug.watchTree()).get(0));
   }

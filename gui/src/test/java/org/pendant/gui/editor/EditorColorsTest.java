@@ -23,6 +23,7 @@ final class EditorColorsTest {
             colors.background(),
             colors.currentLine(),
             colors.executionLine(),
+            colors.failedLine(),
             colors.selection(),
             colors.bracket(),
             colors.match());

@@ -7,10 +7,11 @@ import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -91,16 +92,44 @@ final class ScriptEditorTest {
   void breakpointsStandWhereTheProgramCanStop()
       throws InterruptedException, InvocationTargetException {
     analysed();
-    CompletableFuture<SortedSet<Integer>> told = new CompletableFuture<>();
+    List<String> told = new ArrayList<>();
     EventQueue.invokeAndWait(
         () -> {
-          window.editor().addBreakpointListener((of, lines) -> told.complete(lines));
+          window
+              .editor()
+              .addBreakpointListener(
+                  new BreakpointListener() {
+                    @Override
+                    public void breakpointsMoved(
+                        ProgramDocument of, SortedMap<Integer, Integer> moves) {
+                      told.add("moved " + moves);
+                    }
+
+                    @Override
+                    public void breakpointsChanged(ProgramDocument of, SortedSet<Integer> lines) {
+                      told.add("at " + lines);
+                    }
+                  });
           window.editor().toggleBreakpoint(program, 3);
           area.replaceRange("\n", 0, 0);
+          assertEquals(List.of("at [4]", "moved {4=5}", "at [5]"), told);
+          assertEquals(new TreeSet<>(List.of(5)), window.editor().breakpoints(program));
         });
-    assertEquals(new TreeSet<>(List.of(4)), told.join());
+  }
+
+  @Test
+  void breakpointsGoWithLinesThatAreMoved() throws InterruptedException, InvocationTargetException {
+    analysed();
     EventQueue.invokeAndWait(
-        () -> assertEquals(new TreeSet<>(List.of(5)), window.editor().breakpoints(program)));
+        () -> {
+          window.editor().toggleBreakpoint(program, 4);
+          area.setCaretPosition(area.line(4).start());
+          window.run("editor.move-up");
+          assertEquals(new TreeSet<>(List.of(3)), window.editor().breakpoints(program));
+          area.undoLastAction();
+          window.run("editor.move-down");
+          assertEquals(1, window.editor().breakpoints(program).size());
+        });
   }
 
   @Test

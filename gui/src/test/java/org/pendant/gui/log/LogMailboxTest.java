@@ -3,13 +3,14 @@ package org.pendant.gui.log;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Instant;
+import java.time.InstantSource;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.machine.ProgramState;
-import org.pendant.controller.message.LogEntry;
 import org.pendant.language.source.Source;
 
 final class LogMailboxTest {
@@ -43,13 +44,13 @@ final class LogMailboxTest {
   }
 
   private static List<String> texts(LogMailbox mailbox, long since) {
-    return mailbox.since(since).stream().map(LogEntry::text).toList();
+    return mailbox.since(since).stream().map(LogLine::text).toList();
   }
 
   @Test
   void everyMessageArrivesWithThoseFromBeforeTheFirstFrame() {
     Controller controller = running();
-    LogMailbox mailbox = new LogMailbox(8, controller::logSince);
+    LogMailbox mailbox = new LogMailbox(8, controller::logSince, InstantSource.system());
     finish(controller, mailbox);
     assertEquals(List.of("a", "b", "c"), texts(mailbox, 0));
     assertEquals(List.of("c"), texts(mailbox, 2));
@@ -58,7 +59,7 @@ final class LogMailboxTest {
   @Test
   void numbersGoOnWhenAnotherControllerIsSwitchedOn() {
     Controller first = running();
-    LogMailbox mailbox = new LogMailbox(8, first::logSince);
+    LogMailbox mailbox = new LogMailbox(8, first::logSince, InstantSource.system());
     finish(first, mailbox);
     Controller second = running();
     mailbox.frame(second.state());
@@ -70,9 +71,23 @@ final class LogMailboxTest {
   @Test
   void onlyTheNewestAreKept() {
     Controller controller = running();
-    LogMailbox mailbox = new LogMailbox(2, controller::logSince);
+    LogMailbox mailbox = new LogMailbox(2, controller::logSince, InstantSource.system());
     finish(controller, mailbox);
     assertEquals(List.of("b", "c"), texts(mailbox, 0));
     assertTrue(mailbox.since(3).isEmpty());
+  }
+
+  @Test
+  void whatTheWindowTellsIsKeptWithItsTime() {
+    Controller controller = running();
+    Instant now = Instant.parse("2026-01-02T03:04:05Z");
+    LogMailbox mailbox = new LogMailbox(8, controller::logSince, InstantSource.fixed(now));
+    finish(controller, mailbox);
+    mailbox.told("Saved \u00e4");
+    LogLine told = mailbox.since(3).getFirst();
+    assertEquals("Saved \u00e4", told.text());
+    assertEquals(LogSource.WINDOW, told.source());
+    assertEquals(controller.state().timeS(), told.timeS());
+    assertEquals(now, told.wall());
   }
 }

@@ -3,6 +3,7 @@ package org.pendant.gui.log;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
@@ -13,10 +14,16 @@ import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.LogEntry.Origin;
 
 final class LogPresenterTest {
-  private final List<LogEntry> written = new ArrayList<>();
+  private final List<LogLine> written = new ArrayList<>();
 
   private void write(Level level, Origin origin, String text) {
-    written.add(new LogEntry(written.size() + 1, 0.5, level, origin, text));
+    long number = written.size() + 1L;
+    written.add(
+        LogLine.of(
+            number,
+            Instant.EPOCH,
+            LogSource.of(origin),
+            new LogEntry(number, 0.5, level, origin, text)));
   }
 
   private void say(String... texts) {
@@ -87,7 +94,7 @@ final class LogPresenterTest {
     write(Level.ERROR, Origin.ENDING, "over");
     take(presenter);
     presenter.setFilter(
-        new LogFilter(EnumSet.of(Level.WARNING, Level.ERROR), Set.of(Origin.ENDING)));
+        new LogFilter(EnumSet.of(Level.WARNING, Level.ERROR), Set.of(LogSource.PROGRAM)));
     assertEquals(List.of("over"), texts(presenter));
     assertEquals("1 of 3 messages", LogCounts.of(presenter, -1).messages());
     presenter.setFilter(LogFilter.ALL);
@@ -161,7 +168,7 @@ final class LogPresenterTest {
     write(Level.ERROR, Origin.CONTROLLER, "wrong");
     take(presenter);
     long position = presenter.positionOf(1);
-    presenter.setFilter(new LogFilter(Set.of(Level.ERROR), LogFilter.ALL.origins()));
+    presenter.setFilter(new LogFilter(Set.of(Level.ERROR), LogFilter.ALL.sources()));
     assertEquals(0, presenter.rowAt(position));
   }
 }

@@ -51,7 +51,7 @@ final class MoveTextTest {
 
   @Test
   void aJointIsDrawnWithinItsRange() {
-    JointRange range = JointRange.of(new JointLimits(-2, 2, 1, 1));
+    JointRange range = JointRange.of(new JointLimits(-2, 2, 1, 1), -9, 9);
     assertEquals(0.75, range.share(1));
     assertEquals(1, range.share(5));
     assertFalse(range.contains(2.1));
@@ -60,7 +60,10 @@ final class MoveTextTest {
   @Test
   void aJointThatTurnsWithoutEndIsDrawnWithinATurnEitherWay() {
     JointRange range =
-        JointRange.of(new JointLimits(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, 1, 1));
+        JointRange.of(
+            new JointLimits(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, 1, 1),
+            Double.NEGATIVE_INFINITY,
+            Double.POSITIVE_INFINITY);
     assertTrue(range.contains(1000));
     assertEquals(range.share(1), range.share(1 + 4 * Math.PI), 1e-12);
   }

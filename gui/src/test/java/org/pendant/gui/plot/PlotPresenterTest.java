@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -123,5 +124,44 @@ final class PlotPresenterTest {
     assertEquals("high", Readout.of(RecordedArm.quantity("digital_in_0"), 1));
     assertEquals("low", Readout.of(RecordedArm.quantity("digital_in_0"), 0));
     assertEquals("\u2013", Readout.of(RecordedArm.quantity("digital_in_0"), Double.NaN));
+  }
+
+  @Test
+  void scriptVariablesShareAChartAndAreThereAgain() {
+    PlotPresenter presenter = empty();
+    presenter.add(RecordedArm.quantity("program_line"));
+    presenter.add(RecordedArm.quantity("var:count"));
+    presenter.add(RecordedArm.quantity("var:p[2]"));
+    assertEquals(List.of("program_line", "var:count,var:p[2]"), ids(presenter));
+    assertEquals(List.of("program_line", "var:count,var:p[2]"), ids(open()));
+  }
+
+  @Test
+  void whoeverTracesIsToldWhichVariablesAreDrawn() {
+    PlotPresenter presenter = empty();
+    List<List<String>> told = new ArrayList<>();
+    presenter.add(RecordedArm.quantity("var:count"));
+    presenter.onTraced(told::add);
+    presenter.addChart(RecordedArm.quantity("var:p[2]"));
+    presenter.add(RecordedArm.quantity("torque_0"));
+    presenter.remove(presenter.charts().getFirst());
+    assertEquals(
+        List.of(
+            List.of("count"), List.of("count", "p[2]"), List.of("count", "p[2]"), List.of("p[2]")),
+        told);
+  }
+
+  @Test
+  void aFullChartTakesNoMore() {
+    PlotPresenter presenter = empty();
+    List<String> told = new ArrayList<>();
+    presenter.onRefusal(told::add);
+    presenter.addChart(RecordedArm.quantity("payload"));
+    Chart chart = presenter.charts().getFirst();
+    for (int i = 0; i < 20; i++) {
+      presenter.addTo(chart, RecordedArm.quantity("output_float_register_" + i));
+    }
+    assertEquals(Chart.MOST, chart.traces().size());
+    assertEquals("A chart has at most 12 lines: drop the others beside it", told.getFirst());
   }
 }

@@ -53,4 +53,15 @@ final class QuantitiesTest {
     assertEquals((to.y() - from.y()) / seconds, speed.yMPerS(), 0.02);
     assertEquals((to.z() - from.z()) / seconds, speed.zMPerS(), 0.02);
   }
+
+  @Test
+  void peoplesNamesOfSignalsAreShownAndFound() {
+    Quantities all =
+        Quantities.standard(
+            id -> id.equals("digital-in-0") || id.equals("input-float-register-3") ? "Grip" : "");
+    assertEquals(
+        List.of("Grip (digital_in[0])", "Grip (input_float_register[3])"),
+        all.search("grip").stream().map(Quantity::namedLabel).toList());
+    assertEquals("digital_in[1]", all.find("digital_in_1").orElseThrow().namedTitle());
+  }
 }

@@ -1,9 +1,11 @@
 package org.pendant.gui.plot;
 
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.variables.VariablePath;
 import org.pendant.language.source.Source;
 
 /** A controller whose frames go on a tape. */
@@ -16,6 +18,13 @@ final class RecordedArm {
     var _ =
         controller.submit(
             new Command.StartProgram(controller.load(source).program().orElseThrow()));
+  }
+
+  /** Has variables read in every frame. */
+  void trace(String... paths) {
+    var _ =
+        controller.submit(
+            new Command.TraceVariables("test", Stream.of(paths).map(VariablePath::of).toList()));
   }
 
   void frames(int count) {

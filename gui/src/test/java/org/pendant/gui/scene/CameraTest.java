@@ -1,8 +1,10 @@
 package org.pendant.gui.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.geom.Point2D;
 import java.util.Random;
 import org.joml.Vector4f;
 import org.junit.jupiter.api.Test;
@@ -18,7 +20,8 @@ final class CameraTest {
         new Vector3(random.nextDouble(), random.nextDouble(), random.nextDouble()),
         random.nextDouble(-3, 3),
         random.nextDouble(-1.5, 1.5),
-        random.nextDouble(0.5, 5));
+        random.nextDouble(0.5, 5),
+        random.nextBoolean() ? Lens.PERSPECTIVE : Lens.ORTHOGRAPHIC);
   }
 
   /** Where a point is seen, pixels. */
@@ -56,6 +59,57 @@ final class CameraTest {
       Vector3 seen = camera.ray(x, y, WIDTH, HEIGHT).pointM(random.nextDouble(0.4, 4));
       assertSamePixel(x, y, pixel(camera, seen), camera.toString());
     }
+  }
+
+  @Test
+  void aPixelIsWhereThePointIsDrawn() {
+    Random random = new Random(8);
+    for (int i = 0; i < 200; i++) {
+      Camera camera = random(random);
+      Vector3 point = camera.ray(300, 500, WIDTH, HEIGHT).pointM(random.nextDouble(0.4, 4));
+      Point2D at = camera.pixel(point, WIDTH, HEIGHT).orElseThrow();
+      assertEquals(300, at.getX(), 1e-6, camera.toString());
+      assertEquals(500, at.getY(), 1e-6, camera.toString());
+    }
+  }
+
+  @Test
+  void whatIsBehindTheEyeHasNoPixel() {
+    Camera camera = new Camera(new Vector3(0, 0, 0), 0, 0, 2);
+
+    assertTrue(camera.pixel(new Vector3(3, 0, 0), WIDTH, HEIGHT).isEmpty());
+  }
+
+  @Test
+  void withoutPerspectiveTheFarIsAsLargeAsTheNear() {
+    Camera camera = new Camera(new Vector3(0, 0, 0), 0, 0, 2, Lens.ORTHOGRAPHIC);
+
+    double[] near = pixel(camera, new Vector3(1, 0.3, 0));
+    double[] far = pixel(camera, new Vector3(-9, 0.3, 0));
+
+    assertSamePixel(near[0], near[1], far, "far");
+  }
+
+  @Test
+  void theLensChangesNothingAtTheTarget() {
+    Camera camera = new Camera(new Vector3(0.1, 0.2, 0.3), 0, 0, 2);
+    Vector3 beside = new Vector3(0.1, 0.5, 0.4);
+
+    double[] seen = pixel(camera, beside);
+
+    assertSamePixel(
+        seen[0], seen[1], pixel(camera.through(Lens.ORTHOGRAPHIC), beside), "through both");
+  }
+
+  @Test
+  void theFloorIsSeenFromAboveOrBelow() {
+    Camera above = new Camera(new Vector3(0, 0, 0), 0, 0.1, 2);
+    Camera under = new Camera(new Vector3(0, 0, 1), 0, -0.1, 2);
+
+    assertTrue(above.looksDownOn(0));
+    assertFalse(above.looksDownOn(1));
+    assertTrue(under.looksDownOn(0));
+    assertFalse(under.through(Lens.ORTHOGRAPHIC).looksDownOn(0));
   }
 
   @Test

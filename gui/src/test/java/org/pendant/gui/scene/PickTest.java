@@ -4,10 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.world.Material;
+import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.gui.scene.mesh.ArmMeshes;
+import org.pendant.gui.scene.mesh.Detail;
 import org.pendant.gui.scene.mesh.Link;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
@@ -20,7 +26,7 @@ final class PickTest {
       SceneModel.of(ArmLibrary.load("ur5e"), Joints.of(0, -Math.PI / 2, 0, -Math.PI / 2, 0, 0));
 
   private static final ArmMeshes MESHES =
-      new ArmMeshes(ArmShapes.load("ur5e"), ArmLibrary.load("ur5e").dh());
+      new ArmMeshes(ArmShapes.load("ur5e"), ArmLibrary.load("ur5e").dh(), Detail.FINE);
 
   /** From the side, along negative x. */
   private static Optional<Picked> fromTheSide(double y, double z) {
@@ -58,6 +64,59 @@ final class PickTest {
     Ray away = new Ray(new Vector3(3, 0, 0.18), new Vector3(1, 0, 0));
 
     assertTrue(Pick.at(away, UPRIGHT, MESHES).isEmpty());
+  }
+
+  private static SceneModel with(SceneObject... objects) {
+    Scene world = new Scene(List.of(objects), Optional.empty(), List.of());
+    return UPRIGHT.withWorld(world, Set.of());
+  }
+
+  /** The name of what a ray along negative x meets, at a height over the base. */
+  private static String object(SceneModel model, double y, double z) {
+    Ray ray = new Ray(new Vector3(3, y, z), new Vector3(-1, 0, 0));
+    Picked picked = Pick.at(ray, model, MESHES).orElseThrow();
+    return assertInstanceOf(Picked.OnObject.class, picked).name();
+  }
+
+  @Test
+  void objectsAreFoundByName() {
+    SceneObject box =
+        new SceneObject.Box(
+            "box", new Pose(0, 0.5, 0.5, 0, 0, 1), new Vector3(0.2, 0.2, 0.2), Material.DEFAULT);
+    SceneObject ball =
+        new SceneObject.Sphere("ball", new Vector3(0, 0.5, 1), 0.1, Material.DEFAULT);
+    SceneObject wall =
+        new SceneObject.Plane(
+            "wall", new Vector3(-0.4, 0, 0), new Vector3(1, 0, 0), Material.DEFAULT);
+    SceneModel model = with(box, ball, wall);
+
+    assertEquals("box", object(model, 0.5, 0.5));
+    assertEquals("ball", object(model, 0.5, 1));
+    assertEquals("wall", object(model, 0.5, 0.8));
+  }
+
+  @Test
+  void theNearerOfArmAndObjectIsFound() {
+    SceneObject before =
+        new SceneObject.Box(
+            "before", new Pose(1, 0, 0.18, 0, 0, 0), new Vector3(0.1, 1, 0.1), Material.DEFAULT);
+    SceneObject behind =
+        new SceneObject.Box(
+            "behind", new Pose(-1, 0, 0.18, 0, 0, 0), new Vector3(0.1, 1, 0.1), Material.DEFAULT);
+
+    assertEquals("before", object(with(before, behind), 0, 0.18));
+    Ray ray = new Ray(new Vector3(3, 0, 0.18), new Vector3(-1, 0, 0));
+    assertEquals(Link.SHOULDER, link(Pick.at(ray, with(behind), MESHES)));
+  }
+
+  @Test
+  void aPlaneIsFoundOnlyWhereItIsDrawn() {
+    SceneObject wall =
+        new SceneObject.Plane(
+            "wall", new Vector3(-0.4, 0, 0), new Vector3(1, 0, 0), Material.DEFAULT);
+    Ray far = new Ray(new Vector3(3, 5, 0.5), new Vector3(-1, 0, 0));
+
+    assertTrue(Pick.at(far, with(wall), MESHES).isEmpty());
   }
 
   @Test

@@ -44,7 +44,7 @@ final class TraceRingTest {
   }
 
   @Test
-  void speedsAreSharesOfTheFastest() {
+  void speedsAreSharesOfARoundSpeed() {
     TraceRing ring = new TraceRing(10);
     add(ring, 0, 0);
     add(ring, 0.1, 1);
@@ -52,9 +52,31 @@ final class TraceRingTest {
 
     Trace trace = ring.trace();
 
-    assertEquals(0.4, trace.fastestMPerS(), 1e-6);
+    assertEquals(0.4, trace.scaleMPerS(), 1e-6);
     assertEquals(0.25, trace.speedShare(1), 1e-6);
     assertEquals(1, trace.speedShare(2), 1e-6);
+    add(ring, 1.06, 3);
+    assertEquals(0.8, ring.trace().scaleMPerS(), 1e-6);
+    add(ring, 1.96, 4);
+    assertEquals(1, ring.trace().scaleMPerS(), 1e-6);
+  }
+
+  @Test
+  void theOldestFadeBeforeTheyGo() {
+    TraceRing ring = new TraceRing(10);
+    for (int i = 0; i < 5; i++) {
+      add(ring, 0.01 * i, i);
+    }
+    assertEquals(1, ring.trace().opacity(0));
+
+    for (int i = 5; i < 12; i++) {
+      add(ring, 0.01 * i, i);
+    }
+
+    Trace trace = ring.trace();
+    assertTrue(trace.opacity(0) < 0.5);
+    assertTrue(trace.opacity(0) < trace.opacity(1));
+    assertEquals(1, trace.opacity(9));
   }
 
   @Test
@@ -81,7 +103,7 @@ final class TraceRingTest {
     assertTrue(trace.begins(0));
     assertFalse(trace.begins(1));
     assertTrue(trace.begins(2));
-    assertEquals(0.1, trace.fastestMPerS(), 1e-6);
+    assertEquals(0.1, trace.scaleMPerS(), 1e-6);
   }
 
   @Test

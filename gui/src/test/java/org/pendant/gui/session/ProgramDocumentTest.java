@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -72,8 +73,62 @@ final class ProgramDocumentTest {
     read.withText("#\u00e9!\n").write();
     assertEquals("#\u00e9!\n", new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1));
     assertEquals(
-        file + " is written in ISO-8859-1, which lacks some of the characters; use Save as",
+        file
+            + ": it is written in ISO-8859-1, which lacks some of the characters; Save as writes"
+            + " UTF-8",
         assertThrows(IOException.class, read.withText("\u2265")::write).getMessage());
+  }
+
+  @Test
+  void savingAsKeepsCharsetAndLineEnds() throws IOException {
+    Path file = folder.resolve("latin.script");
+    Files.write(file, "#\u00e9\r\n".getBytes(StandardCharsets.ISO_8859_1));
+    ProgramDocument document = ProgramDocument.of(ProgramFile.read(file));
+    Path other = folder.resolve("other.script");
+    document.toSaveAs(other).write();
+    assertEquals(-1, Files.mismatch(file, other));
+    document.replace(1, 1, "\u2265");
+    document.toSaveAs(other).write();
+    assertEquals("#\u2265\r\n", Files.readString(other));
+  }
+
+  private static String refusal(Path file) {
+    return assertThrows(IOException.class, () -> ProgramFile.read(file)).getMessage();
+  }
+
+  @Test
+  void whatIsNoProgramIsRefusedInWords() throws IOException {
+    Path none = folder.resolve("none.script");
+    assertEquals(none + ": there is no such file", refusal(none));
+    assertEquals(folder + ": it is a folder", refusal(folder));
+    Path binary = folder.resolve("a.bin");
+    Files.write(binary, new byte[] {'a', 0, 1});
+    assertEquals(binary + ": it is no text, byte 2 is 0", refusal(binary));
+    Path huge = folder.resolve("huge.script");
+    try (RandomAccessFile sparse = new RandomAccessFile(huge.toFile(), "rw")) {
+      sparse.setLength(33L << 20);
+    }
+    assertEquals(
+        huge + ": it has 33 MiB, a program may have at most 32 MiB", refusal(huge));
+  }
+
+  @Test
+  void aProgramWhoseFileIsGoneIsModifiedUntilItIsSaved() throws IOException {
+    ProgramFile file = ProgramFile.create(folder.resolve("p.script"), "one");
+    file.write();
+    ProgramDocument document = ProgramDocument.of(ProgramFile.read(file.path()));
+    DiskChange change = new DiskChange();
+    assertFalse(change.gone(file), "before it was ever seen");
+    assertEquals(Optional.empty(), change.look(file));
+    Files.delete(file.path());
+    assertTrue(change.gone(file));
+    assertFalse(change.gone(file), "told once");
+    document.gone();
+    assertTrue(document.modified());
+    file.write();
+    assertEquals(Optional.of(file), change.look(file), "back again");
+    document.saved(file);
+    assertFalse(document.modified());
   }
 
   @Test

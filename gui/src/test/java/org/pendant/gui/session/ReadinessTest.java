@@ -88,6 +88,24 @@ final class ReadinessTest {
     assertEquals("Protective stop C0A0", card.title());
     assertEquals(2, card.line());
     assertEquals("The program asked for this stop.", card.suggestion());
+    assertEquals(
+        "491.9, -133.3, 487.9 mm",
+        card.facts().stream()
+            .filter(each -> each.name().equals("TCP in the base"))
+            .findAny()
+            .orElseThrow()
+            .value());
+  }
+
+  @Test
+  void theStopCardKeepsTheLineOfAProgramThatTheStopHasEnded() {
+    switchOn();
+    start("sleep(0.1)\nsleep(5)\n");
+    controller.runUntil(() -> controller.state().program().line() == 2, 200);
+    send(new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
+    controller.runUntil(() -> controller.state().safety().stop().isPresent(), 10);
+    controller.runUntil(() -> controller.state().program().line() == 0, 1000);
+    assertEquals(2, StopCard.of(controller.state()).orElseThrow().line());
   }
 
   @Test

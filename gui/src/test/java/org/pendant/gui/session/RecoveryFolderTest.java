@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -15,10 +16,14 @@ final class RecoveryFolderTest {
 
   @TempDir Path folder;
 
+  private RecoveryFolder of(long process, Predicate<RecoveryFolder.Owner> alive) {
+    return new RecoveryFolder(folder, new RecoveryFolder.Owner(process, 1000), alive);
+  }
+
   @Test
   void whatADeadProcessLeftIsFound() throws IOException {
-    new RecoveryFolder(folder, 7, id -> true).keep(FILE, "p.script", "line\n\nmore");
-    RecoveryFolder next = new RecoveryFolder(folder, 8, id -> false);
+    of(7, id -> true).keep(0, FILE, "p.script", "line\n\nmore");
+    RecoveryFolder next = of(8, id -> false);
     RecoveryFolder.LeftBehind left = next.leftBehind().getFirst();
     assertEquals(FILE, left.file());
     assertEquals("p.script", left.name());
@@ -29,24 +34,41 @@ final class RecoveryFolderTest {
 
   @Test
   void whatALivingProcessKeepsIsItsOwn() throws IOException {
-    new RecoveryFolder(folder, 7, id -> true).keep(FILE, "p.script", "x");
-    assertEquals(List.of(), new RecoveryFolder(folder, 8, id -> id == 7).leftBehind());
+    of(7, id -> true).keep(0, FILE, "p.script", "x");
+    assertEquals(List.of(), of(8, id -> id.process() == 7).leftBehind());
+  }
+
+  @Test
+  void aNumberThatTheSystemUsesAgainIsAnotherProcess() throws IOException {
+    long self = ProcessHandle.current().pid();
+    new RecoveryFolder(folder, new RecoveryFolder.Owner(self, 1), owner -> true)
+        .keep(0, FILE, "p.script", "x");
+    assertEquals(1, new RecoveryFolder(folder).leftBehind().size());
+  }
+
+  @Test
+  void programsOfOneNameAreKeptBesideEachOther() throws IOException {
+    RecoveryFolder recovery = of(7, id -> false);
+    recovery.keep(0, Optional.empty(), "untitled", "one");
+    recovery.keep(1, Optional.empty(), "untitled", "two");
+    assertEquals(
+        List.of("one", "two"),
+        recovery.leftBehind().stream().map(RecoveryFolder.LeftBehind::text).toList());
   }
 
   @Test
   void whatIsSavedIsForgotten() throws IOException {
-    RecoveryFolder recovery = new RecoveryFolder(folder, 7, id -> false);
-    recovery.keep(Optional.empty(), "untitled", "x");
-    recovery.forget(Optional.empty(), "untitled");
+    RecoveryFolder recovery = of(7, id -> false);
+    recovery.keep(3, Optional.empty(), "untitled", "x");
+    recovery.forget(3);
     assertEquals(List.of(), recovery.leftBehind());
   }
 
   @Test
   void otherFilesAreLeftOut() throws IOException {
     Files.writeString(folder.resolve("x.recovery"), "something else");
-    RecoveryFolder recovery = new RecoveryFolder(folder, 7, id -> false);
+    RecoveryFolder recovery = of(7, id -> false);
     assertEquals(List.of(), recovery.leftBehind());
-    assertEquals(
-        List.of(), new RecoveryFolder(folder.resolve("none"), 7, id -> false).leftBehind());
+    assertEquals(List.of(), new RecoveryFolder(folder.resolve("none")).leftBehind());
   }
 }

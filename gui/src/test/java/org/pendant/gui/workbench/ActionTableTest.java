@@ -86,6 +86,41 @@ final class ActionTableTest {
   }
 
   @Test
+  void aKeyThatWasResetFollowsTheAction() {
+    add("a", "control P");
+    actions.rebind("a", "F5");
+    actions.reset("a");
+    ActionTable mac = new ActionTable(settings, KeyStyle.MAC);
+    mac.add(Action.of("a", "a", "control P", () -> {}));
+    assertEquals(KeyStroke.getKeyStroke("meta P"), mac.strokeOf("a").orElseThrow());
+    assertFalse(mac.rebound("a"));
+  }
+
+  @Test
+  void macosHasItsOwnKeyOfMenus() {
+    assertEquals("meta P", KeyStyle.MAC.keys("control P"));
+    assertEquals("shift meta P", KeyStyle.MAC.keys("control shift P"));
+    assertEquals("control SPACE", KeyStyle.MAC.keys("control SPACE"));
+    assertEquals("F5", KeyStyle.MAC.keys("F5"));
+    assertEquals("control P", KeyStyle.PC.keys("control P"));
+    assertEquals(
+        "\u21e7\u2318P", KeyStyle.MAC.shown(KeyStroke.getKeyStroke("shift meta P")));
+    assertEquals(KeyStyle.MAC, KeyStyle.of("Mac OS X"));
+    assertEquals(KeyStyle.PC, KeyStyle.of("Linux"));
+  }
+
+  @Test
+  void keysThatAreNeededForWritingDoNoAction() {
+    assertTrue(KeyText.bindable(KeyStroke.getKeyStroke("F5")));
+    assertTrue(KeyText.bindable(KeyStroke.getKeyStroke("shift F5")));
+    assertTrue(KeyText.bindable(KeyStroke.getKeyStroke("control A")));
+    assertFalse(KeyText.bindable(KeyStroke.getKeyStroke("A")));
+    assertFalse(KeyText.bindable(KeyStroke.getKeyStroke("shift A")));
+    assertFalse(KeyText.bindable(KeyStroke.getKeyStroke("ENTER")));
+    assertFalse(KeyText.bindable(KeyStroke.getKeyStroke("TAB")));
+  }
+
+  @Test
   void mistakesAreRefused() {
     add("a", "");
     assertEquals(

@@ -6,8 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -58,6 +60,40 @@ final class FileSettingsTest {
       settings.put("a", "b");
     }
     assertTrue(Files.readString(file).contains("a = b"));
+  }
+
+  @Test
+  void aFileThatCannotBeReadIsNotWrittenOver() throws IOException {
+    Path file = folder.resolve("settings.txt");
+    Files.write(file, new byte[2 << 20]);
+    try (FileSettings settings = FileSettings.open(file)) {
+      assertEquals(
+          "Settings "
+              + file
+              + " are too large to be settings; what is changed is forgotten at the end",
+          settings.notice().orElseThrow());
+      settings.put("a", "b");
+    }
+    assertEquals(2 << 20, Files.size(file));
+  }
+
+  @Test
+  void troubleInWritingIsToldOnce() throws IOException {
+    Path inTheWay = folder.resolve("sub");
+    Files.writeString(inTheWay, "no folder");
+    List<String> told = new CopyOnWriteArrayList<>();
+    try (FileSettings settings = FileSettings.open(file())) {
+      settings.onTrouble(told::add);
+      settings.put("a", "b");
+    }
+    assertEquals(
+        List.of(
+            "Settings cannot be written: "
+                + file()
+                + ": "
+                + inTheWay
+                + " is in the way; what is changed is forgotten at the end"),
+        told);
   }
 
   @Test

@@ -3,12 +3,14 @@ package org.pendant.gui.editor.text;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedSet;
 import org.pendant.language.service.CharacterOffsets;
 import org.pendant.language.service.Completion;
 import org.pendant.language.service.FoldingRange;
 import org.pendant.language.service.HighlightToken.Style;
 import org.pendant.language.service.Hover;
 import org.pendant.language.service.OutlineItem;
+import org.pendant.language.service.Quantity;
 import org.pendant.language.service.QuickFix;
 import org.pendant.language.service.ScriptAnalysis;
 import org.pendant.language.service.SignatureHelp;
@@ -31,6 +33,7 @@ public final class AnalysedText {
   private final List<FoldingRange> folding;
   private final List<OutlineItem> outline;
   private final List<Problem> problems;
+  private final Optional<SortedSet<Integer>> statementLines;
 
   private AnalysedText(String name, String text, Catalogue catalogue) {
     this.text = text;
@@ -40,6 +43,9 @@ public final class AnalysedText {
     folding = analysis.folding();
     outline = analysis.outline();
     problems = analysis.diagnostics().stream().map(this::problem).toList();
+    // A text that cannot be read has holes in its tree.
+    boolean readable = problems.stream().noneMatch(Problem::isError);
+    statementLines = readable ? Optional.of(analysis.breakpointLines()) : Optional.empty();
   }
 
   /** Reads and checks {@code text}, called {@code name} in messages. */
@@ -60,6 +66,11 @@ public final class AnalysedText {
   /** What is wrong, in the order of the text. */
   public List<Problem> problems() {
     return problems;
+  }
+
+  /** Lines on which the program can stop; empty while errors keep the text from being read. */
+  public Optional<SortedSet<Integer>> statementLines() {
+    return statementLines;
   }
 
   /** Its colours, line by line. */
@@ -127,6 +138,11 @@ public final class AnalysedText {
   /** What is known about the name at a character. */
   public Optional<Hover> hover(int character) {
     return analysis.hover(toByte(character));
+  }
+
+  /** The number at a character, if its place says in which unit it is. */
+  public Optional<Quantity> quantity(int character) {
+    return analysis.quantity(toByte(character));
   }
 
   /** Where the name at a character comes from. */

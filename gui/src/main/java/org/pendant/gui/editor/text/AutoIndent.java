@@ -20,7 +20,7 @@ public final class AutoIndent {
    * caret: deeper behind the head of a block.
    */
   public static String behind(String before) {
-    String code = withoutComment(before).stripTrailing();
+    String code = code(before).stripTrailing();
     boolean opens = code.endsWith(":") && OPENERS.contains(firstWord(code));
     return blanks(before) + (opens ? " ".repeat(STEP) : "");
   }
@@ -38,7 +38,7 @@ public final class AutoIndent {
     }
     int depth = 0;
     for (int i = above.size() - 1; i >= 0; i--) {
-      String other = withoutComment(above.get(i)).strip();
+      String other = code(above.get(i)).strip();
       String word = firstWord(other);
       if (word.equals("end")) {
         depth++;
@@ -69,11 +69,12 @@ public final class AutoIndent {
     return edits;
   }
 
-  static String blanks(String line) {
+  /** The blanks that a line begins with. */
+  public static String blanks(String line) {
     return line.substring(0, line.length() - line.stripLeading().length());
   }
 
-  private static String firstWord(String code) {
+  static String firstWord(String code) {
     String stripped = code.stripLeading();
     int end = 0;
     while (end < stripped.length() && Character.isLetter(stripped.charAt(end))) {
@@ -82,7 +83,8 @@ public final class AutoIndent {
     return stripped.substring(0, end);
   }
 
-  private static String withoutComment(String line) {
+  /** A line without its comment. */
+  static String code(String line) {
     boolean quoted = false;
     for (int i = 0; i < line.length(); i++) {
       char c = line.charAt(i);

@@ -1,16 +1,13 @@
 package org.pendant.gui.editor.text;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
-import java.util.stream.Stream;
 import org.pendant.language.source.ByteText;
 
 /**
@@ -26,7 +23,6 @@ public record FileSearch(Path folder, SearchQuery query) {
   /** More files than a folder of programs has. */
   public static final int MOST_FILES = 10_000;
 
-  private static final int DEEPEST = 12;
   private static final long LARGEST_BYTES = 4L << 20;
 
   /**
@@ -41,7 +37,8 @@ public record FileSearch(Path folder, SearchQuery query) {
 
     /** {@code 3 places in 12 scripts; 1 not read}. */
     public String sentence() {
-      String left = skipped == 0 ? "" : "; " + skipped + " not read";
+      String left =
+          skipped == 0 ? "" : "; " + skipped + " not read: larger than 4 MiB, or not allowed";
       return count(places, "place") + " in " + count(files, "script") + left;
     }
 
@@ -50,22 +47,32 @@ public record FileSearch(Path folder, SearchQuery query) {
     }
   }
 
+  /** Who wants to know how far a search is. */
+  @FunctionalInterface
+  public interface Progress {
+    /** {@code done} of {@code all} scripts have been looked at. */
+    void at(int done, int all);
+  }
+
   /**
    * Looks.
    *
    * @param found takes every place, file by file in the order of their names
+   * @param progress told how many scripts there are and how many of them have been read
    * @param cancelled asked before each file
    * @throws IOException if the folder cannot be read
    */
-  public Summary run(Consumer<Place> found, BooleanSupplier cancelled) throws IOException {
+  public Summary run(Consumer<Place> found, Progress progress, BooleanSupplier cancelled)
+      throws IOException {
     int read = 0;
     int places = 0;
     int skipped = 0;
-    List<Path> scripts = scripts();
+    List<Path> scripts = ScriptFolder.list(folder, MOST_FILES + 1, cancelled);
     for (Path script : scripts) {
       if (cancelled.getAsBoolean() || places >= MOST_PLACES || read >= MOST_FILES) {
         return new Summary(read, places, skipped, false);
       }
+      progress.at(read + skipped, scripts.size());
       Optional<String> text = text(script);
       if (text.isEmpty()) {
         skipped++;
@@ -81,19 +88,6 @@ public record FileSearch(Path folder, SearchQuery query) {
     }
     int shown = Math.min(places, MOST_PLACES);
     return new Summary(read, shown, skipped, places <= MOST_PLACES);
-  }
-
-  private List<Path> scripts() throws IOException {
-    try (Stream<Path> files = Files.walk(folder, DEEPEST)) {
-      return files.filter(FileSearch::isScript).limit(MOST_FILES + 1L).sorted().toList();
-    } catch (UncheckedIOException e) {
-      throw e.getCause();
-    }
-  }
-
-  private static boolean isScript(Path file) {
-    String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-    return name.endsWith(".script") && Files.isRegularFile(file);
   }
 
   private static Optional<String> text(Path script) {

@@ -26,10 +26,12 @@ public final class LineColours {
     this.catalogue = catalogue;
   }
 
-  /** Takes over what an analysis found. */
-  public void set(AnalysedText analysed) {
+  /** Takes over what an analysis found; whether a line has other colours now. */
+  public boolean set(AnalysedText analysed) {
+    boolean other = !lines.equals(analysed.lines());
     lines = new ArrayList<>(analysed.lines());
     names = analysed.names();
+    return other;
   }
 
   /**

@@ -2,6 +2,7 @@ package org.pendant.gui.editor.text;
 
 import org.pendant.language.service.Completion;
 import org.pendant.language.service.Hover;
+import org.pendant.language.service.Quantity;
 import org.pendant.language.service.SignatureHelp;
 import org.pendant.language.signature.Parameter;
 import org.pendant.language.signature.Signature;
@@ -26,6 +27,16 @@ public final class RichText {
       }
     }
     return page(html.toString());
+  }
+
+  /** Plain text, broken into lines where it is long. */
+  public static String of(String text) {
+    return page(escaped(text));
+  }
+
+  /** A number, in the units that people think in as well. */
+  public static String of(Quantity quantity) {
+    return page(CODE + escaped(QuantityText.of(quantity)) + "</span>");
   }
 
   /** The call that is being written, with the present parameter in bold and its unit. */

@@ -1,13 +1,19 @@
 package org.pendant.gui.scene.gl;
 
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import org.joml.Matrix4f;
 import org.pendant.controller.world.Scene;
+import org.pendant.gui.scene.LinkPlaces;
 import org.pendant.gui.scene.SceneModel;
 import org.pendant.gui.scene.mesh.ArmMeshes;
+import org.pendant.gui.scene.mesh.Detail;
 import org.pendant.gui.scene.mesh.Link;
 import org.pendant.gui.scene.mesh.Marks;
+import org.pendant.gui.scene.mesh.Mesh;
 import org.pendant.gui.scene.mesh.WorldMesh;
 import org.pendant.models.shape.ArmShapes;
 
@@ -15,29 +21,56 @@ import org.pendant.models.shape.ArmShapes;
 final class Bodies implements AutoCloseable {
   private static final double ROD_RADIUS_M = 0.004;
 
-  private final GpuMesh frame = new GpuMesh(List.of(Marks.frame()));
-  private final GpuMesh rod = new GpuMesh(List.of(Marks.rod(ROD_RADIUS_M)));
+  private final Detail detail;
+  private final GpuMesh frame;
+  private final GpuMesh rod;
+  private final GpuMesh ball;
   private String armId = "";
   private ArmMeshes armMeshes;
+  private final Map<Link, Mesh.Box> armBoxes = new EnumMap<>(Link.class);
   private GpuMesh arm = new GpuMesh(List.of());
   private Scene scene = Scene.EMPTY;
   private Set<String> touched = Set.of();
+  private Mesh.Box worldBox = new Mesh.Box(0, 0, 0, -1, -1, -1);
   private GpuMesh world = new GpuMesh(List.of());
+
+  /**
+   * @param detail how finely they are cut
+   */
+  Bodies(Detail detail) {
+    this.detail = detail;
+    frame = new GpuMesh(List.of(Marks.frame(detail)));
+    rod = new GpuMesh(List.of(Marks.rod(ROD_RADIUS_M, detail)));
+    ball = new GpuMesh(List.of(Marks.ball(detail)));
+  }
 
   /** Has what this model needs. */
   void load(SceneModel model) {
     if (!armId.equals(model.arm().id())) {
       armId = model.arm().id();
-      armMeshes = new ArmMeshes(ArmShapes.load(armId), model.arm().dh());
+      armMeshes = new ArmMeshes(ArmShapes.load(armId), model.arm().dh(), detail);
+      for (Link link : Link.values()) {
+        armBoxes.put(link, armMeshes.of(link).box());
+      }
       arm.close();
       arm = new GpuMesh(Arrays.stream(Link.values()).map(armMeshes::of).toList());
     }
     if (!scene.equals(model.world()) || !touched.equals(model.touched())) {
       scene = model.world();
       touched = model.touched();
+      Mesh mesh = WorldMesh.of(scene.objects(), touched, detail);
+      worldBox = mesh.box();
       world.close();
-      world = new GpuMesh(List.of(WorldMesh.of(scene.objects(), touched)));
+      world = new GpuMesh(List.of(mesh));
     }
+  }
+
+  /** Counts all that throws a shadow. */
+  void addTo(ShadowReach reach, LinkPlaces places) {
+    for (Link link : Link.values()) {
+      reach.add(armBoxes.get(link), places.of(link));
+    }
+    reach.add(worldBox, new Matrix4f());
   }
 
   /** The meshes of the arm that was loaded last. */
@@ -65,11 +98,17 @@ final class Bodies implements AutoCloseable {
     return rod;
   }
 
+  /** A ball of radius 1, in place 0. */
+  GpuMesh ball() {
+    return ball;
+  }
+
   @Override
   public void close() {
     arm.close();
     world.close();
     frame.close();
     rod.close();
+    ball.close();
   }
 }

@@ -2,72 +2,99 @@ package org.pendant.gui.scene.gl;
 
 import static org.lwjgl.opengl.GL33C.*;
 
-/** What is drawn on: a picture of one size with several samples a pixel, and one to read from. */
+/**
+ * What is drawn on: a picture of one size, with one or several samples a pixel, or smaller than
+ * what is read from it. In the last two cases there is another picture to read from.
+ */
 final class Canvas implements AutoCloseable {
-  private static final int SAMPLES = 4;
-
   private final int width;
   private final int height;
-  private final int sampled;
-  private final int sampledColour;
-  private final int sampledDepth;
-  private final int resolved;
-  private final int resolvedColour;
+  private final Quality quality;
+  private final Surface drawn;
+  private final Surface read;
+
+  /** A picture in the memory of the graphics. */
+  private record Surface(int framebuffer, int colour, int depth, int width, int height) {
+
+    static Surface of(int width, int height, int samples, boolean deep) {
+      int colour = storage(samples, GL_RGBA8, width, height);
+      int depth = deep ? storage(samples, GL_DEPTH_COMPONENT24, width, height) : 0;
+      int framebuffer = glGenFramebuffers();
+      glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+      attach(GL_COLOR_ATTACHMENT0, colour);
+      if (deep) {
+        attach(GL_DEPTH_ATTACHMENT, depth);
+      }
+      int status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+      if (status != GL_FRAMEBUFFER_COMPLETE) {
+        throw new IllegalStateException(
+            "a canvas of "
+                + width
+                + " by "
+                + height
+                + " pixels is refused, status 0x"
+                + Integer.toHexString(status));
+      }
+      return new Surface(framebuffer, colour, depth, width, height);
+    }
+
+    private static int storage(int samples, int format, int width, int height) {
+      int buffer = glGenRenderbuffers();
+      glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+      glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+      return buffer;
+    }
+
+    private static void attach(int attachment, int buffer) {
+      glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+    }
+
+    void delete() {
+      glDeleteFramebuffers(framebuffer);
+      glDeleteRenderbuffers(colour);
+      glDeleteRenderbuffers(depth);
+    }
+  }
 
   /**
    * @param width in pixels
    * @param height in pixels
+   * @param quality says how many samples of each pixel are drawn
    */
-  Canvas(int width, int height) {
+  Canvas(int width, int height, Quality quality) {
     this.width = width;
     this.height = height;
-    int samples = Math.min(SAMPLES, glGetInteger(GL_MAX_SAMPLES));
-    sampledColour = storage(samples, GL_RGBA8);
-    sampledDepth = storage(samples, GL_DEPTH_COMPONENT24);
-    sampled = glGenFramebuffers();
-    glBindFramebuffer(GL_FRAMEBUFFER, sampled);
-    attach(GL_COLOR_ATTACHMENT0, sampledColour);
-    attach(GL_DEPTH_ATTACHMENT, sampledDepth);
-    requireComplete();
-    resolvedColour = storage(0, GL_RGBA8);
-    resolved = glGenFramebuffers();
-    glBindFramebuffer(GL_FRAMEBUFFER, resolved);
-    attach(GL_COLOR_ATTACHMENT0, resolvedColour);
-    requireComplete();
+    this.quality = quality;
+    int samples =
+        quality.samples() == 1 ? 0 : Math.min(quality.samples(), glGetInteger(GL_MAX_SAMPLES));
+    drawn =
+        Surface.of(
+            Math.ceilDiv(width, quality.divisor()),
+            Math.ceilDiv(height, quality.divisor()),
+            samples,
+            true);
+    boolean readable = samples == 0 && quality.divisor() == 1;
+    read = readable ? drawn : Surface.of(width, height, 0, false);
   }
 
-  private int storage(int samples, int format) {
-    int buffer = glGenRenderbuffers();
-    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-    return buffer;
+  boolean is(int otherWidth, int otherHeight, Quality otherQuality) {
+    return width == otherWidth && height == otherHeight && quality == otherQuality;
   }
 
-  private static void attach(int attachment, int buffer) {
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+  /** Pixels of a row that are drawn. */
+  int drawnWidth() {
+    return drawn.width;
   }
 
-  private void requireComplete() {
-    int status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-    if (status != GL_FRAMEBUFFER_COMPLETE) {
-      throw new IllegalStateException(
-          "a canvas of "
-              + width
-              + " by "
-              + height
-              + " pixels is refused, status 0x"
-              + Integer.toHexString(status));
-    }
-  }
-
-  boolean sized(int otherWidth, int otherHeight) {
-    return width == otherWidth && height == otherHeight;
+  /** Rows that are drawn. */
+  int drawnHeight() {
+    return drawn.height;
   }
 
   /** What is drawn next goes here. */
   void begin() {
-    glBindFramebuffer(GL_FRAMEBUFFER, sampled);
-    glViewport(0, 0, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, drawn.framebuffer);
+    glViewport(0, 0, drawn.width, drawn.height);
   }
 
   /**
@@ -76,19 +103,22 @@ final class Canvas implements AutoCloseable {
    * @param pixels width times height numbers 0xAARRGGBB, overwritten
    */
   void read(int[] pixels) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved);
-    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved);
+    if (read != drawn) {
+      glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn.framebuffer);
+      glBindFramebuffer(GL_DRAW_FRAMEBUFFER, read.framebuffer);
+      int filter = quality.divisor() == 1 ? GL_NEAREST : GL_LINEAR;
+      glBlitFramebuffer(
+          0, 0, drawn.width, drawn.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, filter);
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, read.framebuffer);
     glReadPixels(0, 0, width, height, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels);
   }
 
   @Override
   public void close() {
-    glDeleteFramebuffers(sampled);
-    glDeleteFramebuffers(resolved);
-    glDeleteRenderbuffers(sampledColour);
-    glDeleteRenderbuffers(sampledDepth);
-    glDeleteRenderbuffers(resolvedColour);
+    drawn.delete();
+    if (read != drawn) {
+      read.delete();
+    }
   }
 }

@@ -33,6 +33,19 @@ final class EglContext implements GlContext {
 
   /** Opens a context and makes it current on the calling thread. */
   static EglContext open() throws SceneUnavailable {
+    return open(System.getProperty("os.name"));
+  }
+
+  /**
+   * @param system the name of the operating system
+   */
+  static EglContext open(String system) throws SceneUnavailable {
+    if (!system.startsWith("Linux")) {
+      throw new SceneUnavailable(
+          "the 3D view draws by EGL, which "
+              + system
+              + " does not have; so far there is a 3D view on Linux only");
+    }
     try {
       Configuration.OPENGL_CONTEXT_API.set("EGL");
       return openLoaded();

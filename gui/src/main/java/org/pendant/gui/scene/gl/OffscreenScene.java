@@ -68,9 +68,12 @@ public final class OffscreenScene implements AutoCloseable {
     return CompletableFuture.supplyAsync(context::renderer, thread).join();
   }
 
-  /** Draws a picture and waits for it; width and height are 1 to {@link #LARGEST_PX} pixels. */
+  /**
+   * Draws a picture in the best quality and waits for it; width and height are 1 to {@link
+   * #LARGEST_PX} pixels.
+   */
   public BufferedImage render(SceneModel model, Camera camera, int width, int height) {
-    return draw(model, camera, image(width, height)).join();
+    return draw(model, camera, Quality.FULL, image(width, height)).join();
   }
 
   /**
@@ -79,19 +82,20 @@ public final class OffscreenScene implements AutoCloseable {
    * @param into of {@link #image}
    */
   public CompletableFuture<BufferedImage> draw(
-      SceneModel model, Camera camera, BufferedImage into) {
+      SceneModel model, Camera camera, Quality quality, BufferedImage into) {
     int[] pixels = ((DataBufferInt) into.getRaster().getDataBuffer()).getData();
     return CompletableFuture.supplyAsync(
         () -> {
-          renderer.render(model, camera, into.getWidth(), into.getHeight(), pixels);
+          renderer.render(model, camera, quality, into.getWidth(), into.getHeight(), pixels);
           return into;
         },
         thread);
   }
 
-  /** What a ray meets in the model, which must have been drawn; see {@link Pick}. */
+  /** What a ray meets in the model; see {@link Pick}. */
   public CompletableFuture<Optional<Picked>> pick(Ray ray, SceneModel model) {
-    return CompletableFuture.supplyAsync(() -> Pick.at(ray, model, renderer.armMeshes()), thread);
+    return CompletableFuture.supplyAsync(
+        () -> Pick.at(ray, model, renderer.armMeshes(model)), thread);
   }
 
   /**

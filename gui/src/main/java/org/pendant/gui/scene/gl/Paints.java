@@ -29,7 +29,7 @@ final class Paints {
       case LID -> 0.55f;
       case SHELL -> 0.5f;
       case SEAL -> 0.15f;
-      case OBJECT, TOUCHED, TOOL -> 0.2f;
+      case OBJECT, TOUCHED, TOOL, LOAD -> 0.2f;
       case AXIS_X, AXIS_Y, AXIS_Z -> -1;
     };
   }

@@ -2,6 +2,8 @@ package org.pendant.gui.scene.gl;
 
 import static org.lwjgl.opengl.GL33C.*;
 
+import java.util.EnumMap;
+import java.util.Map;
 import java.util.Optional;
 import org.joml.Matrix4f;
 import org.joml.Matrix4fc;
@@ -14,7 +16,7 @@ import org.pendant.gui.scene.LinkPlaces;
 import org.pendant.gui.scene.SceneModel;
 import org.pendant.gui.scene.Theme;
 import org.pendant.gui.scene.mesh.ArmMeshes;
-import org.pendant.gui.scene.mesh.Finish;
+import org.pendant.gui.scene.mesh.Detail;
 import org.pendant.gui.scene.mesh.Link;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
@@ -28,91 +30,104 @@ final class SceneRenderer implements AutoCloseable {
   private static final Vector3f NO_TINT = new Vector3f();
   private static final int GHOST_RGB = 0x3B82D9;
 
+  /** How far beyond the arm's reach there are shadows. */
+  private static final float LIT_SHARE = 1.25f;
+
   /** About two pixels of the shadow's map. */
   private static final float SHADOW_OFFSET_SHARE = 0.006f;
 
-  private static final float TRACE_PX_AT_800 = 2.6f;
-  private static final float HIDDEN_TRACE_OPACITY = 0.16f;
+  /** Extra frames are smaller than those of base and tool. */
+  private static final float EXTRA_FRAME_SHARE = 0.75f;
 
-  private final ShaderProgram solid = new ShaderProgram("solid");
-  private final ShaderProgram depth = new ShaderProgram("depth");
-  private final ShaderProgram plane = new ShaderProgram("plane");
-  private final ShaderProgram sky = new ShaderProgram("sky");
-  private final ShaderProgram trace = new ShaderProgram("trace");
+  private static final float HIDDEN_FRAME_OPACITY = 0.45f;
+
+  private final Shaders shaders = new Shaders();
   private final ShadowMap shadow = new ShadowMap();
-  private final Bodies bodies = new Bodies();
-  private final TraceStrip strip = new TraceStrip();
-
-  /** The core profile draws nothing without one, also where there is no buffer. */
-  private final int emptyArray = glGenVertexArrays();
-
+  private final Surroundings surroundings = new Surroundings(shaders);
+  private final LinePainter lines = new LinePainter(shaders);
+  private final Map<Detail, Bodies> bodies = new EnumMap<>(Detail.class);
   private Optional<Canvas> canvas = Optional.empty();
   private Optional<ShadowCaster> inShadow = Optional.empty();
 
-  private record ShadowCaster(String armId, Joints positionRad, Object world) {}
+  private record ShadowCaster(String armId, Joints positionRad, Object world, Detail detail) {}
+
+  /** What stays the same while one picture is drawn. */
+  private record Sight(
+      SceneModel model,
+      Camera camera,
+      Quality quality,
+      Bodies bodies,
+      LinkPlaces places,
+      Ground ground,
+      Matrix4fc toClip,
+      Matrix4fc toMap) {}
 
   /**
    * Draws one picture.
    *
    * @param pixels {@code width * height} numbers 0xAARRGGBB from the top left corner, overwritten
    */
-  void render(SceneModel model, Camera camera, int width, int height, int[] pixels) {
-    bodies.load(model);
-    strip.load(model.trace());
-    Ball lit = lit(model);
-    Matrix4f toShadow = ShadowMap.toClip(lit, TO_SUN);
-    LinkPlaces places = new LinkPlaces(model.kinematics(), model.arm().dh(), model.positionRad());
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(true);
-    castShadow(model, places, toShadow);
-    Canvas target = canvas(width, height);
-    target.begin();
-    shadow.bind();
+  void render(
+      SceneModel model, Camera camera, Quality quality, int width, int height, int[] pixels) {
+    Matrix4f toShadow = ShadowMap.toClip(lit(model), TO_SUN);
     // Upside down, so that the first row that is read is the top one.
     Matrix4f toClip =
         new Matrix4f().scale(1, -1, 1).mul(camera.projection((double) width / height));
-    Matrix4f toMap = ShadowMap.toMap(toShadow);
-    Ground ground = Ground.of(model);
+    Sight sight =
+        new Sight(
+            model,
+            camera,
+            quality,
+            loaded(quality.detail(), model),
+            new LinkPlaces(model.kinematics(), model.arm().dh(), model.positionRad()),
+            Ground.of(model),
+            toClip,
+            ShadowMap.toMap(toShadow));
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(true);
+    castShadow(sight, toShadow);
+    Canvas target = canvas(width, height, quality);
+    target.begin();
+    shadow.bind();
     glClear(GL_DEPTH_BUFFER_BIT);
     glDisable(GL_BLEND);
-    useSolid(model, camera, toClip, toMap, ground);
-    drawBodies(model, places);
-    boolean fromAbove = camera.eyeM().z() > ground.heightM();
-    usePlane(model, toClip, toMap);
-    if (fromAbove) {
-      drawFloor(model, ground, height);
-      drawSky(model.theme());
-    } else {
-      drawSky(model.theme());
-      drawFloor(model, ground, 0);
-    }
-    drawPlanes(model, ground);
-    drawTrace(toClip, width, height);
-    useSolid(model, camera, toClip, toMap, ground);
-    drawGhost(model);
+    drawBodies(sight, useSolid(sight));
+    drawSurroundings(sight, target.drawnHeight());
+    lines.draw(model, sight.ground, camera, toClip, target.drawnWidth(), target.drawnHeight());
+    drawHiddenFrames(sight);
+    drawGhost(sight);
     target.read(pixels);
   }
 
-  /** The meshes of the arm of the model that was drawn last. */
-  ArmMeshes armMeshes() {
-    return bodies.armMeshes();
+  /** The meshes of the arm of the model that was drawn last, or of this one. */
+  ArmMeshes armMeshes(SceneModel model) {
+    return loaded(Detail.COARSE, model).armMeshes();
   }
 
-  private Canvas canvas(int width, int height) {
-    if (canvas.isEmpty() || !canvas.get().sized(width, height)) {
+  private Bodies loaded(Detail detail, SceneModel model) {
+    Bodies wanted = bodies.computeIfAbsent(detail, Bodies::new);
+    wanted.load(model);
+    return wanted;
+  }
+
+  private Canvas canvas(int width, int height, Quality quality) {
+    if (canvas.isEmpty() || !canvas.get().is(width, height, quality)) {
       canvas.ifPresent(Canvas::close);
-      canvas = Optional.of(new Canvas(width, height));
+      canvas = Optional.of(new Canvas(width, height, quality));
     }
     return canvas.get();
   }
 
   private static Ball lit(SceneModel model) {
     Ball reach = Ball.reach(model);
-    return new Ball(reach.centreM(), 1.25 * reach.radiusM());
+    return new Ball(reach.centreM(), LIT_SHARE * reach.radiusM());
   }
 
-  private void castShadow(SceneModel model, LinkPlaces places, Matrix4fc toShadow) {
-    ShadowCaster caster = new ShadowCaster(model.arm().id(), model.positionRad(), model.world());
+  private void castShadow(Sight sight, Matrix4fc toShadow) {
+    SceneModel model = sight.model;
+    ShadowCaster caster =
+        new ShadowCaster(
+            model.arm().id(), model.positionRad(), model.world(), sight.quality.detail());
     if (inShadow.equals(Optional.of(caster))) {
       return;
     }
@@ -120,39 +135,44 @@ final class SceneRenderer implements AutoCloseable {
     glEnable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
     shadow.begin();
+    ShaderProgram depth = shaders.depth();
     depth.use().set("toClip", toShadow);
-    place(depth, places);
-    bodies.arm().draw();
+    place(depth, sight.places);
+    sight.bodies.arm().draw();
     depth.set("places", 0, new Matrix4f());
-    bodies.world().draw();
+    sight.bodies.world().draw();
     shadow.end();
   }
 
-  /** Where nothing was drawn. */
-  private void drawSky(Theme theme) {
-    glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE);
-    glDepthFunc(GL_LEQUAL);
-    setSky(sky.use(), theme);
-    glBindVertexArray(emptyArray);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDepthFunc(GL_LESS);
+  private void drawSurroundings(Sight sight, int height) {
+    SceneModel model = sight.model;
+    Shadows shadows = sight.quality.shadows();
+    float reachM = (float) model.arm().reachM();
+    ShadowReach reach = new ShadowReach(TO_SUN, (float) sight.ground.heightM(), LIT_SHARE * reachM);
+    sight.bodies.addTo(reach, sight.places);
+    float[] shaded = reach.rectangle(2 * SHADOW_OFFSET_SHARE * reachM);
+    boolean fromAbove = sight.camera.looksDownOn(sight.ground.heightM());
+    if (!fromAbove) {
+      surroundings.drawSky(model.theme());
+    }
+    surroundings.drawFloor(
+        model, sight.ground, sight.toClip, sight.toMap, fromAbove ? height : 0, shadows, shaded);
+    if (fromAbove) {
+      surroundings.drawSky(model.theme());
+    }
+    surroundings.drawPlanes(model, sight.ground, sight.toClip, sight.toMap, shadows);
   }
 
-  private static void setSky(ShaderProgram program, Theme theme) {
-    program.set("skyTop", Paints.screen(theme.topRgb()));
-    program.set("skyBottom", Paints.screen(theme.bottomRgb()));
-  }
-
-  private void useSolid(
-      SceneModel model, Camera camera, Matrix4fc toClip, Matrix4fc toMap, Ground ground) {
+  private ShaderProgram useSolid(Sight sight) {
+    SceneModel model = sight.model;
     glEnable(GL_CULL_FACE);
     glFrontFace(GL_CW);
     boolean light = model.theme() == Theme.LIGHT;
-    solid.use().set("toClip", toClip);
-    solid.set("toLight", toMap);
+    ShaderProgram solid = shaders.solid(sight.quality.shadows());
+    solid.use().set("toClip", sight.toClip);
+    solid.set("toLight", sight.toMap);
     solid.setAll("finishes", Paints.finishes(model.theme()));
-    solid.set("eye", vector(camera.eyeM()));
+    solid.set("eye", vector(sight.camera.eyeM()));
     solid.set("toSun", TO_SUN);
     solid.set("sunlight", light ? 0.80f : 0.78f);
     solid.set(
@@ -163,32 +183,65 @@ final class SceneRenderer implements AutoCloseable {
     solid.set("tint", NO_TINT, 0);
     solid.set("opacity", 1);
     solid.set("shadowOffset", SHADOW_OFFSET_SHARE * (float) model.arm().reachM());
-    solid.set("floorHeight", (float) ground.heightM());
+    solid.set("floorHeight", (float) sight.ground.heightM());
     solid.setTexture("shadowMap", 0);
+    return solid;
   }
 
-  private void drawBodies(SceneModel model, LinkPlaces places) {
-    place(solid, places);
+  private static void drawBodies(Sight sight, ShaderProgram solid) {
+    SceneModel model = sight.model;
+    Bodies bodies = sight.bodies;
+    place(solid, sight.places);
     bodies.arm().draw();
     solid.set("places", 0, new Matrix4f());
     bodies.world().draw();
-    float length = (float) (0.05 + 0.1 * model.arm().reachM());
+    float length = frameLengthM(model);
     Matrix4f tcp = LinkPlaces.matrix(model.tcpInBase());
-    drawFrame(new Matrix4f(), length);
-    drawFrame(tcp, length);
+    drawFrame(sight, solid, new Matrix4f(), length);
+    drawFrame(sight, solid, tcp, length);
     for (Pose frame : model.framesInBase()) {
-      drawFrame(LinkPlaces.matrix(frame), length);
+      drawFrame(sight, solid, LinkPlaces.matrix(frame), EXTRA_FRAME_SHARE * length);
     }
-    drawRod(new Matrix4f(places.of(Link.WRIST_3)), tcp);
+    drawRod(sight, solid, new Matrix4f(sight.places.of(Link.WRIST_3)), tcp);
+    model.payload().ifPresent(ball -> drawBall(sight, solid, ball));
   }
 
-  private void drawFrame(Matrix4f frame, float lengthM) {
+  private static float frameLengthM(SceneModel model) {
+    return (float) (0.05 + 0.1 * model.arm().reachM());
+  }
+
+  /** Frames of joints lie inside of the arm; they shine through it. */
+  private void drawHiddenFrames(Sight sight) {
+    if (sight.model.framesInBase().isEmpty()) {
+      return;
+    }
+    ShaderProgram solid = useSolid(sight);
+    solid.set("opacity", HIDDEN_FRAME_OPACITY);
+    Surroundings.blend();
+    glDepthMask(false);
+    glDepthFunc(GL_GREATER);
+    for (Pose frame : sight.model.framesInBase()) {
+      Matrix4f place = LinkPlaces.matrix(frame);
+      drawFrame(sight, solid, place, EXTRA_FRAME_SHARE * frameLengthM(sight.model));
+    }
+    glDepthFunc(GL_LESS);
+    glDepthMask(true);
+    glDisable(GL_BLEND);
+  }
+
+  private static void drawFrame(Sight sight, ShaderProgram solid, Matrix4f frame, float lengthM) {
     solid.set("places", 0, frame.scale(lengthM, new Matrix4f()));
-    bodies.frame().draw();
+    sight.bodies.frame().draw();
+  }
+
+  private static void drawBall(Sight sight, ShaderProgram solid, Ball ball) {
+    Matrix4f place = new Matrix4f().translation(vector(ball.centreM()));
+    solid.set("places", 0, place.scale((float) ball.radiusM()));
+    sight.bodies.ball().draw();
   }
 
   /** From the flange to the tool centre point, so that nobody wonders what holds it. */
-  private void drawRod(Matrix4f flange, Matrix4f tcp) {
+  private static void drawRod(Sight sight, ShaderProgram solid, Matrix4f flange, Matrix4f tcp) {
     Vector3f from = flange.getTranslation(new Vector3f());
     Vector3f way = tcp.getTranslation(new Vector3f()).sub(from);
     float length = way.length();
@@ -196,7 +249,7 @@ final class SceneRenderer implements AutoCloseable {
       Matrix4f place = new Matrix4f().translation(from);
       place.rotateTowards(way.div(length), leastAlong(way));
       solid.set("places", 0, place.scale(1, 1, length));
-      bodies.rod().draw();
+      sight.bodies.rod().draw();
     }
   }
 
@@ -204,89 +257,14 @@ final class SceneRenderer implements AutoCloseable {
     return Math.abs(direction.z) < 0.7f ? new Vector3f(0, 0, 1) : new Vector3f(1, 0, 0);
   }
 
-  private void usePlane(SceneModel model, Matrix4fc toClip, Matrix4fc toMap) {
-    Theme theme = model.theme();
-    glDisable(GL_CULL_FACE);
-    plane.use().set("toClip", toClip);
-    plane.set("toLight", toMap);
-    plane.setTexture("shadowMap", 0);
-    plane.set("axisX", Paints.screen(theme.rgb(Finish.AXIS_X)));
-    plane.set("axisY", Paints.screen(theme.rgb(Finish.AXIS_Y)));
-    plane.set("shade", theme == Theme.LIGHT ? 0.36f : 0.55f);
-    setSky(plane, theme);
-  }
-
-  /**
-   * @param pictureHeight to fade into the sky, or 0 to let everything be seen through
-   */
-  private void drawFloor(SceneModel model, Ground ground, int pictureHeight) {
-    Theme theme = model.theme();
-    float reach = (float) model.arm().reachM();
-    int rgb = ground.touched() ? theme.rgb(Finish.TOUCHED) : theme.floorRgb();
-    plane.use().set("axes", 1);
-    plane.set("halfSize", 4.5f * reach);
-    plane.set("reach", 1.25f * reach);
-    plane.set("pictureHeight", pictureHeight);
-    if (pictureHeight == 0) {
-      blend();
-    }
-    drawPlane(
-        new Matrix4f().translation(0, 0, (float) ground.heightM()),
-        Paints.screen(theme.floorRgb()).lerp(Paints.screen(rgb), 0.3f),
-        theme.gridRgb(),
-        pictureHeight > 0 ? 1 : 0.15f);
-  }
-
-  private void drawPlanes(SceneModel model, Ground ground) {
-    float reach = (float) model.arm().reachM();
-    blend();
-    glDepthMask(false);
-    plane.use().set("axes", 0);
-    plane.set("halfSize", 1.6f * reach);
-    plane.set("reach", 0.8f * reach);
-    plane.set("pictureHeight", 0);
-    for (Ground.Patch patch : ground.planes()) {
-      int rgb = model.theme().rgb(patch.touched() ? Finish.TOUCHED : Finish.OBJECT);
-      drawPlane(patch.frame(), Paints.screen(rgb), rgb, 0.3f);
-    }
-    glDepthMask(true);
-  }
-
-  private static void blend() {
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  }
-
-  private void drawPlane(Matrix4fc place, Vector3f fill, int lineRgb, float fillOpacity) {
-    plane.set("place", place);
-    plane.set("fill", fill);
-    plane.set("line", Paints.screen(lineRgb));
-    plane.set("fillOpacity", fillOpacity);
-    glBindVertexArray(emptyArray);
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  }
-
-  private void drawTrace(Matrix4fc toClip, int width, int height) {
-    blend();
-    glDisable(GL_CULL_FACE);
-    glDepthMask(false);
-    trace.use().set("toClip", toClip);
-    trace.set("halfPixels", width / 2f, height / 2f);
-    trace.set("width", Math.max(1.5f, TRACE_PX_AT_800 * height / 800f));
-    trace.set("opacity", 1);
-    strip.draw();
-    glDepthFunc(GL_GREATER);
-    trace.set("opacity", HIDDEN_TRACE_OPACITY);
-    strip.draw();
-    glDepthFunc(GL_LESS);
-    glDepthMask(true);
-  }
-
   /** Its depths first, so that no far side shines through the near one. */
-  private void drawGhost(SceneModel model) {
+  private void drawGhost(Sight sight) {
+    SceneModel model = sight.model;
     if (model.ghostRad().isEmpty()) {
       return;
     }
+    ShaderProgram solid = useSolid(sight);
+    glDisable(GL_BLEND);
     place(solid, new LinkPlaces(model.kinematics(), model.arm().dh(), model.ghostRad().get()));
     solid.set("tint", Paints.linear(GHOST_RGB), 0.7f);
     solid.set("opacity", 0.38f);
@@ -294,11 +272,11 @@ final class SceneRenderer implements AutoCloseable {
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1, 16);
     glColorMask(false, false, false, false);
-    bodies.arm().draw();
+    sight.bodies.arm().draw();
     glColorMask(true, true, true, true);
-    blend();
+    Surroundings.blend();
     glDepthFunc(GL_LEQUAL);
-    bodies.arm().draw();
+    sight.bodies.arm().draw();
     glDepthFunc(GL_LESS);
     glDisable(GL_BLEND);
     glDisable(GL_POLYGON_OFFSET_FILL);
@@ -318,14 +296,10 @@ final class SceneRenderer implements AutoCloseable {
   @Override
   public void close() {
     canvas.ifPresent(Canvas::close);
-    strip.close();
-    bodies.close();
+    lines.close();
+    surroundings.close();
+    bodies.values().forEach(Bodies::close);
     shadow.close();
-    glDeleteVertexArrays(emptyArray);
-    solid.close();
-    depth.close();
-    plane.close();
-    sky.close();
-    trace.close();
+    shaders.close();
   }
 }

@@ -24,8 +24,16 @@ final class ShaderProgram implements AutoCloseable {
    * @param name of the two resources, which end in {@code .vert} and {@code .frag}
    */
   ShaderProgram(String name) {
-    int vertex = compile(GL_VERTEX_SHADER, name + ".vert");
-    int fragment = compile(GL_FRAGMENT_SHADER, name + ".frag");
+    this(name, Shadows.NONE);
+  }
+
+  /**
+   * @param name of the two resources, which end in {@code .vert} and {@code .frag}
+   * @param shadows how they look for shadows
+   */
+  ShaderProgram(String name, Shadows shadows) {
+    int vertex = compile(GL_VERTEX_SHADER, name + ".vert", shadows);
+    int fragment = compile(GL_FRAGMENT_SHADER, name + ".frag", shadows);
     id = glCreateProgram();
     glAttachShader(id, vertex);
     glAttachShader(id, fragment);
@@ -37,14 +45,20 @@ final class ShaderProgram implements AutoCloseable {
     }
   }
 
-  private static int compile(int kind, String file) {
+  private static int compile(int kind, String file, Shadows shadows) {
     int shader = glCreateShader(kind);
-    glShaderSource(shader, source(file));
+    glShaderSource(shader, defining(shadows.define(), source(file)));
     glCompileShader(shader);
     if (glGetShaderi(shader, GL_COMPILE_STATUS) == 0) {
       throw new IllegalStateException(file + " does not compile: " + glGetShaderInfoLog(shader));
     }
     return shader;
+  }
+
+  /** After the line with the version, which must come first. */
+  private static String defining(String symbol, String source) {
+    int version = source.indexOf('\n') + 1;
+    return source.substring(0, version) + "#define " + symbol + "\n" + source.substring(version);
   }
 
   private static String source(String file) {
@@ -89,6 +103,14 @@ final class ShaderProgram implements AutoCloseable {
 
   void set(String name, Vector3fc v, float w) {
     glUniform4f(location(name), v.x(), v.y(), v.z(), w);
+  }
+
+  void set(String name, float[] four) {
+    glUniform4f(location(name), four[0], four[1], four[2], four[3]);
+  }
+
+  void set(String name, boolean value) {
+    glUniform1i(location(name), value ? 1 : 0);
   }
 
   void set(String name, Matrix4fc matrix) {

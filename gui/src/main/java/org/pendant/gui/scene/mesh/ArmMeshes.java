@@ -16,12 +16,13 @@ public final class ArmMeshes {
   /**
    * @param shape what the arm looks like
    * @param dh its lengths: they say where the bodies meet
+   * @param detail how finely they are cut
    */
-  public ArmMeshes(ArmShape shape, DhLengths dh) {
+  public ArmMeshes(ArmShape shape, DhLengths dh, Detail detail) {
     JointFaces faces = JointFaces.of(shape, dh);
-    Knuckles knuckles = new Knuckles(shape, dh, faces);
-    Limbs limbs = new Limbs(shape, faces);
-    meshes.put(Link.BASE, Foot.of(shape.base(), faces.j1() - JointFaces.HALF_GAP_M));
+    Knuckles knuckles = new Knuckles(shape, dh, faces, detail);
+    Limbs limbs = new Limbs(shape, faces, detail);
+    meshes.put(Link.BASE, Foot.of(shape.base(), faces.j1() - JointFaces.HALF_GAP_M, detail));
     meshes.put(Link.SHOULDER, knuckles.shoulder());
     meshes.put(Link.UPPER_ARM, limbs.upperArm());
     meshes.put(Link.FOREARM, limbs.forearm());

@@ -21,7 +21,9 @@ public enum Finish {
   /** The same while the tool touches it. */
   TOUCHED(8),
   /** The rod from the flange to the tool centre point. */
-  TOOL(9);
+  TOOL(9),
+  /** The ball that stands for what hangs on the flange. */
+  LOAD(10);
 
   private final int number;
 

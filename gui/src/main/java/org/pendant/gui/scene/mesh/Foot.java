@@ -15,9 +15,10 @@ final class Foot {
 
   /**
    * @param topM where the shoulder begins, m
+   * @param detail how finely it is cut
    */
-  static Mesh of(Base base, double topM) {
-    MeshBuilder mesh = new MeshBuilder();
+  static Mesh of(Base base, double topM, Detail detail) {
+    MeshBuilder mesh = new MeshBuilder(detail);
     double plateM = Math.min(THICKEST_PLATE_M, 0.45 * topM);
     double footM = base.footRadiusM();
     double bodyM = base.topRadiusM();

@@ -17,18 +17,20 @@ final class Knuckles {
   private final ArmShape shape;
   private final DhLengths dh;
   private final JointFaces faces;
+  private final Detail detail;
 
-  Knuckles(ArmShape shape, DhLengths dh, JointFaces faces) {
+  Knuckles(ArmShape shape, DhLengths dh, JointFaces faces, Detail detail) {
     this.shape = shape;
     this.dh = dh;
     this.faces = faces;
+    this.detail = detail;
   }
 
   Mesh shoulder() {
     Knuckle shoulder = shape.shoulder();
     double radiusM = shoulder.alongZ().radiusM();
     double startM = faces.j1() - dh.d1();
-    MeshBuilder mesh = new MeshBuilder();
+    MeshBuilder mesh = new MeshBuilder(detail);
     addBody(
         mesh,
         radiusM,
@@ -44,7 +46,7 @@ final class Knuckles {
   Mesh wrist1() {
     Knuckle wrist = shape.wrist1();
     double neckM = faces.j4() - dh.d4() + GAP_M;
-    MeshBuilder mesh = new MeshBuilder();
+    MeshBuilder mesh = new MeshBuilder(detail);
     addBody(
         mesh,
         wrist.alongZ().radiusM(),
@@ -63,7 +65,7 @@ final class Knuckles {
   Mesh wrist2() {
     Knuckle wrist = shape.wrist2();
     double neckM = faces.j5() - dh.d5() + GAP_M;
-    MeshBuilder mesh = new MeshBuilder();
+    MeshBuilder mesh = new MeshBuilder(detail);
     addBody(
         mesh,
         wrist.alongZ().radiusM(),
@@ -82,7 +84,7 @@ final class Knuckles {
   /** The last link has no housing; it carries the flange and the socket of the tool's cable. */
   Mesh wrist3() {
     double startM = faces.j6() - dh.d6();
-    MeshBuilder mesh = new MeshBuilder();
+    MeshBuilder mesh = new MeshBuilder(detail);
     new Flange(shape.wrist3()).addTo(mesh, startM + GAP_M);
     Seal.add(
         mesh,
@@ -112,7 +114,8 @@ final class Knuckles {
             new Pipe(neck, neckLengthM, share -> neckRadiusM),
             Optional.empty(),
             housing.barrel(lidM, 0.002),
-            FILLET_SHARE * radiusM)
+            FILLET_SHARE * radiusM,
+            mesh.detail())
         .addTo(mesh);
   }
 

@@ -5,7 +5,7 @@ import java.util.List;
 
 /** Turns outlines around the z axis of the part's frame. */
 final class Lathe {
-  /** Corners of what is round; at this number nobody sees them. */
+  /** Corners of what is round, at best; at this number nobody sees them. */
   static final int AROUND = 48;
 
   private Lathe() {}
@@ -15,7 +15,7 @@ final class Lathe {
   }
 
   static void turn(MeshBuilder mesh, Profile profile, int around) {
-    turn(mesh, profile.points(), around);
+    turn(mesh, profile.points(mesh.detail()), mesh.detail().around(around));
   }
 
   private static void turn(MeshBuilder mesh, List<Profile.Point> points, int around) {
@@ -49,7 +49,8 @@ final class Lathe {
 
   /** A ball around the origin. */
   static void ball(MeshBuilder mesh, double radiusM, int around) {
-    int parallels = around / 2;
+    int meridians = mesh.detail().around(around);
+    int parallels = meridians / 2;
     List<Profile.Point> points = new ArrayList<>();
     for (int i = 0; i <= parallels; i++) {
       double angle = Math.PI * i / parallels;
@@ -57,6 +58,6 @@ final class Lathe {
       double nr = i % parallels == 0 ? 0 : Math.sin(angle);
       points.add(new Profile.Point(radiusM * nr, -radiusM * Math.cos(angle), nr, -Math.cos(angle)));
     }
-    turn(mesh, points, around);
+    turn(mesh, points, meridians);
   }
 }

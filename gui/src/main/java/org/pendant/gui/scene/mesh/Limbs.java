@@ -21,16 +21,18 @@ final class Limbs {
 
   private final ArmShape shape;
   private final JointFaces faces;
+  private final Detail detail;
 
-  Limbs(ArmShape shape, JointFaces faces) {
+  Limbs(ArmShape shape, JointFaces faces, Detail detail) {
     this.shape = shape;
     this.faces = faces;
+    this.detail = detail;
   }
 
   Mesh upperArm() {
     Limb limb = shape.upperArm();
     double length = limb.lengthM();
-    MeshBuilder mesh = new MeshBuilder();
+    MeshBuilder mesh = new MeshBuilder(detail);
     double nearM = faces.j2() + GAP_M;
     double farM = faces.j3() + GAP_M;
     Housing near = housing(Side.UP_Z.at(0, 0, nearM), limb.near(), limb.near().toM() - nearM);
@@ -60,7 +62,7 @@ final class Limbs {
     Limb limb = shape.forearm();
     double length = limb.lengthM();
     Tube tube = limb.tube();
-    MeshBuilder mesh = new MeshBuilder();
+    MeshBuilder mesh = new MeshBuilder(detail);
     double nearM = faces.j3() - GAP_M;
     double farM = faces.j4() - GAP_M;
     // The tube may reach lower than the housing was measured; the elbow takes it in.
@@ -107,6 +109,6 @@ final class Limbs {
       MeshBuilder mesh, Limb limb, LimbRadius radius, Barrel near, Barrel far) {
     Pipe pipe = new Pipe(Side.DOWN_X.at(0, 0, limb.tube().centreZM()), limb.lengthM(), radius);
     double filletM = FILLET_SHARE * limb.tube().middleRadiusM();
-    new Tubing(pipe, Optional.of(near), far, filletM).addTo(mesh);
+    new Tubing(pipe, Optional.of(near), far, filletM, mesh.detail()).addTo(mesh);
   }
 }

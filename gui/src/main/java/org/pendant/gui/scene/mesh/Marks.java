@@ -12,8 +12,8 @@ public final class Marks {
   private Marks() {}
 
   /** The axes of a frame as arrows of length 1, red x, green y and blue z. */
-  public static Mesh frame() {
-    MeshBuilder mesh = new MeshBuilder();
+  public static Mesh frame(Detail detail) {
+    MeshBuilder mesh = new MeshBuilder(detail);
     addArrow(mesh.finish(Finish.AXIS_X), new Matrix4f().rotateY((float) (Math.PI / 2)));
     addArrow(mesh.finish(Finish.AXIS_Y), Side.UP_Y.at(0, 0, 0));
     addArrow(mesh.finish(Finish.AXIS_Z), Side.UP_Z.at(0, 0, 0));
@@ -23,10 +23,18 @@ public final class Marks {
   }
 
   /** A rod along z from 0 to 1, to be stretched along z only, of a radius in m. */
-  public static Mesh rod(double radiusM) {
-    MeshBuilder mesh = new MeshBuilder();
+  public static Mesh rod(double radiusM, Detail detail) {
+    MeshBuilder mesh = new MeshBuilder(detail);
     mesh.finish(Finish.TOOL);
     Lathe.cylinder(mesh, radiusM, 0, 1, 0, AROUND);
+    return mesh.build();
+  }
+
+  /** A ball of radius 1. */
+  public static Mesh ball(Detail detail) {
+    MeshBuilder mesh = new MeshBuilder(detail);
+    mesh.finish(Finish.LOAD);
+    Lathe.ball(mesh, 1, 2 * AROUND);
     return mesh.build();
   }
 

@@ -14,7 +14,19 @@ final class MeshBuilder {
   private int cornerCount;
   private final Matrix4f place = new Matrix4f();
   private final Vector3f scratch = new Vector3f();
+  private final Detail detail;
   private byte finish;
+
+  /**
+   * @param detail how finely the parts that follow are cut
+   */
+  MeshBuilder(Detail detail) {
+    this.detail = detail;
+  }
+
+  Detail detail() {
+    return detail;
+  }
 
   /**
    * Where the parts that follow go.

@@ -40,12 +40,12 @@ final class Profile {
   }
 
   /** Points of the outline; a sharp corner is there twice, with the normals of both sides. */
-  List<Point> points() {
+  List<Point> points(Detail detail) {
     List<Point> points = new ArrayList<>();
     int last = corners.size() - 1;
     addEnd(corners.get(0), corners.get(0), corners.get(1), points);
     for (int i = 1; i < last; i++) {
-      addCorner(corners.get(i - 1), corners.get(i), corners.get(i + 1), points);
+      addCorner(corners.get(i - 1), corners.get(i), corners.get(i + 1), detail, points);
     }
     addEnd(corners.get(last), corners.get(last - 1), corners.get(last), points);
     return points;
@@ -56,7 +56,8 @@ final class Profile {
     points.add(new Point(at.r, at.z, (to.z - from.z) / length, (from.r - to.r) / length));
   }
 
-  private static void addCorner(Corner before, Corner at, Corner after, List<Point> points) {
+  private static void addCorner(
+      Corner before, Corner at, Corner after, Detail detail, List<Point> points) {
     double in = Math.hypot(at.r - before.r, at.z - before.z);
     double out = Math.hypot(after.r - at.r, after.z - at.z);
     double inR = (at.r - before.r) / in;
@@ -72,7 +73,7 @@ final class Profile {
     double startZ = at.z - cut * inZ;
     double centreR = startR - side * radiusM * inZ;
     double centreZ = startZ + side * radiusM * inR;
-    int most = radiusM > LARGE_M ? STEPS_OF_LARGE : STEPS;
+    int most = detail.steps(radiusM > LARGE_M ? STEPS_OF_LARGE : STEPS);
     int steps =
         radiusM == 0 ? 1 : (int) Math.max(1, Math.ceil(most * Math.abs(turnRad) / (Math.PI / 2)));
     for (int i = 0; i <= steps; i++) {

@@ -31,24 +31,28 @@ final class Tubing {
   private final Optional<Barrel> near;
   private final Barrel far;
   private final double filletM;
+  private final Detail detail;
 
   private record Knot(Vector3f point, Vector3f normal) {}
 
   /**
    * @param pipe from the middle of the near barrel, or the free end, to the middle of the far one
    * @param filletM size of the fillets where there is room for them, m
+   * @param detail how finely it is cut
    */
-  Tubing(Pipe pipe, Optional<Barrel> near, Barrel far, double filletM) {
+  Tubing(Pipe pipe, Optional<Barrel> near, Barrel far, double filletM, Detail detail) {
     this.pipe = pipe;
     this.near = near;
     this.far = far;
     this.filletM = filletM;
+    this.detail = detail;
   }
 
   void addTo(MeshBuilder mesh) {
     List<List<Knot>> staves = new ArrayList<>();
-    for (int j = 0; j < Lathe.AROUND; j++) {
-      staves.add(stave(2 * Math.PI * j / Lathe.AROUND));
+    int around = detail.around(Lathe.AROUND);
+    for (int j = 0; j < around; j++) {
+      staves.add(stave(2 * Math.PI * j / around));
     }
     mesh.at(new Matrix4f()).finish(Finish.SHELL);
     int rings = staves.getFirst().size();
@@ -61,7 +65,7 @@ final class Tubing {
         first = first < 0 ? vertex : first;
       }
     }
-    mesh.skin(first, rings, Lathe.AROUND);
+    mesh.skin(first, rings, around);
   }
 
   private List<Knot> stave(double angleRad) {
@@ -87,7 +91,7 @@ final class Tubing {
     }
     double sizeM = sizeM(far, angleRad, entersFarM, roomM);
     double endM = entersFarM - sizeM;
-    int steps = near.isPresent() ? STEPS_OF_LIMB : STEPS_OF_NECK;
+    int steps = detail.steps(near.isPresent() ? STEPS_OF_LIMB : STEPS_OF_NECK);
     for (int i = 1; i < steps; i++) {
       double z = startM + (endM - startM) * i / steps;
       knots.add(new Knot(pipe.point(angleRad, pipe.radiusM(z), z), pipe.normal(angleRad, z)));
@@ -102,9 +106,10 @@ final class Tubing {
   private void addFreeEnd(double angleRad, List<Knot> knots) {
     double r = pipe.radiusM(0);
     knots.add(new Knot(pipe.point(0, 0, 0), pipe.direction(0, 0, -1)));
-    for (int i = 0; i <= BEVEL_STEPS; i++) {
-      double out = Math.sin(Math.PI / 2 * i / BEVEL_STEPS);
-      double down = Math.cos(Math.PI / 2 * i / BEVEL_STEPS);
+    int steps = detail.steps(BEVEL_STEPS);
+    for (int i = 0; i <= steps; i++) {
+      double out = Math.sin(Math.PI / 2 * i / steps);
+      double down = Math.cos(Math.PI / 2 * i / steps);
       knots.add(
           new Knot(
               pipe.point(angleRad, r - BEVEL_M * (1 - out), BEVEL_M * (1 - down)),
@@ -122,13 +127,14 @@ final class Tubing {
     Vector3f onBarrel = pipe.point(angleRad, r + sizeM, entersM);
     onBarrel.fma((float) -barrel.distanceM(onBarrel), barrel.normal(onBarrel));
     List<Knot> knots = new ArrayList<>();
-    for (int i = 0; i <= FILLET_STEPS; i++) {
-      float t = (float) i / FILLET_STEPS;
+    int steps = detail.steps(FILLET_STEPS);
+    for (int i = 0; i <= steps; i++) {
+      float t = (float) i / steps;
       Vector3f point = new Vector3f(onTube).mul((1 - t) * (1 - t));
       point.fma(2 * t * (1 - t), corner).fma(t * t, onBarrel);
       surface.attract(point);
       Vector3f normal = surface.normal(point);
-      if (i == FILLET_STEPS) {
+      if (i == steps) {
         point.fma(-SUNK_M, normal);
       }
       knots.add(new Knot(point, normal));

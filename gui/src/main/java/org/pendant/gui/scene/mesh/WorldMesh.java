@@ -22,9 +22,10 @@ public final class WorldMesh {
    * The mesh of some objects.
    *
    * @param touched names of those that look touched
+   * @param detail how finely balls are cut
    */
-  public static Mesh of(List<SceneObject> objects, Set<String> touched) {
-    MeshBuilder mesh = new MeshBuilder();
+  public static Mesh of(List<SceneObject> objects, Set<String> touched, Detail detail) {
+    MeshBuilder mesh = new MeshBuilder(detail);
     for (SceneObject object : objects) {
       mesh.finish(touched.contains(object.name()) ? Finish.TOUCHED : Finish.OBJECT);
       switch (object) {
@@ -47,7 +48,7 @@ public final class WorldMesh {
     new Block(half, Math.min(WIDEST_BEVEL_M, BEVEL_SHARE * shortest)).addTo(mesh);
   }
 
-  private static Matrix4f frame(Pose pose) {
+  static Matrix4f frame(Pose pose) {
     Matrix4f frame =
         new Matrix4f().translation((float) pose.x(), (float) pose.y(), (float) pose.z());
     Vector3f axis = new Vector3f((float) pose.rx(), (float) pose.ry(), (float) pose.rz());

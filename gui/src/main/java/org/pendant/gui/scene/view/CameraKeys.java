@@ -6,8 +6,12 @@ import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import org.pendant.gui.scene.Camera;
+import org.pendant.gui.scene.StandardView;
 
-/** The keyboard on the view: arrows turn, with shift they move, plus and minus go near and far. */
+/**
+ * The keyboard on the view: arrows turn, with shift they move, plus and minus go near and far,
+ * digits look from the standard directions.
+ */
 final class CameraKeys {
   private static final double TURN_RAD = Math.toRadians(5);
   private static final double MOVE_PX = 40;
@@ -35,6 +39,10 @@ final class CameraKeys {
     for (String minus : new String[] {"typed -", "SUBTRACT"}) {
       keys.on(minus, camera -> camera.dollied(STEP));
     }
+    for (StandardView direction : StandardView.values()) {
+      keys.run(direction.key(), () -> view.look(direction));
+    }
+    keys.run("O", () -> view.setLens(view.lens().other()));
     keys.run("HOME", view::fit);
     keys.run("ENTER", view::zoomToTool);
   }

@@ -15,11 +15,16 @@ final class CameraMouse extends MouseAdapter {
   private static final double STEP = 1.13;
 
   private final SceneView view;
+  private final ArmDrag drag;
   private int lastX;
   private int lastY;
 
-  CameraMouse(SceneView view) {
+  /**
+   * @param drag has the pointer first
+   */
+  CameraMouse(SceneView view, ArmDrag drag) {
     this.view = view;
+    this.drag = drag;
   }
 
   @Override
@@ -35,6 +40,9 @@ final class CameraMouse extends MouseAdapter {
     int down = event.getY() - lastY;
     lastX = event.getX();
     lastY = event.getY();
+    if (drag.takesPointer()) {
+      return;
+    }
     boolean turn = SwingUtilities.isLeftMouseButton(event) && !event.isShiftDown();
     view.change(
         camera ->

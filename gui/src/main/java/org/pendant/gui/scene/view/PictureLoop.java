@@ -7,17 +7,18 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.pendant.gui.scene.gl.OffscreenScene;
+import org.pendant.gui.scene.gl.Quality;
 
 /**
  * Draws the newest picture that was asked for, one at a time, elsewhere; whatever was asked for in
- * between is dropped. While pictures follow each other and drawing is slow, they are drawn coarse;
- * {@link #settle} has the last one drawn again in full.
+ * between is dropped. While pictures follow each other they are drawn as well as there is time for
+ * ({@link Pace}); {@link #settle} has the last one drawn again in full.
  *
  * <p>Belongs to the thread of its executor, the dispatch thread.
  */
 final class PictureLoop {
-  /** A full picture that took longer than this is too slow for things that move, ns. */
-  private static final long SLOW_NS = 70_000_000;
+  /** Half of what a picture may take at 60 in a second, ns. */
+  private static final long FAST_NS = 8_000_000;
 
   private final Painter painter;
   private final Executor dispatcher;
@@ -27,11 +28,12 @@ final class PictureLoop {
   private Optional<PictureRequest> drawn = Optional.empty();
   private Optional<BufferedImage> shown = Optional.empty();
   private Optional<BufferedImage> spare = Optional.empty();
-  private long fullNs;
+  private long lastNs = Long.MAX_VALUE;
+  private final Pace pace = new Pace();
   private boolean busy;
   private boolean ended;
   private boolean settled;
-  private boolean drawnCoarse;
+  private boolean drawnInFull = true;
 
   /** Draws elsewhere. */
   @FunctionalInterface
@@ -59,6 +61,9 @@ final class PictureLoop {
       return false;
     }
     boolean following = wanted.isPresent() && sameSize(wanted.get(), request);
+    if (!following) {
+      pace.forget();
+    }
     wanted = Optional.of(request);
     settled = !following;
     if (!busy) {
@@ -67,10 +72,18 @@ final class PictureLoop {
     return true;
   }
 
-  /** Nothing has changed for a while: what was drawn coarse deserves to be drawn in full. */
+  /**
+   * Whether there is time for pictures between those of every refresh of the window: the last one
+   * was drawn so fast that a GPU must be at work. Without one it would take the time of others.
+   */
+  boolean hasTime() {
+    return !busy && lastNs < FAST_NS;
+  }
+
+  /** Nothing has changed for a while: what was drawn quickly deserves to be drawn in full. */
   void settle() {
     settled = true;
-    if (!busy && drawnCoarse) {
+    if (!busy && !drawnInFull) {
       draw(wanted.orElseThrow());
     }
   }
@@ -80,21 +93,19 @@ final class PictureLoop {
   }
 
   private void draw(PictureRequest request) {
-    boolean coarse = !settled && fullNs > SLOW_NS;
-    PictureRequest size = coarse ? request.coarse() : request;
+    Quality quality = settled ? Quality.FULL : pace.quality();
     busy = true;
     long startNs = nowNs.getAsLong();
     var _ =
         painter
-            .draw(size, image(size))
+            .draw(request.as(quality), image(request))
             .whenComplete(
                 (image, failure) ->
                     dispatcher.execute(
                         () -> {
-                          if (!coarse) {
-                            fullNs = nowNs.getAsLong() - startNs;
-                          }
-                          drawnCoarse = coarse;
+                          lastNs = nowNs.getAsLong() - startNs;
+                          pace.took(quality, (double) lastNs);
+                          drawnInFull = quality == Quality.FULL;
                           finished(request, image, failure);
                         }));
   }
@@ -117,7 +128,7 @@ final class PictureLoop {
     shown = Optional.of(image);
     show.accept(image);
     PictureRequest newest = wanted.orElseThrow();
-    if (!request.equals(newest) || (drawnCoarse && settled)) {
+    if (!request.equals(newest) || (settled && !drawnInFull)) {
       draw(newest);
     }
   }

@@ -2,6 +2,7 @@ package org.pendant.gui.scene.view;
 
 import org.pendant.gui.scene.Camera;
 import org.pendant.gui.scene.SceneModel;
+import org.pendant.gui.scene.gl.Quality;
 
 /**
  * A picture that is wanted.
@@ -10,15 +11,17 @@ import org.pendant.gui.scene.SceneModel;
  * @param camera from where
  * @param widthPx its width, device pixels
  * @param heightPx its height, device pixels
+ * @param quality how well
  */
-record PictureRequest(SceneModel model, Camera camera, int widthPx, int heightPx) {
+record PictureRequest(SceneModel model, Camera camera, int widthPx, int heightPx, Quality quality) {
 
-  /** The same picture with half as many pixels in a row. */
-  PictureRequest coarse() {
-    return new PictureRequest(model, camera, half(widthPx), half(heightPx));
+  /** A picture as good as can be. */
+  PictureRequest(SceneModel model, Camera camera, int widthPx, int heightPx) {
+    this(model, camera, widthPx, heightPx, Quality.FULL);
   }
 
-  private static int half(int px) {
-    return Math.max(1, px / 2);
+  /** The same picture, drawn as well as told. */
+  PictureRequest as(Quality other) {
+    return new PictureRequest(model, camera, widthPx, heightPx, other);
   }
 }

@@ -13,17 +13,17 @@ import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.UnaryOperator;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.SwingConstants;
 import javax.swing.Timer;
 import org.pendant.controller.world.Vector3;
 import org.pendant.gui.scene.Camera;
+import org.pendant.gui.scene.Lens;
 import org.pendant.gui.scene.Outline;
 import org.pendant.gui.scene.Picked;
 import org.pendant.gui.scene.SceneModel;
 import org.pendant.gui.scene.StandardView;
 import org.pendant.gui.scene.gl.OffscreenScene;
+import org.pendant.gui.scene.gl.Quality;
 import org.pendant.gui.scene.gl.SceneUnavailable;
 import org.pendant.models.pose.Pose;
 
@@ -41,15 +41,22 @@ public final class SceneView extends JPanel {
   /** Distance at which the tool fills a good part of the picture, as a share of the arm's reach. */
   private static final double TOOL_SHARE = 0.6;
 
+  /** Pictures that are kept have so many times the pixels of the screen in a row. */
+  private static final int PHOTO_FACTOR = 2;
+
   /** Nothing changed for this long: time to draw in full. */
   private static final int REST_MS = 150;
 
   private transient Optional<OffscreenScene> scene = Optional.empty();
   private transient Optional<PictureLoop> loop = Optional.empty();
   private transient Optional<SceneModel> model = Optional.empty();
+  private Lens lens = Lens.PERSPECTIVE;
   private transient Optional<Camera> camera = Optional.empty();
   private transient Optional<BufferedImage> picture = Optional.empty();
 
+  private final transient ArmDrag drag = new ArmDrag(this);
+  private final transient Hover hover =
+      new Hover(this::pick, EventQueue::invokeLater, this::repaint);
   private final Timer rest = new Timer(REST_MS, event -> loop.ifPresent(PictureLoop::settle));
 
   /** Counts the windows it was part of, so that what was started for an earlier one is dropped. */
@@ -65,11 +72,16 @@ public final class SceneView extends JPanel {
     getAccessibleContext()
         .setAccessibleDescription(
             "Arrows turn the view, shift and arrows move it, plus and minus zoom, Enter looks at"
-                + " the tool, Home at the whole robot");
-    CameraMouse mouse = new CameraMouse(this);
+                + " the tool, Home at the whole robot, 1 to 6 from the standard directions, O"
+                + " without perspective");
+    addMouseListener(drag);
+    addMouseMotionListener(drag);
+    CameraMouse mouse = new CameraMouse(this, drag);
     addMouseListener(mouse);
     addMouseMotionListener(mouse);
     addMouseWheelListener(mouse);
+    addMouseListener(hover);
+    addMouseMotionListener(hover);
     CameraKeys.bind(this);
     rest.setRepeats(false);
     addComponentListener(
@@ -95,7 +107,46 @@ public final class SceneView extends JPanel {
 
   /** Looks at the robot from a standard direction, so that all of it is seen. */
   public void look(StandardView direction) {
-    model.ifPresent(shown -> setCamera(Camera.of(direction, Outline.of(shown), aspect())));
+    model.ifPresent(
+        shown ->
+            setCamera(
+                Camera.of(direction, Outline.of(shown), aspect())
+                    .through(lens)
+                    .fitted(Outline.of(shown), aspect())));
+  }
+
+  /** How depth is shown. */
+  public Lens lens() {
+    return lens;
+  }
+
+  /** Shows depth in this way from now on. */
+  public void setLens(Lens next) {
+    assert EventQueue.isDispatchThread();
+    lens = next;
+    change(current -> current.through(next));
+  }
+
+  /** Whether pictures are drawn so fast that there may be more of them than of refreshes. */
+  public boolean hasTime() {
+    return loop.map(PictureLoop::hasTime).orElse(false);
+  }
+
+  /** What is shown, drawn anew as well as can be; nothing while nothing is shown. */
+  public CompletableFuture<Optional<BufferedImage>> photo() {
+    Optional<PictureRequest> drawn = loop.flatMap(PictureLoop::drawn);
+    if (drawn.isEmpty() || scene.isEmpty()) {
+      return CompletableFuture.completedFuture(Optional.empty());
+    }
+    PictureRequest shown = drawn.get();
+    int factor =
+        Math.min(
+            PHOTO_FACTOR, OffscreenScene.LARGEST_PX / Math.max(shown.widthPx(), shown.heightPx()));
+    BufferedImage into = OffscreenScene.image(factor * shown.widthPx(), factor * shown.heightPx());
+    return scene
+        .get()
+        .draw(shown.model(), shown.camera(), Quality.FULL, into)
+        .thenApply(Optional::of);
   }
 
   /** Shows all of the robot, from the same direction. */
@@ -130,6 +181,17 @@ public final class SceneView extends JPanel {
     camera.ifPresent(current -> setCamera(step.apply(current)));
   }
 
+  /** Pulls the arm from now on when it is dragged. */
+  public void setHand(ArmHand hand) {
+    assert EventQueue.isDispatchThread();
+    drag.setHand(hand);
+  }
+
+  /** What is on the screen. */
+  Optional<PictureRequest> drawn() {
+    return loop.flatMap(PictureLoop::drawn);
+  }
+
   /** What is under a point of the component; nothing while nothing is shown. */
   public CompletableFuture<Optional<Picked>> pick(int x, int y) {
     Optional<PictureRequest> drawn = loop.flatMap(PictureLoop::drawn);
@@ -152,6 +214,7 @@ public final class SceneView extends JPanel {
   @Override
   public void removeNotify() {
     window++;
+    drag.release();
     loop.ifPresent(PictureLoop::end);
     scene.ifPresent(SceneView::closeElsewhere);
     scene = Optional.empty();
@@ -179,7 +242,8 @@ public final class SceneView extends JPanel {
     loop =
         Optional.of(
             new PictureLoop(
-                (request, into) -> opened.draw(request.model(), request.camera(), into),
+                (request, into) ->
+                    opened.draw(request.model(), request.camera(), request.quality(), into),
                 EventQueue::invokeLater,
                 System::nanoTime,
                 image -> show(image, startedFor)));
@@ -192,15 +256,7 @@ public final class SceneView extends JPanel {
 
   private void explain(String reason) {
     removeAll();
-    String text = reason.replace("&", "&amp;").replace("<", "&lt;");
-    JLabel note =
-        new JLabel(
-            "<html><div style='width:300px;text-align:center'><b>No 3D view</b><br>"
-                + text
-                + "</div></html>",
-            SwingConstants.CENTER);
-    note.setName("scene-unavailable");
-    add(note);
+    add(new MissingGraphics(reason));
     revalidate();
     repaint();
   }
@@ -208,6 +264,7 @@ public final class SceneView extends JPanel {
   private void show(BufferedImage image, int startedFor) {
     if (startedFor == window) {
       picture = Optional.of(image);
+      hover.look();
       repaint();
     }
   }
@@ -217,7 +274,8 @@ public final class SceneView extends JPanel {
       return;
     }
     if (camera.isEmpty()) {
-      camera = Optional.of(Camera.of(StandardView.ISO, Outline.of(model.get()), aspect()));
+      look(StandardView.ISO);
+      return;
     }
     AffineTransform device = device();
     int widthPx = pixels(getWidth() * device.getScaleX());
@@ -265,6 +323,21 @@ public final class SceneView extends JPanel {
         pixels(getHeight() * place.getScaleY()),
         null);
     own.dispose();
+    write(graphics);
     want(); // on another screen there may be more pixels
+  }
+
+  private void write(Graphics graphics) {
+    Optional<PictureRequest> drawn = loop.flatMap(PictureLoop::drawn);
+    if (drawn.isEmpty()) {
+      return;
+    }
+    Graphics2D own = (Graphics2D) graphics.create();
+    SceneOverlay overlay = new SceneOverlay(own, getWidth(), getHeight());
+    overlay.frameNames(drawn.get());
+    overlay.legend(drawn.get().model());
+    overlay.pointed(hover.pointer(), hover.name());
+    drag.paint(own, drawn.get(), getWidth(), getHeight());
+    own.dispose();
   }
 }

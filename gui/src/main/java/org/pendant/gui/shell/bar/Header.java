@@ -1,22 +1,25 @@
 package org.pendant.gui.shell.bar;
 
-import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
-import java.awt.EventQueue;
 import java.awt.Graphics;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
+import java.awt.Rectangle;
+import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JRadioButtonMenuItem;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.layout.Squeeze;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Words;
 import org.pendant.gui.shell.look.Badge;
@@ -26,16 +29,17 @@ import org.pendant.models.arm.ArmLibrary;
 /** Which program and robot this is, and the modes. */
 @SuppressWarnings("serial") // never written to a stream
 public final class Header extends JPanel {
-  /** Room for the name of the program, in pixels before scaling. */
-  private static final int PROGRAM_WIDTH = 160;
-
-  private final JLabel program = new JLabel();
+  private final ProgramButton program;
   private final JComboBox<RobotChoice> robot = new JComboBox<>();
   private final Badge robotMode = new Badge("robot-mode", "Robot mode");
   private final Badge safetyMode = new Badge("safety-mode", "Safety mode");
   private final Badge programState = new Badge("program-state", "Program state");
   private final JLabel time = new JLabel();
+  private final transient Squeeze squeeze;
+  private transient ControllerState state;
   private boolean showing;
+  private boolean worded = true;
+  private transient List<Object> fitted = List.of();
 
   /** An arm that can be chosen. */
   private record RobotChoice(String id, String title) {
@@ -48,16 +52,17 @@ public final class Header extends JPanel {
   /**
    * A header.
    *
+   * @param menu of the programs, opened by the name of the present one
    * @param chooseRobot told the id of the robot that was chosen
    */
-  public Header(Consumer<String> chooseRobot) {
+  public Header(ProgramMenu menu, Consumer<String> chooseRobot) {
     super(
         new MigLayout(
-            "insets 8 12 8 12, gap 8", "[0::, grow, fill]16[]16[][][]16[right]", "[center]"));
+            "insets 8 6 8 12, gap 8, hidemode 3",
+            "[grow, 90::]16[]16[][][]16[right]",
+            "[center]"));
     setName("header");
-    program.setName("program-name");
-    program.putClientProperty("FlatLaf.styleClass", "h3");
-    program.getAccessibleContext().setAccessibleName("Open program");
+    program = new ProgramButton(menu);
     robot.setName("robot");
     robot.setToolTipText("The simulated robot; another one starts a new controller");
     robot.getAccessibleContext().setAccessibleName("Robot");
@@ -70,48 +75,39 @@ public final class Header extends JPanel {
           }
         });
     time.setName("robot-time");
+    time.setText(clock(0));
     time.putClientProperty("FlatLaf.styleClass", "monospaced");
     time.setToolTipText("Robot time since the controller was switched on");
     time.getAccessibleContext().setAccessibleName("Robot time");
-    add(program, "wmin 0");
-    add(robot);
-    add(robotMode);
-    add(safetyMode);
-    add(programState);
-    add(time);
-    addComponentListener(
-        new ComponentAdapter() {
-          @Override
-          public void componentResized(ComponentEvent event) {
-            fit();
-          }
-        });
+    add(program, "wmin 90");
+    for (JComponent each : List.of(robot, robotMode, safetyMode, programState, time)) {
+      add(each, "wmin pref");
+    }
+    // What vanishes is shown or done elsewhere too; the safety mode stays.
+    squeeze =
+        new Squeeze(
+            this,
+            List.of(
+                time::setVisible,
+                this::showWords,
+                robotMode::setVisible,
+                robot::setVisible,
+                programState::setVisible));
+  }
+
+  private void showWords(boolean whole) {
+    worded = whole;
+    if (state != null) {
+      showModes(state);
+    }
   }
 
   @Override
   public void updateUI() {
     super.updateUI();
-    EventQueue.invokeLater(
-        () -> {
-          if (time != null) {
-            fit();
-          }
-        });
-  }
-
-  /** Leaves out what is shown elsewhere too where not everything fits. */
-  private void fit() {
-    time.setVisible(true);
-    robotMode.setVisible(true);
-    time.setVisible(fits());
-    robotMode.setVisible(fits());
-    revalidate();
-  }
-
-  private boolean fits() {
-    MigLayout layout = (MigLayout) getLayout();
-    layout.invalidateLayout(this);
-    return layout.minimumLayoutSize(this).width + UIScale.scale(PROGRAM_WIDTH) <= getWidth();
+    if (squeeze != null) {
+      squeeze.fitLater();
+    }
   }
 
   private static String title(String id) {
@@ -121,10 +117,27 @@ public final class Header extends JPanel {
 
   /** Shows which program is open. */
   public void show(ProgramDocument document) {
-    program.setText(document.name() + (document.modified() ? " \u2022" : ""));
-    program.setToolTipText(
-        document.file().map(Object::toString).orElse("not saved yet")
-            + (document.modified() ? ", modified" : ""));
+    program.show(document);
+  }
+
+  /** Opens the menu of programs. */
+  public void openPrograms() {
+    program.open();
+  }
+
+  /** Opens the list of robots. */
+  public void openRobots() {
+    JPopupMenu menu = new JPopupMenu();
+    menu.setName("robot-menu");
+    for (int i = 0; i < robot.getItemCount(); i++) {
+      int index = i;
+      JMenuItem item =
+          new JRadioButtonMenuItem(robot.getItemAt(i).title(), i == robot.getSelectedIndex());
+      item.addActionListener(event -> robot.setSelectedIndex(index));
+      menu.add(item);
+    }
+    Rectangle place = robot.isShowing() ? robot.getBounds() : getVisibleRect();
+    menu.show(this, place.x, place.y + place.height);
   }
 
   /** Shows which robot there is. */
@@ -139,25 +152,49 @@ public final class Header extends JPanel {
   }
 
   /** Shows a snapshot. */
-  public void refresh(ControllerState state) {
-    RobotMode mode = state.safety().robotMode();
-    robotMode.show("Robot " + Words.of(mode), color(mode));
-    SafetyMode safety = state.safety().safetyMode();
-    safetyMode.show(safetyText(safety), color(safety));
-    ProgramState program = state.program().state();
-    boolean held = state.debug().held();
-    programState.show(
-        held ? "Program held" : "Program " + Words.of(program),
-        color(held ? ProgramState.PAUSED : program));
-    String now = String.format(Locale.ROOT, "%8.1f s", state.timeS());
-    if (!now.equals(time.getText())) {
-      time.setText(now);
+  public void refresh(ControllerState now) {
+    state = now;
+    showModes(now);
+    List<Object> modes =
+        List.of(
+            now.safety().robotMode(),
+            now.safety().safetyMode(),
+            now.program().state(),
+            now.debug().held());
+    if (!modes.equals(fitted)) {
+      fitted = modes;
+      squeeze.fit();
+    }
+    String clock = clock(now.timeS());
+    if (!clock.equals(time.getText())) {
+      time.setText(clock);
     }
   }
 
-  private static String safetyText(SafetyMode mode) {
+  private static String clock(double timeS) {
+    return String.format(Locale.ROOT, "%8.1f s", timeS);
+  }
+
+  private void showModes(ControllerState now) {
+    RobotMode mode = now.safety().robotMode();
+    robotMode.show(words("Robot ", Words.of(mode)), color(mode));
+    SafetyMode safety = now.safety().safetyMode();
+    safetyMode.show(safetyText(safety), color(safety));
+    ProgramState program = now.program().state();
+    boolean held = now.debug().held();
+    programState.show(
+        words("Program ", held ? "held" : Words.of(program)),
+        color(held ? ProgramState.PAUSED : program));
+  }
+
+  private String words(String what, String how) {
+    return worded ? what + how : Words.capital(how);
+  }
+
+  private String safetyText(SafetyMode mode) {
     return switch (mode) {
-      case NORMAL, REDUCED, RECOVERY, FAULT, VIOLATION -> "Safety " + Words.of(mode);
+      case NORMAL, REDUCED, RECOVERY, FAULT, VIOLATION ->
+          words("Safety ", Words.of(mode));
       default -> Words.capital(Words.of(mode));
     };
   }

@@ -20,14 +20,15 @@ final class ReadinessBar extends JPanel {
   private final Badge light = new Badge("readiness", "Whether the arm is ready for programs");
   private final JButton remedy = new JButton(GlyphIcon.of(Glyph.POWER, 16));
   private transient Readiness shown;
+  private boolean worded = true;
 
   ReadinessBar(ControllerState state, Consumer<Command> send) {
     super(new MigLayout("insets 0, gap 8", "[][]", "[center]"));
     shown = Readiness.of(state);
     remedy.setName("readiness-remedy");
     remedy.addActionListener(event -> shown.command().ifPresent(send));
-    add(light);
-    add(remedy, "hidemode 3");
+    add(light, "wmin pref");
+    add(remedy, "wmin pref, hidemode 3");
     apply();
   }
 
@@ -40,13 +41,24 @@ final class ReadinessBar extends JPanel {
     light.show(shown.text(), color(shown.light()));
   }
 
+  /** What stands there: the width depends on it. */
+  String words() {
+    return shown.text() + shown.remedy();
+  }
+
+  /** Shows the button with its words, or with its icon alone. */
+  void showRemedy(boolean whole) {
+    worded = whole;
+    apply();
+  }
+
   private void apply() {
     light.show(shown.text(), color(shown.light()));
     light.setToolTipText(shown.hint());
-    remedy.setText(shown.remedy());
+    remedy.setText(worded ? shown.remedy() : "");
     remedy.setVisible(!shown.remedy().isEmpty());
     remedy.setEnabled(shown.command().isPresent());
-    remedy.setToolTipText(shown.hint());
+    remedy.setToolTipText(shown.remedy() + ": " + shown.hint());
     remedy.getAccessibleContext().setAccessibleName(shown.remedy());
     remedy.getAccessibleContext().setAccessibleDescription(shown.hint());
   }

@@ -35,10 +35,21 @@ final class SpeedSlider extends JPanel {
     slider.addChangeListener(
         event -> {
           value.setText(slider.getValue() + " %");
+          slider.getAccessibleContext().setAccessibleDescription(value.getText());
           if (!following) {
             send(ask);
           }
         });
+  }
+
+  /** The speed in percent. */
+  int percent() {
+    return slider.getValue();
+  }
+
+  /** Chooses a speed in percent. */
+  void choose(int percent) {
+    slider.setValue(percent);
   }
 
   private void send(IntFunction<CompletableFuture<Reply>> ask) {

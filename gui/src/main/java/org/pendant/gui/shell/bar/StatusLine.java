@@ -1,6 +1,11 @@
 package org.pendant.gui.shell.bar;
 
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.Locale;
+import java.util.function.Consumer;
+import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
@@ -11,26 +16,67 @@ import org.pendant.gui.workbench.Palette;
 @SuppressWarnings("serial") // never written to a stream
 public final class StatusLine extends JPanel {
   private final JLabel told = new JLabel(" ");
+  private final JButton whole = new JButton("More");
   private final JLabel punctual = new JLabel(" ");
   private long frames;
   private long late;
   private int calls;
+  private Consumer<String> alsoTold = text -> {};
 
-  /** Nothing was told yet. */
-  public StatusLine() {
-    super(new MigLayout("insets 2 12 2 12, gap 16", "[grow, 0::, fill][right]", "[center]"));
+  /**
+   * Nothing was told yet.
+   *
+   * @param showWhole shows a notice that is cut off here as a whole
+   */
+  public StatusLine(Consumer<String> showWhole) {
+    super(
+        new MigLayout(
+            "insets 2 12 2 12, gap 16, hidemode 3", "[0::, fill]8[][grow][right]", "[center]"));
     told.setName("status-text");
     told.getAccessibleContext().setAccessibleName("Last notice");
     punctual.setName("status-frames");
     punctual.getAccessibleContext().setAccessibleName("Lateness of frames");
+    whole.setName("status-more");
+    whole.setVisible(false);
+    whole.setToolTipText("Shows the notice as a whole");
+    whole.getAccessibleContext().setAccessibleName("Show the notice as a whole");
+    whole.putClientProperty("JButton.buttonType", "toolBarButton");
+    whole.putClientProperty("FlatLaf.style", "margin: 0,4,0,4");
+    whole.addActionListener(event -> showWhole.accept(text()));
     add(told, "growx, wmin 0");
-    add(punctual);
+    add(whole);
+    add(punctual, "cell 3 0, wmin 0");
+    addComponentListener(
+        new ComponentAdapter() {
+          @Override
+          public void componentResized(ComponentEvent event) {
+            fit();
+          }
+        });
   }
 
   /** Shows a sentence, until the next one. */
   public void tell(String text) {
     told.setText(text.isEmpty() ? " " : text);
     told.setToolTipText(text);
+    fit();
+    alsoTold.accept(text);
+  }
+
+  /** Has {@code listener} hear from now on what is told. */
+  public void alsoTell(Consumer<String> listener) {
+    alsoTold = listener;
+  }
+
+  /** The last notice; empty if there was none. */
+  public String text() {
+    return told.getText().strip();
+  }
+
+  /** Offers to show the whole where a part of it is cut off. */
+  private void fit() {
+    int others = punctual.getPreferredSize().width + UIScale.scale(60);
+    whole.setVisible(told.getPreferredSize().width + others > getWidth());
   }
 
   /**

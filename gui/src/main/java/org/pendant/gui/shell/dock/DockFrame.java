@@ -17,6 +17,7 @@ import javax.swing.JLabel;
 import javax.swing.JLayer;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
+import javax.swing.SwingUtilities;
 import javax.swing.plaf.LayerUI;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.gui.workbench.View;
@@ -32,6 +33,8 @@ public final class DockFrame {
   private final JPanel main = new JPanel(new BorderLayout());
   private final JPanel area = new JPanel(null);
   private final JLayer<JPanel> layer;
+  private final ViewFocus focus;
+  private Optional<String> shown = Optional.empty();
   private Optional<Rectangle> drop = Optional.empty();
 
   /**
@@ -43,7 +46,9 @@ public final class DockFrame {
     this.plan = plan;
     this.home = new LinkedHashMap<>(home);
     all.forEach(view -> views.put(view.id(), view));
+    focus = new ViewFocus(views.values());
     main.setName("main-area");
+    main.add(nothing(), BorderLayout.CENTER);
     area.add(main);
     for (Side side : List.of(Side.LEFT, Side.RIGHT, Side.BOTTOM)) {
       DockPane pane = new DockPane(side, plan, views::get, this);
@@ -69,15 +74,20 @@ public final class DockFrame {
     return List.copyOf(views.values());
   }
 
-  /** Brings a view to the front, wherever it is. */
+  /** Brings a view to the front, wherever it is, and gives it the focus. */
   public void show(String id) {
+    reveal(id);
+    View view = views.get(id);
+    if (view != null) {
+      focus.give(view);
+    }
+  }
+
+  /** Brings a view to the front; the focus stays where it is. */
+  public void reveal(String id) {
     plan.select(id);
     plan.sideOf(id).ifPresent(side -> plan.setCollapsed(side, false));
     fill();
-    View view = views.get(id);
-    if (view != null) {
-      view.component().requestFocusInWindow();
-    }
   }
 
   /** The view in the main area. */
@@ -87,10 +97,18 @@ public final class DockFrame {
 
   /** Moves a view. */
   public void move(String id, Side to) {
-    if (sideOf(id) != to) {
-      plan.move(id, to);
-      fill();
-    }
+    move(id, to, Integer.MAX_VALUE);
+  }
+
+  /**
+   * Moves a view.
+   *
+   * @param index of its tab there, from 0; the last place if there are fewer
+   */
+  void move(String id, Side to, int index) {
+    plan.move(id, to, index);
+    fill();
+    focus.give(views.get(id));
   }
 
   /** Where a view is. */
@@ -105,8 +123,12 @@ public final class DockFrame {
 
   /** Shows only the tabs of a side, or all of it. */
   public void setCollapsed(Side side, boolean collapsed) {
+    boolean hides = collapsed && ViewFocus.within(panes.get(side));
     plan.setCollapsed(side, collapsed);
     fill();
+    if (hides) {
+      mainView().map(views::get).ifPresent(focus::give);
+    }
   }
 
   /** Changes between all of a side and only its tabs. */
@@ -125,13 +147,19 @@ public final class DockFrame {
     listeners.add(listener);
   }
 
+  /** Shows what the plan says; what is there already stays as it is, with its focus. */
   private void fill() {
-    main.removeAll();
     Optional<String> front = plan.selected(Side.MAIN);
-    main.add(
-        front.isPresent() ? views.get(front.get()).component() : nothing(), BorderLayout.CENTER);
-    panes.values().forEach(DockPane::fill);
-    main.revalidate();
+    if (!front.equals(shown)) {
+      shown = front;
+      main.removeAll();
+    }
+    panes.values().forEach(DockPane::follow);
+    if (main.getComponentCount() == 0) {
+      main.add(
+          front.isPresent() ? views.get(front.get()).component() : nothing(), BorderLayout.CENTER);
+      main.revalidate();
+    }
     area.revalidate();
     area.repaint();
     List.copyOf(listeners).forEach(Runnable::run);
@@ -164,6 +192,14 @@ public final class DockFrame {
       return Side.RIGHT;
     }
     return point.y > area.getHeight() * 2 / 3 ? Side.BOTTOM : Side.MAIN;
+  }
+
+  /** The place of a tab that is dropped at {@code point} of {@code side}. */
+  int indexAt(Side side, Point point) {
+    DockPane pane = panes.get(side);
+    return pane == null
+        ? Integer.MAX_VALUE
+        : pane.indexAt(SwingUtilities.convertPoint(area, point, pane));
   }
 
   void showDrop(Point point) {

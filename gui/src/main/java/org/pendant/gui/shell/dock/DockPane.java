@@ -2,6 +2,7 @@ package org.pendant.gui.shell.dock;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.Point;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
@@ -22,7 +23,11 @@ final class DockPane extends JPanel {
   private final transient DockFrame frame;
   private final transient TabDrag drag;
   private JTabbedPane tabs = new JTabbedPane();
+  private transient Shown shown = new Shown(List.of(), false);
   private boolean filling;
+
+  /** What was filled in last. */
+  private record Shown(List<String> views, boolean collapsed) {}
 
   DockPane(Side side, DockPlan plan, Function<String, View> viewOf, DockFrame frame) {
     super(new BorderLayout());
@@ -34,9 +39,22 @@ final class DockPane extends JPanel {
     setName("dock-" + side.word());
   }
 
-  /** Shows what the plan says. */
-  void fill() {
+  /** Shows what the plan says; the same tabs as before stay, and what is in them. */
+  void follow() {
+    Shown wanted = new Shown(plan.views(side), plan.collapsed(side));
     filling = true;
+    if (wanted.equals(shown)) {
+      plan.selected(side)
+          .filter(id -> !wanted.collapsed())
+          .ifPresent(id -> tabs.setSelectedIndex(wanted.views().indexOf(id)));
+    } else {
+      shown = wanted;
+      fill();
+    }
+    filling = false;
+  }
+
+  private void fill() {
     removeAll();
     tabs.removeAll();
     tabs = new JTabbedPane();
@@ -51,7 +69,6 @@ final class DockPane extends JPanel {
     }
     drag.attach(tabs);
     add(tabs, BorderLayout.CENTER);
-    filling = false;
     revalidate();
     repaint();
   }
@@ -70,6 +87,12 @@ final class DockPane extends JPanel {
             plan.select(plan.views(side).get(tabs.getSelectedIndex()));
           }
         });
+  }
+
+  /** The place of a tab that is dropped at {@code point}. */
+  int indexAt(Point point) {
+    int index = tabs.indexAtLocation(point.x - tabs.getX(), point.y - tabs.getY());
+    return index < 0 ? tabs.getTabCount() : index;
   }
 
   private JPanel collapseButton() {

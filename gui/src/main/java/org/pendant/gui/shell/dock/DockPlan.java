@@ -94,12 +94,22 @@ public final class DockPlan {
 
   /** Moves a view to the end of a side, in front of the others there. */
   public void move(String id, Side to) {
+    move(id, to, Integer.MAX_VALUE);
+  }
+
+  /**
+   * Moves a view, in front of the others there.
+   *
+   * @param index of its tab there, from 0; the last place if there are fewer
+   */
+  public void move(String id, Side to, int index) {
     Optional<Side> from = sideOf(id);
     if (from.isEmpty()) {
       return;
     }
     views.get(from.get()).remove(id);
-    views.get(to).add(id);
+    List<String> there = views.get(to);
+    there.add(Math.clamp(index, 0, there.size()), id);
     remember(from.get());
     remember(to);
     select(id);

@@ -1,6 +1,10 @@
 package org.pendant.gui.shell.dock;
 
+import java.awt.Cursor;
+import java.awt.KeyEventDispatcher;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.function.IntFunction;
@@ -19,6 +23,7 @@ final class TabDrag extends MouseAdapter {
   private Point start = new Point();
   private int tab = -1;
   private boolean dragging;
+  private final KeyEventDispatcher escape = this::escape;
 
   TabDrag(DockFrame frame, IntFunction<String> idOfTab) {
     this.frame = frame;
@@ -35,7 +40,6 @@ final class TabDrag extends MouseAdapter {
     JTabbedPane tabs = (JTabbedPane) event.getSource();
     start = event.getPoint();
     tab = tabs.indexAtLocation(event.getX(), event.getY());
-    dragging = false;
     showMenu(event);
   }
 
@@ -44,7 +48,11 @@ final class TabDrag extends MouseAdapter {
     if (tab < 0 || !SwingUtilities.isLeftMouseButton(event)) {
       return;
     }
-    dragging |= start.distance(event.getPoint()) > SLACK;
+    if (!dragging && start.distance(event.getPoint()) > SLACK) {
+      dragging = true;
+      event.getComponent().setCursor(Cursor.getPredefinedCursor(Cursor.MOVE_CURSOR));
+      KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(escape);
+    }
     if (dragging) {
       frame.showDrop(inFrame(event));
     }
@@ -52,17 +60,37 @@ final class TabDrag extends MouseAdapter {
 
   @Override
   public void mouseReleased(MouseEvent event) {
-    frame.hideDrop();
-    if (dragging && tab >= 0) {
-      Point point = inFrame(event);
-      if (frame.component().contains(point)) {
-        frame.move(idOfTab.apply(tab), frame.sideAt(point));
-      }
-    } else {
+    int dropped = tab;
+    boolean drop = dragging;
+    event.getComponent().setCursor(null);
+    end();
+    if (!drop) {
+      tab = dropped;
       showMenu(event);
+      tab = -1;
+      return;
     }
+    Point point = inFrame(event);
+    if (frame.component().contains(point)) {
+      Side to = frame.sideAt(point);
+      frame.move(idOfTab.apply(dropped), to, frame.indexAt(to, point));
+    }
+  }
+
+  private void end() {
+    KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventDispatcher(escape);
+    frame.hideDrop();
     tab = -1;
     dragging = false;
+  }
+
+  /** Escape leaves the tab where it was. */
+  private boolean escape(KeyEvent event) {
+    if (event.getKeyCode() != KeyEvent.VK_ESCAPE) {
+      return false;
+    }
+    end();
+    return true;
   }
 
   private Point inFrame(MouseEvent event) {

@@ -39,7 +39,7 @@ public final class CommandPalette {
    */
   public CommandPalette(ActionTable actions, JComponent under) {
     this.actions = actions;
-    JPanel panel = new JPanel(new MigLayout("insets 0, gap 8, wrap 1", "[grow, fill, 480::]", ""));
+    JPanel panel = new JPanel(new MigLayout("insets 0, gap 8, wrap 1", "[grow, fill, 0:480:]", ""));
     panel.setOpaque(false);
     query.setName("palette-query");
     query.putClientProperty("JTextField.placeholderText", "What do you want to do?");
@@ -51,6 +51,11 @@ public final class CommandPalette {
     list.getAccessibleContext().setAccessibleName("Actions that match");
     list.setVisibleRowCount(12);
     list.setFocusable(false);
+    // Keys go to the field, but it is the list that they move in.
+    list.putClientProperty(
+        "FlatLaf.style",
+        "selectionInactiveBackground: $List.selectionBackground;"
+            + " selectionInactiveForeground: $List.selectionForeground");
     list.setCellRenderer(new Cell());
     panel.add(query);
     panel.add(new JScrollPane(list), "grow, push");
@@ -123,7 +128,7 @@ public final class CommandPalette {
 
   /** Title, reason and key in one row. */
   private final class Cell implements ListCellRenderer<Action> {
-    private final JPanel row = new JPanel(new MigLayout("insets 4 8 4 8", "[]8[grow]16[right]"));
+    private final JPanel row = new JPanel(new MigLayout("insets 4 8 4 8", "[0:pref:]8[grow, 0::]16[right]"));
     private final JLabel title = new JLabel();
     private final JLabel reason = new JLabel();
     private final JLabel keys = new JLabel();
@@ -141,11 +146,11 @@ public final class CommandPalette {
       row.setBackground(selected ? all.getSelectionBackground() : all.getBackground());
       title.setText(action.title());
       title.setForeground(
-          !enabled
-              ? Palette.quiet()
-              : selected ? all.getSelectionForeground() : all.getForeground());
+          selected
+              ? all.getSelectionForeground()
+              : enabled ? all.getForeground() : Palette.quiet());
       reason.setText(actions.reason(action.id()));
-      reason.setForeground(Palette.quiet());
+      reason.setForeground(selected ? all.getSelectionForeground() : Palette.quiet());
       keys.setText(KeyText.shown(actions.keysOf(action.id())));
       keys.setForeground(selected ? all.getSelectionForeground() : Palette.quiet());
       return row;

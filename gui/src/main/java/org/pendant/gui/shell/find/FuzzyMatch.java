@@ -12,7 +12,7 @@ import java.util.function.Function;
  *
  * @param score higher is better
  */
-record FuzzyMatch(int score) {
+public record FuzzyMatch(int score) {
   private static final int FOUND = 1;
   private static final int IN_A_ROW = 8;
   private static final int WORD_BEGIN = 6;
@@ -50,7 +50,7 @@ record FuzzyMatch(int score) {
   }
 
   /** Those that match, best first; all in their order for an empty query. */
-  static <T> List<T> filter(String query, List<T> all, Function<T, String> textOf) {
+  public static <T> List<T> filter(String query, List<T> all, Function<T, String> textOf) {
     record Found<T>(T item, int score) {}
     return all.stream()
         .flatMap(

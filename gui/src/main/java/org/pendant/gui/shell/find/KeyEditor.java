@@ -1,5 +1,6 @@
 package org.pendant.gui.shell.find;
 
+import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
 import java.util.List;
@@ -14,6 +15,7 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.gui.layout.WrappingRow;
 import org.pendant.gui.shell.look.Overlay;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
@@ -28,6 +30,7 @@ public final class KeyEditor {
   private final KeyTable model;
   private final JTable table;
   private final JTextField capture = new JTextField();
+  private final JButton take = new JButton("Take it from there");
   private final JLabel conflict = new JLabel(" ");
 
   /**
@@ -42,7 +45,7 @@ public final class KeyEditor {
     JPanel panel =
         new JPanel(
             new MigLayout(
-                "insets 0, gap 8, wrap 1", "[grow, fill, 560::]", "[][][grow, 160::340][][]"));
+                "insets 0, gap 8, wrap 1", "[grow, fill, 0:560:]", "[][][grow, 60::340][][]"));
     panel.setOpaque(false);
     JLabel heading = new JLabel("Keys");
     heading.putClientProperty("FlatLaf.styleClass", "h3");
@@ -59,24 +62,26 @@ public final class KeyEditor {
   }
 
   private JPanel captureRow() {
-    JPanel row = new JPanel(new MigLayout("insets 0, gap 8", "[][180::][grow, 0::]"));
+    JPanel row = new JPanel(new MigLayout("insets 0, gap 8, hidemode 3, wrap 3", "[][180::][]push"));
     row.setOpaque(false);
     JLabel label = new JLabel("New key");
     label.setLabelFor(capture);
     conflict.setName("key-conflict");
     row.add(label);
     row.add(capture, "growx");
-    row.add(conflict, "growx");
+    row.add(button(take, "key-take", "Takes the key away from the other action", this::take));
+    row.add(conflict, "span, growx, wmin 0");
     return row;
   }
 
   private JPanel buttons() {
-    JPanel row = new JPanel(new MigLayout("insets 0, gap 8", "[][][]push[]"));
+    JPanel row = new JPanel(new WrappingRow(4));
     row.setOpaque(false);
-    row.add(button("key-none", "No key", "Takes the key away", () -> bind("")));
-    row.add(button("key-reset", "Reset", "The key it came with", this::reset));
-    row.add(button("key-reset-all", "Reset all", "All keys as they came", this::resetAll));
-    row.add(button("key-close", "Close", "Closes this panel (Esc)", () -> close()));
+    row.add(button(new JButton("No key"), "key-none", "Takes the key away", () -> bind("")));
+    row.add(button(new JButton("Reset"), "key-reset", "The key it came with", this::reset));
+    row.add(
+        button(new JButton("Reset all"), "key-reset-all", "All keys as they came", this::resetAll));
+    row.add(button(new JButton("Close"), "key-close", "Closes this panel (Esc)", this::close));
     return row;
   }
 
@@ -84,11 +89,10 @@ public final class KeyEditor {
     overlay.close();
   }
 
-  private static JButton button(String name, String text, String tip, Runnable run) {
-    JButton button = new JButton(text);
+  private static JButton button(JButton button, String name, String tip, Runnable run) {
     button.setName(name);
     button.setToolTipText(tip);
-    button.getAccessibleContext().setAccessibleName(text);
+    button.getAccessibleContext().setAccessibleName(button.getText());
     button.addActionListener(event -> run.run());
     return button;
   }
@@ -114,6 +118,14 @@ public final class KeyEditor {
     table.getAccessibleContext().setAccessibleName("Actions and their keys");
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setFillsViewportHeight(true);
+    // Keys that are typed into the field choose in it.
+    table.putClientProperty(
+        "FlatLaf.style",
+        "selectionInactiveBackground: $Table.selectionBackground;"
+            + " selectionInactiveForeground: $Table.selectionForeground");
+    // Tab leaves a table that cannot be edited.
+    table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+    table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
     table.getColumnModel().getColumn(0).setPreferredWidth(340);
     table.getSelectionModel().addListSelectionListener(event -> selected());
   }
@@ -121,7 +133,6 @@ public final class KeyEditor {
   private void setUpCapture() {
     capture.setName("key-capture");
     capture.setEditable(false);
-    capture.setFocusTraversalKeysEnabled(false);
     capture.putClientProperty("JTextField.placeholderText", "Click here and press a key");
     capture.setToolTipText("The key that you press here does the chosen action from now on");
     capture.getAccessibleContext().setAccessibleName("Press the new key");
@@ -129,13 +140,31 @@ public final class KeyEditor {
         new KeyAdapter() {
           @Override
           public void keyPressed(KeyEvent event) {
-            if (event.getKeyCode() == KeyEvent.VK_ESCAPE || KeyText.modifier(event.getKeyCode())) {
-              return;
-            }
-            event.consume();
-            bind(KeyText.keys(KeyStroke.getKeyStrokeForEvent(event)));
+            pressed(event);
           }
         });
+  }
+
+  private void pressed(KeyEvent event) {
+    KeyStroke stroke = KeyStroke.getKeyStrokeForEvent(event);
+    if (KeyText.modifier(event.getKeyCode())) {
+      return;
+    }
+    if (KeyText.bindable(stroke)) {
+      event.consume();
+      bind(KeyText.keys(stroke));
+    } else if (event.getKeyCode() != KeyEvent.VK_ESCAPE) {
+      say(
+          KeyText.shown(stroke)
+              + " is needed for writing and moving around; hold Ctrl, Alt or both with it",
+          true);
+    }
+  }
+
+  private void say(String text, boolean wrong) {
+    conflict.setForeground(wrong ? Palette.error() : Palette.quiet());
+    conflict.setText(text.isEmpty() ? " " : text);
+    conflict.setToolTipText(text.isEmpty() ? null : text);
   }
 
   /** Opens it. */
@@ -164,12 +193,20 @@ public final class KeyEditor {
         chosen()
             .map(each -> actions.conflicts(each.id(), actions.keysOf(each.id())))
             .orElse(List.of());
-    conflict.setForeground(Palette.error());
-    conflict.setText(
-        others.isEmpty()
-            ? " "
-            : "Also the key of: " + String.join(", ", others.stream().map(Action::title).toList()));
-    conflict.setToolTipText(conflict.getText());
+    take.setVisible(!others.isEmpty());
+    String titles = String.join(", ", others.stream().map(Action::title).toList());
+    say(others.isEmpty() ? "" : "Also the key of: " + titles, true);
+  }
+
+  /** Leaves the key to the chosen action alone. */
+  private void take() {
+    chosen()
+        .ifPresent(
+            each ->
+                actions
+                    .conflicts(each.id(), actions.keysOf(each.id()))
+                    .forEach(other -> actions.rebind(other.id(), "")));
+    changed();
   }
 
   private void bind(String keys) {

@@ -10,7 +10,7 @@ import org.pendant.gui.workbench.Palette;
 
 /** A panel that lies on the window, with round corners. */
 @SuppressWarnings("serial") // never written to a stream
-public final class Card extends JPanel {
+public class Card extends JPanel {
 
   /** An empty card. */
   public Card(LayoutManager layout) {

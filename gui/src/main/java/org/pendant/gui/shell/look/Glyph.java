@@ -77,6 +77,9 @@ public final class Glyph {
 
   public static final Glyph UP = Drawing.stroked().line(5, 15, 12, 8, 19, 15).glyph();
 
+  public static final Glyph MORE =
+      Drawing.filled().disc(5, 12, 2).disc(12, 12, 2).disc(19, 12, 2).glyph();
+
   public static final Glyph WARNING =
       Drawing.stroked()
           .polygon(12, 3, 22, 20.5, 2, 20.5)
@@ -93,6 +96,15 @@ public final class Glyph {
 
   public static final Glyph INFO =
       Drawing.stroked().circle(12, 12, 9).line(12, 11, 12, 17).disc(12, 7.6, 1).glyph();
+
+  public static final Glyph QUESTION =
+      Drawing.stroked()
+          .circle(12, 12, 9)
+          .line(
+              9.2, 9.6, 9.8, 7.9, 11.2, 7, 12.8, 7, 14.2, 7.9, 14.8, 9.6, 14, 11.2, 12, 12.6, 12,
+              14)
+          .disc(12, 17, 1)
+          .glyph();
 
   public static final Glyph ROBOT =
       Drawing.stroked()

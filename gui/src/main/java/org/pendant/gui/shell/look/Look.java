@@ -78,6 +78,11 @@ public final class Look {
     colors.put("TabbedPane.tabHeight", "28");
     colors.put("TabbedPane.inactiveUnderlineColor", "@accentColor");
     colors.put("ToggleButton.toolbar.selectedBackground", dark ? "#2C4058" : "#D3E1EF");
+    // What is chosen in a list, a table or a tree is seen as chosen while keys go elsewhere too.
+    for (String kind : List.of("List", "Table", "Tree")) {
+      colors.put(kind + ".selectionInactiveBackground", dark ? "#2C4058" : "#D3E1EF");
+      colors.put(kind + ".selectionInactiveForeground", "@foreground");
+    }
     colors.put("ToolTip.background", dark ? "#3A4048" : "#FFFFFF");
     return colors;
   }

@@ -88,6 +88,15 @@ public final class Overlay {
     if (!isOpen()) {
       return;
     }
+    returnFocus();
+    JLayeredPane layers = layers();
+    under.removeComponentListener(follower);
+    layers.remove(card);
+    layers.repaint();
+  }
+
+  /** Gives the focus back to where it was, if it is in here. */
+  public void returnFocus() {
     if (focusWithin()) {
       focusBefore
           .filter(Component::isShowing)
@@ -95,13 +104,20 @@ public final class Overlay {
           .orElse(under)
           .requestFocusInWindow();
     }
-    JLayeredPane layers = layers();
-    under.removeComponentListener(follower);
-    layers.remove(card);
-    layers.repaint();
   }
 
-  private boolean focusWithin() {
+  /** Gives the focus to a part of this; {@link #returnFocus} gives it back. */
+  public void takeFocus(Component part) {
+    if (!focusWithin()) {
+      focusBefore =
+          Optional.ofNullable(
+              KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner());
+    }
+    part.requestFocusInWindow();
+  }
+
+  /** Whether keys go to this or to something in it. */
+  public boolean focusWithin() {
     Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
     return owner != null && SwingUtilities.isDescendingFrom(owner, card);
   }

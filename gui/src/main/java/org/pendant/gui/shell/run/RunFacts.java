@@ -3,6 +3,8 @@ package org.pendant.gui.shell.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.machine.Ending;
 import org.pendant.controller.machine.ProgramState;
@@ -18,7 +20,7 @@ import org.pendant.models.pose.Pose;
  * @param state of the program and how the last one ended
  * @param failed whether the last one ended by an error
  * @param line number of the line that was reached and its text; empty when no program runs
- * @param waiting how many popups wait for an answer; empty for none
+ * @param waiting how many popups and questions are open; empty for none
  * @param tcp position (mm) and rotation vector (rad) of the TCP in the base, six texts
  * @param joints joint positions in degrees, six texts
  */
@@ -48,20 +50,31 @@ record RunFacts(
    */
   static RunFacts of(ControllerState state, String lineText) {
     ProgramStatus program = state.program();
-    int popups = state.openPopups().size();
     return new RunFacts(
         state.debug().stop().map(RunFacts::heldText).orElseGet(() -> stateText(program)),
         program.failed(),
         program.line() == 0
             ? ""
             : "Line " + program.line() + ":  " + ByteText.decoded(lineText.strip()),
-        switch (popups) {
-          case 0 -> "";
-          case 1 -> "A popup waits for an answer";
-          default -> popups + " popups wait for an answer";
-        },
+        waiting(state.openPopups().size(), state.openQuestions().size()),
         pose(state.arm().actualTcpInBase()),
         joints(state));
+  }
+
+  private static String waiting(int popups, int questions) {
+    String open =
+        Stream.of(counted(popups, "popup"), counted(questions, "question"))
+            .filter(each -> !each.isEmpty())
+            .collect(Collectors.joining(" and "));
+    return open.isEmpty() ? "" : Words.capital(open) + " open";
+  }
+
+  private static String counted(int count, String word) {
+    return switch (count) {
+      case 0 -> "";
+      case 1 -> "a " + word;
+      default -> count + " " + word + "s";
+    };
   }
 
   private static String heldText(DebugState.Stop stop) {

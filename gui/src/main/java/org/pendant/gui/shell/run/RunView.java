@@ -4,6 +4,7 @@ import com.formdev.flatlaf.util.UIScale;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
 import java.util.function.IntFunction;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -13,6 +14,8 @@ import javax.swing.JScrollPane;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.Command;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.debug.Favourites;
+import org.pendant.gui.debug.VariablesView;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.shell.bar.ActionButton;
 import org.pendant.gui.shell.look.Card;
@@ -44,6 +47,7 @@ public final class RunView implements View {
   private final JLabel line = new JLabel();
   private final JLabel waiting = new JLabel();
   private final StopPanel stop;
+  private final VariablesPanel variables;
   private final MessagesPanel messages = new MessagesPanel();
   private final NumbersPanel tcp = new NumbersPanel("run-tcp", "TCP in the base", RunFacts.POSE);
   private final NumbersPanel joints = new NumbersPanel("run-joints", "Joints", RunFacts.JOINTS);
@@ -56,17 +60,22 @@ public final class RunView implements View {
    *
    * @param lineOf text of a line of the program that runs
    * @param send has the controller do something, and tells when it is refused
+   * @param showLine shows a line of that program
+   * @param favourites variables that come first
    */
   public RunView(
       Workbench workbench,
       ActionTable actions,
       Programs programs,
       IntFunction<String> lineOf,
-      Consumer<Command> send) {
+      Consumer<Command> send,
+      IntConsumer showLine,
+      Favourites favourites) {
     this.workbench = workbench;
     this.programs = programs;
     this.lineOf = lineOf;
-    stop = new StopPanel(send, number -> workbench.showSource(number, 1));
+    variables = new VariablesPanel(favourites, () -> workbench.show(VariablesView.ID));
+    stop = new StopPanel(send, showLine);
     buttons =
         List.of(
             button(actions, "program.run", "Run", GlyphIcon.of(Glyph.PLAY, 28, Palette::ok)),
@@ -75,11 +84,12 @@ public final class RunView implements View {
     scroll.setBorder(BorderFactory.createEmptyBorder());
     scroll.setName("run-view");
     scroll.getAccessibleContext().setAccessibleName(title());
-    content.add(stop.component(), "spanx, growx");
+    content.add(stop.component(), "spanx, growx, wmin 0");
     content.add(program());
     content.add(tcp.component(), "growy");
-    content.add(messages.component(), "growy");
+    content.add(variables.component(), "growy");
     content.add(joints.component(), "growy");
+    content.add(messages.component(), "spanx, growx, wmin 0");
   }
 
   /** Puts the cards beside or below one another. */
@@ -163,6 +173,7 @@ public final class RunView implements View {
     stop.refresh(snapshot);
     tcp.show(facts.tcp());
     joints.show(facts.joints());
+    variables.refresh(snapshot);
     messages.refresh(snapshot, workbench.session().controller());
     buttons.forEach(ActionButton::refresh);
   }

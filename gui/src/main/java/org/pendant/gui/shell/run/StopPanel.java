@@ -25,7 +25,8 @@ final class StopPanel {
   private final JLabel title =
       new JLabel("", GlyphIcon.of(Glyph.ERROR, 20, Palette::error), JLabel.LEADING);
   private final JTextArea message = text("stop-message", "What happened");
-  private final JPanel facts = new JPanel(new MigLayout("insets 0, gap 16 4, wrap 2", "[][]", ""));
+  private final JPanel facts =
+      new JPanel(new MigLayout("insets 0, gap 16 4, wrap 2", "[][grow, 0::]", ""));
   private final JTextArea suggestion = text("stop-suggestion", "What to do");
   private final JButton remedy = new JButton();
   private final JButton source = new JButton();

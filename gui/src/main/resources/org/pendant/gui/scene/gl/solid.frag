@@ -18,6 +18,12 @@ out vec4 colour;
 
 #include shadow.glsl
 
+// To the power of 1 / 2.2 within a step of a screen: roots are cheap without a GPU, powers are not.
+vec3 onScreen(vec3 light) {
+  vec3 root = sqrt(light);
+  return 0.9658 * root + 0.0891 * sqrt(root) - 0.0549 * light;
+}
+
 void main() {
   vec3 n = normalize(worldNormal);
   vec3 toEye = normalize(eye - worldPosition);
@@ -35,12 +41,13 @@ void main() {
   vec3 middle = normalize(toSun + toEye);
   float gloss = max(finish.a, 0.0);
   float shine = gloss * pow(max(dot(n, middle), 0.0), mix(24.0, 80.0, gloss)) * min(sun * 3.0, 1.0);
-  float rim = 0.10 * pow(1.0 - atEye, 4.0);
+  float side = 1.0 - atEye;
+  float rim = 0.10 * side * side * side * side;
 
   if (finish.a < 0.0) {
     light = vec3(0.55 + 0.45 * atEye); // marks shine by themselves
     shine = 0.0;
   }
   vec3 linear = albedo * light + vec3(shine * 0.45) + sky * rim;
-  colour = vec4(pow(linear, vec3(1.0 / 2.2)), opacity);
+  colour = vec4(onScreen(linear), opacity);
 }

@@ -5,7 +5,7 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in ivec2 placeAndFinish;
 
 const int MOST_PLACES = 8;
-const int FINISHES = 10;
+const int FINISHES = 11;
 
 uniform mat4 places[MOST_PLACES];
 uniform mat4 toClip;

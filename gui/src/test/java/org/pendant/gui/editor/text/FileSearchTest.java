@@ -30,7 +30,7 @@ final class FileSearchTest {
 
   @Test
   void findsPlacesInScriptsOfAllFolders() throws IOException {
-    FileSearch.Summary summary = search("move").run(found::add, () -> false);
+    FileSearch.Summary summary = search("move").run(found::add, (done, all) -> {}, () -> false);
 
     assertEquals(List.of("a.script", "cell/b.script", "cell/b.script"), names());
     assertEquals(2, found.getFirst().line());
@@ -47,14 +47,14 @@ final class FileSearchTest {
   void readsLatin1WhereThereIsNoUtf8() throws IOException {
     Files.write(
         folder.resolve("old.script"), "# gr\u00fcn\n".getBytes(StandardCharsets.ISO_8859_1));
-    search("gr\u00fcn").run(found::add, () -> false);
+    search("gr\u00fcn").run(found::add, (done, all) -> {}, () -> false);
 
     assertEquals(List.of("old.script"), names());
   }
 
   @Test
   void endsWhenItIsCancelled() throws IOException {
-    FileSearch.Summary summary = search("move").run(found::add, () -> !found.isEmpty());
+    FileSearch.Summary summary = search("move").run(found::add, (done, all) -> {}, () -> !found.isEmpty());
 
     assertEquals(List.of("a.script"), names());
     assertEquals(false, summary.complete());
@@ -63,7 +63,7 @@ final class FileSearchTest {
   @Test
   void endsAtTheMostPlaces() throws IOException {
     Files.writeString(folder.resolve("long.script"), "x\n".repeat(FileSearch.MOST_PLACES + 1));
-    FileSearch.Summary summary = search("x").run(found::add, () -> false);
+    FileSearch.Summary summary = search("x").run(found::add, (done, all) -> {}, () -> false);
 
     assertEquals(FileSearch.MOST_PLACES, found.size());
     assertEquals(FileSearch.MOST_PLACES, summary.places());

@@ -18,7 +18,9 @@ import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
+import org.pendant.gui.scene.Ball;
 import org.pendant.gui.scene.Camera;
+import org.pendant.gui.scene.Lens;
 import org.pendant.gui.scene.Models;
 import org.pendant.gui.scene.Outline;
 import org.pendant.gui.scene.Picked;
@@ -166,6 +168,53 @@ final class OffscreenSceneTest {
             > 0.002);
     assertTrue(changedShare(plain, untouched) > 0.02);
     assertTrue(changedShare(untouched, draw(model.withWorld(world, Set.of("box")), camera)) > 0.02);
+  }
+
+  private static double meanDifference(int[] a, int[] b) {
+    double sum = 0;
+    for (int i = 0; i < a.length; i++) {
+      sum += Math.abs(brightness(a[i]) - brightness(b[i]));
+    }
+    return sum / a.length;
+  }
+
+  @Test
+  void quickPicturesLookAlmostLikeTheBest() {
+    SceneModel model = Models.of("ur5e");
+    Camera camera = Camera.of(StandardView.ISO, Outline.of(model), 1);
+    int[] best = draw(model, camera);
+
+    for (Quality quality : Quality.values()) {
+      BufferedImage image =
+          scene.draw(model, camera, quality, OffscreenScene.image(SIZE, SIZE)).join();
+      int[] quick = image.getRGB(0, 0, SIZE, SIZE, null, 0, SIZE);
+      double difference = meanDifference(best, quick);
+      assertTrue(
+          difference < (quality == Quality.HALF ? 0.05 : 0.015),
+          quality + " differs by " + difference);
+    }
+  }
+
+  @Test
+  void theLensAndThePayloadShow() {
+    SceneModel model = Models.of("ur5e");
+    Camera camera = Camera.of(StandardView.ISO, Outline.of(model), 1);
+    int[] plain = draw(model, camera);
+    Pose tcp = model.tcpInBase();
+    Ball ball = new Ball(new Vector3(tcp.x(), tcp.y(), tcp.z()), 0.1);
+
+    assertTrue(changedShare(plain, draw(model, camera.through(Lens.ORTHOGRAPHIC))) > 0.1);
+    assertTrue(changedShare(plain, draw(model.withPayload(Optional.of(ball)), camera)) > 0.01);
+  }
+
+  @Test
+  void theFloorHidesNothingFromBelow() {
+    SceneModel model = Models.of("ur5e");
+    for (Lens lens : Lens.values()) {
+      Camera below = new Camera(new Vector3(0, 0, 0.3), 0.5, -0.6, 3).through(lens);
+
+      assertTrue(colours(draw(model, below)) > 100, lens.toString());
+    }
   }
 
   @Test

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** What can be said on a machine without OpenGL, too. */
@@ -23,6 +24,19 @@ final class SceneUnavailableTest {
                     }));
 
     assertSame(none, thrown);
+  }
+
+  @Test
+  void otherSystemsThanLinuxAreNotSentToLookForPackages() {
+    for (String system : List.of("Windows 11", "Mac OS X")) {
+      SceneUnavailable thrown = assertThrows(SceneUnavailable.class, () -> EglContext.open(system));
+
+      assertEquals(
+          "the 3D view draws by EGL, which "
+              + system
+              + " does not have; so far there is a 3D view on Linux only",
+          thrown.getMessage());
+    }
   }
 
   @Test

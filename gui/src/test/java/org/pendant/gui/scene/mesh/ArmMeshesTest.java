@@ -21,16 +21,22 @@ final class ArmMeshesTest {
   }
 
   private static ArmMeshes meshes(String id) {
-    return new ArmMeshes(ArmShapes.load(id), ArmLibrary.load(id).dh());
+    return meshes(id, Detail.FINE);
+  }
+
+  private static ArmMeshes meshes(String id, Detail detail) {
+    return new ArmMeshes(ArmShapes.load(id), ArmLibrary.load(id).dh(), detail);
   }
 
   @ParameterizedTest
   @MethodSource("ids")
   void bodiesAreClosed(String id) {
-    ArmMeshes meshes = meshes(id);
-
-    for (Link link : Link.values()) {
-      assertEquals(0, MeshChecks.openEdges(meshes.of(link)), link + " has open edges");
+    for (Detail detail : Detail.values()) {
+      ArmMeshes meshes = meshes(id, detail);
+      for (Link link : Link.values()) {
+        assertEquals(
+            0, MeshChecks.openEdges(meshes.of(link)), detail + " " + link + " has open edges");
+      }
     }
   }
 
@@ -71,6 +77,19 @@ final class ArmMeshesTest {
     int triangles = meshes(id).triangleCount();
 
     assertTrue(triangles < 40_000, id + " has " + triangles);
+  }
+
+  @ParameterizedTest
+  @MethodSource("ids")
+  void aCoarseArmIsTheSameBodyWithAQuarterOfTheTriangles(String id) {
+    ArmMeshes fine = meshes(id);
+    ArmMeshes coarse = meshes(id, Detail.COARSE);
+
+    assertTrue(4 * coarse.triangleCount() < fine.triangleCount());
+    for (Link link : Link.values()) {
+      double share = MeshChecks.volumeM3(coarse.of(link)) / MeshChecks.volumeM3(fine.of(link));
+      assertEquals(1, share, 0.06, link.toString());
+    }
   }
 
   private static Mesh.Box box(Knuckle knuckle) {

@@ -10,7 +10,8 @@ final class ProfileTest {
 
   @Test
   void aSharpCornerIsThereWithTheNormalsOfBothSides() {
-    List<Profile.Point> points = new Profile().to(0, 0).to(1, 0).to(1, 2).to(0, 2).points();
+    List<Profile.Point> points =
+        new Profile().to(0, 0).to(1, 0).to(1, 2).to(0, 2).points(Detail.FINE);
 
     assertEquals(
         List.of(
@@ -25,7 +26,8 @@ final class ProfileTest {
 
   @Test
   void aRoundedCornerKeepsItsRadiusFromItsCentre() {
-    List<Profile.Point> points = new Profile().to(0, 0).to(1, 0, 0.25).to(1, 2).to(0, 2).points();
+    List<Profile.Point> points =
+        new Profile().to(0, 0).to(1, 0, 0.25).to(1, 2).to(0, 2).points(Detail.FINE);
 
     for (Profile.Point point : points.subList(1, 4)) {
       assertEquals(0.25, Math.hypot(point.r() - 0.75, point.z() - 0.25), 1e-12);
@@ -35,7 +37,14 @@ final class ProfileTest {
   @Test
   void aHollowCornerIsRoundedOnTheOutside() {
     List<Profile.Point> points =
-        new Profile().to(0, 0).to(2, 0).to(2, 1).to(1, 1, 0.2).to(1, 2).to(0, 2).points();
+        new Profile()
+            .to(0, 0)
+            .to(2, 0)
+            .to(2, 1)
+            .to(1, 1, 0.2)
+            .to(1, 2)
+            .to(0, 2)
+            .points(Detail.FINE);
 
     List<Profile.Point> hollow =
         points.stream().filter(p -> p.r() > 1.001 && p.r() < 1.199 && p.z() > 1.001).toList();
@@ -48,7 +57,8 @@ final class ProfileTest {
 
   @Test
   void aRoundingThatDoesNotFitIsMadeSmaller() {
-    List<Profile.Point> points = new Profile().to(0, 0).to(1, 0, 50).to(1, 0.1).to(0, 0.1).points();
+    List<Profile.Point> points =
+        new Profile().to(0, 0).to(1, 0, 50).to(1, 0.1).to(0, 0.1).points(Detail.FINE);
 
     assertTrue(points.stream().allMatch(p -> p.r() <= 1 + 1e-12 && p.z() <= 0.1 + 1e-12));
   }

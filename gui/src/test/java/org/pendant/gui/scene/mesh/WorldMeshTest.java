@@ -23,7 +23,7 @@ final class WorldMeshTest {
 
   @Test
   void aBoxHasItsSizeAndPlace() {
-    Mesh.Box box = WorldMesh.of(List.of(BOX), Set.of()).box();
+    Mesh.Box box = WorldMesh.of(List.of(BOX), Set.of(), Detail.FINE).box();
 
     assertEquals(0.4, box.lowX(), 1e-6);
     assertEquals(0.6, box.highX(), 1e-6);
@@ -35,7 +35,7 @@ final class WorldMeshTest {
 
   @Test
   void boxesAreClosedAndFaceOutwards() {
-    Mesh mesh = WorldMesh.of(List.of(BOX), Set.of());
+    Mesh mesh = WorldMesh.of(List.of(BOX), Set.of(), Detail.FINE);
 
     assertEquals(0, MeshChecks.openEdges(mesh));
     assertEquals(0.4 * 0.2 * 0.1, MeshChecks.volumeM3(mesh), 3e-5);
@@ -44,7 +44,7 @@ final class WorldMeshTest {
 
   @Test
   void ballsAreClosedAndFaceOutwards() {
-    Mesh mesh = WorldMesh.of(List.of(BALL), Set.of());
+    Mesh mesh = WorldMesh.of(List.of(BALL), Set.of(), Detail.FINE);
 
     assertEquals(0, MeshChecks.openEdges(mesh));
     assertEquals(4 * Math.PI / 3 * 1e-3, MeshChecks.volumeM3(mesh), 5e-5);
@@ -53,7 +53,7 @@ final class WorldMeshTest {
 
   @Test
   void whatIsTouchedLooksTouched() {
-    Mesh mesh = WorldMesh.of(List.of(BOX, BALL), Set.of("ball"));
+    Mesh mesh = WorldMesh.of(List.of(BOX, BALL), Set.of("ball"), Detail.FINE);
 
     assertEquals(Finish.OBJECT.number(), mesh.finish(0));
     assertEquals(Finish.TOUCHED.number(), mesh.finish(mesh.vertexCount() - 1));
@@ -65,13 +65,13 @@ final class WorldMeshTest {
         new SceneObject.Plane(
             "floor", new Vector3(0, 0, 0), new Vector3(0, 0, 1), Material.DEFAULT);
 
-    assertEquals(0, WorldMesh.of(List.of(plane), Set.of()).triangleCount());
+    assertEquals(0, WorldMesh.of(List.of(plane), Set.of(), Detail.FINE).triangleCount());
   }
 
   @Test
   void marksAreClosed() {
-    assertEquals(0, MeshChecks.openEdges(Marks.frame()));
-    assertEquals(0, MeshChecks.openEdges(Marks.rod(0.004)));
-    assertTrue(MeshChecks.volumeM3(Marks.frame()) > 0);
+    assertEquals(0, MeshChecks.openEdges(Marks.frame(Detail.FINE)));
+    assertEquals(0, MeshChecks.openEdges(Marks.rod(0.004, Detail.FINE)));
+    assertTrue(MeshChecks.volumeM3(Marks.frame(Detail.FINE)) > 0);
   }
 }

@@ -16,11 +16,12 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.gui.scene.Camera;
 import org.pendant.gui.scene.Models;
 import org.pendant.gui.scene.SceneModel;
+import org.pendant.gui.scene.gl.Quality;
 
 final class PictureLoopTest {
   private static final SceneModel MODEL = Models.of("ur5e");
   private static final long FAST_NS = 10_000_000;
-  private static final long SLOW_NS = 200_000_000;
+  private static final long SLOW_NS = 100_000_000;
 
   private final List<PictureRequest> asked = new ArrayList<>();
   private final List<CompletableFuture<BufferedImage>> pending = new ArrayList<>();
@@ -85,13 +86,36 @@ final class PictureLoopTest {
   }
 
   @Test
-  void drawsCoarseWhileThingsMoveIfThatIsSlow() {
+  void drawsWorseWhileThingsMoveIfThatIsSlow() {
     loop.want(from(1));
     finish(SLOW_NS);
     loop.want(from(2));
 
-    assertEquals(200, asked.getLast().widthPx());
-    assertEquals(150, asked.getLast().heightPx());
+    assertEquals(Quality.SWIFT, asked.getLast().quality());
+  }
+
+  @Test
+  void theSlowestMachinesDrawHalfOfThePixels() {
+    loop.want(from(1));
+    finish(20 * SLOW_NS);
+    loop.want(from(2));
+
+    assertEquals(Quality.HALF, asked.getLast().quality());
+    assertEquals(400, asked.getLast().widthPx());
+  }
+
+  @Test
+  void morePicturesThanRefreshesAreForFastMachines() {
+    assertFalse(loop.hasTime());
+    loop.want(from(1));
+    finish(FAST_NS);
+    assertFalse(loop.hasTime());
+    loop.want(from(2));
+    finish(2_000_000);
+    assertTrue(loop.hasTime());
+
+    loop.want(from(3));
+    assertFalse(loop.hasTime());
   }
 
   @Test
@@ -124,13 +148,13 @@ final class PictureLoopTest {
   }
 
   @Test
-  void aFastMachineNeverDrawsCoarse() {
+  void aFastMachineAlwaysDrawsInFull() {
     for (int i = 0; i < 5; i++) {
       loop.want(from(i));
       finish(FAST_NS);
     }
 
-    assertTrue(asked.stream().allMatch(request -> request.widthPx() == 400));
+    assertTrue(asked.stream().allMatch(request -> request.quality() == Quality.FULL));
   }
 
   @Test

@@ -59,6 +59,17 @@ final class DockPlanTest {
   }
 
   @Test
+  void aViewGoesWhereItsTabIsDropped() {
+    DockPlan plan = plan();
+    plan.move("variables", Side.RIGHT, 0);
+    assertEquals(List.of("variables", "scene"), plan().views(Side.RIGHT));
+    plan.move("problems", Side.RIGHT, 1);
+    assertEquals(List.of("variables", "problems", "scene"), plan().views(Side.RIGHT));
+    plan.move("variables", Side.RIGHT, 99);
+    assertEquals(List.of("problems", "scene", "variables"), plan().views(Side.RIGHT));
+  }
+
+  @Test
   void anEmptySideStaysEmpty() {
     DockPlan plan = plan();
     plan.move("scene", Side.LEFT);

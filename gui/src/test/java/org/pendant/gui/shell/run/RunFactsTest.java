@@ -65,10 +65,15 @@ final class RunFactsTest {
   }
 
   @Test
-  void popupsThatWaitAreCounted() {
+  void openPopupsAndQuestionsAreCounted() {
+    assertEquals("", facts("").waiting());
+    start("popup(\"a\")\nrequest_string_from_primary_client(\"b\")\n");
+    runFrames(10);
+    assertEquals("A popup and a question open", facts("").waiting());
+    var _ = controller.submit(new Command.StopProgram());
     start("popup(\"a\")\npopup(\"b\", blocking=True)\n");
     runFrames(10);
-    assertEquals("2 popups wait for an answer", facts("").waiting());
+    assertEquals("2 popups open", facts("").waiting());
   }
 
   @Test

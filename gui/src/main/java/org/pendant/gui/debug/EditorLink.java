@@ -1,0 +1,90 @@
+package org.pendant.gui.debug;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.pendant.controller.debug.Breakpoint;
+import org.pendant.controller.debug.BreakpointState;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.editor.BreakpointListener;
+import org.pendant.gui.editor.BreakpointMark;
+import org.pendant.gui.editor.ScriptEditor;
+import org.pendant.gui.session.ProgramDocument;
+import org.pendant.gui.session.Programs;
+
+/** Keeps what the editor shows beside its lines and what the debugger knows the same. */
+public final class EditorLink implements BreakpointListener {
+  private final ScriptEditor editor;
+  private final DebugPresenter debug;
+  private final BreakpointDesk desk;
+  private final Programs programs;
+
+  /** Connects both. */
+  public EditorLink(ScriptEditor editor, DebugPresenter debug, Programs programs) {
+    this.editor = editor;
+    this.debug = debug;
+    this.programs = programs;
+    desk = debug.breakpoints();
+    desk.setMarks(editor::toggleBreakpoint);
+    desk.addListener(this::showMarks);
+    editor.setBreakpointMemory(this::lines);
+    editor.addBreakpointListener(this);
+  }
+
+  private SortedSet<Integer> lines(ProgramDocument program) {
+    SortedSet<Integer> lines = new TreeSet<>();
+    desk.all(program).forEach(each -> lines.add(each.line()));
+    return lines;
+  }
+
+  @Override
+  public void breakpointsMoved(ProgramDocument program, SortedMap<Integer, Integer> moves) {
+    desk.linesMoved(program, moves);
+  }
+
+  @Override
+  public void breakpointsChanged(ProgramDocument program, SortedSet<Integer> lines) {
+    desk.linesChanged(program, lines);
+  }
+
+  /** A program is about to be started: the debugger gets its breakpoints. */
+  public void beforeRun(ProgramDocument program) {
+    desk.linesChanged(program, editor.breakpoints(program));
+    desk.beforeRun(program);
+  }
+
+  /** Shows where the program is. */
+  public void follow(ControllerState state) {
+    desk.started().ifPresent(program -> editor.setExecution(program, debug.execution(state)));
+  }
+
+  private void showMarks() {
+    for (ProgramDocument program : programs.all()) {
+      Map<Integer, BreakpointMark> marks = new HashMap<>();
+      for (Breakpoint each : desk.all(program)) {
+        long hits = desk.state(program, each).map(BreakpointState::hits).orElse(0L);
+        marks.put(each.line(), mark(each, hits));
+      }
+      editor.showBreakpoints(program, marks);
+    }
+  }
+
+  static BreakpointMark mark(Breakpoint breakpoint, long hits) {
+    boolean conditional = !breakpoint.condition().isEmpty() || breakpoint.fromHit() > 1;
+    StringBuilder about = new StringBuilder();
+    about.append(breakpoint.enabled() ? "The program stops before this line" : "Disabled");
+    if (!breakpoint.condition().isEmpty()) {
+      about.append(breakpoint.enabled() ? " when " : ": stops when ");
+      about.append(breakpoint.condition());
+    }
+    if (breakpoint.fromHit() > 1) {
+      about.append(", from hit ").append(breakpoint.fromHit());
+    }
+    if (hits > 0) {
+      about.append("; hit ").append(hits == 1 ? "once" : hits + " times");
+    }
+    return new BreakpointMark(breakpoint.enabled(), conditional, about.toString());
+  }
+}

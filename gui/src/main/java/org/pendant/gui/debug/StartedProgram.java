@@ -1,0 +1,55 @@
+package org.pendant.gui.debug;
+
+import java.util.Optional;
+import org.pendant.gui.session.ProgramDocument;
+
+/**
+ * The program that was started last, and where its lines are in the text as it is now: people edit
+ * a program while it runs. One thread uses it, the dispatch thread.
+ */
+final class StartedProgram {
+  private Optional<ProgramDocument> document = Optional.empty();
+  private String text = "";
+  private String mapped = "";
+  private LineMap lines = LineMap.between("", "");
+
+  /** {@code program} is started as it stands. */
+  void start(ProgramDocument program) {
+    document = Optional.of(program);
+    text = program.text();
+    mapped = text;
+    lines = LineMap.between(text, text);
+  }
+
+  Optional<ProgramDocument> document() {
+    return document;
+  }
+
+  boolean is(ProgramDocument program) {
+    return document.filter(each -> each == program).isPresent();
+  }
+
+  /** Whether the text is still the one that runs. */
+  boolean unchanged() {
+    return lines().unchanged();
+  }
+
+  /** The line of the present text where line {@code run} of the running one is. */
+  int toNow(int run) {
+    return lines().toNow(run);
+  }
+
+  /** The line of the running text that line {@code now} of the present one was. */
+  int toRun(int now) {
+    return lines().toOld(now);
+  }
+
+  private LineMap lines() {
+    String now = document.map(ProgramDocument::text).orElse(text);
+    if (!now.equals(mapped)) {
+      mapped = now;
+      lines = LineMap.between(text, now);
+    }
+    return lines;
+  }
+}

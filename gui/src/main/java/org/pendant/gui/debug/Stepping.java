@@ -1,0 +1,112 @@
+package org.pendant.gui.debug;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.IntUnaryOperator;
+import org.pendant.controller.debug.DebugState;
+import org.pendant.controller.debug.Debugger;
+import org.pendant.controller.debug.StopReason;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.value.ScriptError;
+
+/**
+ * How a program is held and goes on: steps belong to the thread that is looked at. It has no Swing;
+ * one thread uses it, the dispatch thread.
+ */
+public final class Stepping {
+  private final DebugLink link;
+  private final IntUnaryOperator toRun;
+  private final Consumer<String> tell;
+  private DebugState debug = DebugState.FREE;
+  private ProgramState program = ProgramState.STOPPED;
+  private int thread = Debugger.MAIN;
+
+  /**
+   * Nothing runs yet.
+   *
+   * @param toRun the line of the running text that a line of the present one was
+   * @param tell says why something was refused
+   */
+  Stepping(DebugLink link, IntUnaryOperator toRun, Consumer<String> tell) {
+    this.link = link;
+    this.toRun = toRun;
+    this.tell = tell;
+  }
+
+  /** Takes the newest snapshot. */
+  void refresh(DebugState debug, ProgramState program) {
+    this.debug = debug;
+    this.program = program;
+  }
+
+  /** Has the next steps be those of the thread of {@code scope}; the main thread without one. */
+  void follow(Optional<Scope> scope) {
+    thread = scope.map(Scope::thread).orElse(Debugger.MAIN);
+  }
+
+  /** Whether a held program can go on by steps; one that has failed can only end. */
+  public boolean canStep() {
+    return debug.stop().filter(stop -> !(stop.reason() instanceof StopReason.Failed)).isPresent();
+  }
+
+  /** Whether there is a program to hold. */
+  public boolean canPause() {
+    return program == ProgramState.RUNNING && !debug.held();
+  }
+
+  /** Lets the program go on; one that has failed ends. */
+  public void resume() {
+    send(Debugger::resume);
+  }
+
+  /** Holds all threads of the program before their next statements. */
+  public void pause() {
+    send(Debugger::pause);
+  }
+
+  /** To the next statement of the thread, in any function. */
+  public void into() {
+    int stepped = thread;
+    send(debugger -> debugger.stepInto(stepped));
+  }
+
+  /** To the next statement of the same function. */
+  public void over() {
+    int stepped = thread;
+    send(debugger -> debugger.stepOver(stepped));
+  }
+
+  /** To the next statement of the caller. */
+  public void out() {
+    int stepped = thread;
+    send(debugger -> debugger.stepOut(stepped));
+  }
+
+  /** To a line of the program's text, from 1. */
+  public void runTo(int line) {
+    int stepped = thread;
+    int wanted = toRun.applyAsInt(line);
+    send(debugger -> debugger.runTo(stepped, wanted));
+  }
+
+  /** Ends a thread of a held program, and those that it started. */
+  public void kill(int killed) {
+    send(debugger -> debugger.kill(killed));
+  }
+
+  /** Something that the debugger has to do. */
+  @FunctionalInterface
+  private interface Deed {
+    void on(Debugger debugger) throws ScriptError;
+  }
+
+  private void send(Deed deed) {
+    link.ask(
+        debugger -> {
+          deed.on(debugger);
+          return true;
+        },
+        done -> {},
+        why -> tell.accept("Refused: " + why));
+  }
+}

@@ -1,0 +1,95 @@
+package org.pendant.gui.editor;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.gui.editor.text.AnalysedText;
+import org.pendant.gui.editor.text.Problem;
+import org.pendant.gui.session.ProgramDocument;
+import org.pendant.gui.workbench.Palette;
+
+/** Below the text: how many problems there are, where the caret is, how the file is written. */
+@SuppressWarnings("serial") // never written to a stream
+final class EditorStatus extends JPanel {
+  private final JButton problems = new JButton(" ");
+  private final JLabel place = new JLabel(" ");
+  private final JLabel format = new JLabel(" ");
+  private List<Problem> counted = List.of();
+
+  /**
+   * Nothing yet.
+   *
+   * @param showProblems asked when somebody wants to see the problems
+   */
+  EditorStatus(Runnable showProblems) {
+    super(new MigLayout("insets 1 8 1 12, gap 16, fillx", "[][grow, right][right]", "[center]"));
+    setName("editor-status");
+    problems.setName("editor-problems");
+    problems.putClientProperty("JButton.buttonType", "toolBarButton");
+    problems.setToolTipText("Shows the problems of this program");
+    problems.addActionListener(event -> showProblems.run());
+    place.setName("editor-place");
+    place.getAccessibleContext().setAccessibleName("Place of the caret");
+    format.setName("editor-format");
+    format.setToolTipText("How the file is written: characters and ends of lines");
+    add(problems);
+    add(place, "wmin 0");
+    add(format, "wmin 0");
+  }
+
+  @Override
+  public void updateUI() {
+    super.updateUI();
+    setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Palette.line()));
+    if (problems != null) {
+      place.setForeground(Palette.quiet());
+      format.setForeground(Palette.quiet());
+      count(counted);
+    }
+  }
+
+  void show(ProgramEditor editor) {
+    place.setText(place(editor.area()));
+    format.setText(format(editor.program()));
+    List<Problem> now = editor.analysed().map(AnalysedText::problems).orElse(counted);
+    if (now != counted || problems.getText().isBlank()) {
+      counted = now;
+      count(now);
+    }
+  }
+
+  private void count(List<Problem> now) {
+    boolean errors = now.stream().anyMatch(Problem::isError);
+    problems.setForeground(
+        errors ? Palette.error() : now.isEmpty() ? Palette.quiet() : Palette.warning());
+    String text = now.isEmpty() ? "No problems" : ProblemsView.summary(now);
+    problems.setText(text);
+    problems.getAccessibleContext().setAccessibleName(text + "; shows them");
+  }
+
+  /** {@code Line 12, column 5}, with the length of the selection if there is one. */
+  static String place(ScriptArea area) {
+    int caret = area.getCaretPosition();
+    int line = area.lineAt(caret);
+    int selected = area.getSelectionEnd() - area.getSelectionStart();
+    return "Line "
+        + line
+        + ", column "
+        + (caret - area.line(line).start() + 1)
+        + (selected > 0 ? ", " + selected + " selected" : "");
+  }
+
+  private static String format(ProgramDocument program) {
+    return program
+        .onDisk()
+        .map(
+            file ->
+                (file.charset().equals(StandardCharsets.UTF_8) ? "UTF-8" : "Latin-1")
+                    + (file.carriageReturns() ? ", CRLF" : ", LF"))
+        .orElse("Not on disk yet");
+  }
+}

@@ -1,0 +1,72 @@
+package org.pendant.gui.move;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.pendant.gui.workbench.Settings;
+import org.pendant.models.pose.Pose;
+
+/** Tool centre points by name, kept from one start to the next. */
+final class NamedTools {
+  /** Longest name, in characters. */
+  static final int LONGEST_NAME = 40;
+
+  private static final String KEY = "move.tcps";
+
+  private final Settings settings;
+  private final SortedMap<String, Pose> tools = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
+
+  /** As they were left; what is none is skipped. */
+  NamedTools(Settings settings) {
+    this.settings = settings;
+    settings.get(KEY).ifPresent(text -> text.lines().forEach(this::read));
+  }
+
+  private void read(String line) {
+    int end = line.indexOf('\t');
+    if (end > 0 && problem(line.substring(0, end)).isEmpty()) {
+      NumberList.read(line.substring(end + 1), Pose.SIZE)
+          .ifPresent(numbers -> tools.put(line.substring(0, end), Pose.of(numbers)));
+    }
+  }
+
+  /** Why a name cannot be kept, as a sentence; empty if it can. */
+  static String problem(String name) {
+    if (name.isBlank()) {
+      return "Give the TCP a name to keep it.";
+    }
+    if (name.length() > LONGEST_NAME) {
+      return "The name has " + name.length() + " characters, at most " + LONGEST_NAME + " fit.";
+    }
+    return name.chars().anyMatch(Character::isISOControl) ? "The name has control characters." : "";
+  }
+
+  List<String> names() {
+    return List.copyOf(tools.keySet());
+  }
+
+  /** The pose in the flange of the one with this name. */
+  Optional<Pose> find(String name) {
+    return Optional.ofNullable(tools.get(name));
+  }
+
+  /** Keeps one, in place of another of the same name. */
+  void keep(String name, Pose inFlange) {
+    tools.remove(name);
+    tools.put(name, inFlange);
+    write();
+  }
+
+  void forget(String name) {
+    tools.remove(name);
+    write();
+  }
+
+  private void write() {
+    List<String> lines = new ArrayList<>();
+    tools.forEach((name, pose) -> lines.add(name + "\t" + NumberList.text(pose.toArray())));
+    settings.put(KEY, String.join("\n", lines));
+  }
+}

@@ -1,0 +1,43 @@
+package org.pendant.gui.session;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryNotEmptyException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.FileSystemLoopException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
+import java.nio.file.Path;
+
+/** Why a file could not be read or written, in words instead of the name of an exception. */
+public final class FileTrouble {
+  private FileTrouble() {}
+
+  /** The reason, without the name of the file, such as {@code there is no such file}. */
+  public static String reason(IOException trouble) {
+    return switch (trouble) {
+      case NoSuchFileException e -> "there is no such file";
+      case AccessDeniedException e -> "access is denied";
+      case FileAlreadyExistsException e -> e.getFile() + " is in the way";
+      case NotDirectoryException e -> e.getFile() + " is not a folder";
+      case DirectoryNotEmptyException e -> "it is a folder";
+      case FileSystemLoopException e -> "its links form a loop";
+      case FileSystemException e when e.getReason() != null -> lower(e.getReason());
+      default ->
+          trouble.getMessage() == null
+              ? trouble.getClass().getSimpleName()
+              : lower(trouble.getMessage());
+    };
+  }
+
+  /** An exception whose message is the file and the reason in words. */
+  static IOException of(Path file, IOException trouble) {
+    return new IOException(file + ": " + reason(trouble), trouble);
+  }
+
+  private static String lower(String sentence) {
+    boolean word = sentence.length() > 1 && Character.isLowerCase(sentence.charAt(1));
+    return word ? Character.toLowerCase(sentence.charAt(0)) + sentence.substring(1) : sentence;
+  }
+}

@@ -1,0 +1,135 @@
+package org.pendant.gui.shell;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.pendant.gui.session.DiskChange;
+import org.pendant.gui.session.ProgramDocument;
+import org.pendant.gui.session.ProgramFile;
+import org.pendant.gui.session.Programs;
+import org.pendant.gui.shell.Notices.Choice;
+
+/** Notices what others do to the files of the open programs. */
+final class DiskWatch {
+  private final Programs programs;
+  private final Notices notices;
+  private final Consumer<String> tell;
+  private final Map<ProgramDocument, DiskChange> watched = new IdentityHashMap<>();
+  private boolean busy;
+
+  /** A program and its file, as they were when the look began. */
+  private record Watched(ProgramDocument document, ProgramFile known, DiskChange change) {}
+
+  /** What has become of a file. */
+  private sealed interface Found {
+    Watched watched();
+
+    /** It says something else, or is back. */
+    record Other(Watched watched, ProgramFile now) implements Found {}
+
+    /** It is there no more. */
+    record Gone(Watched watched) implements Found {}
+
+    /** It cannot be read any more. */
+    record Unreadable(Watched watched, String why) implements Found {}
+  }
+
+  DiskWatch(Programs programs, Notices notices, Consumer<String> tell) {
+    this.programs = programs;
+    this.notices = notices;
+    this.tell = tell;
+  }
+
+  /** Looks at the files of all open programs; called every few seconds. */
+  void look() {
+    watched.keySet().removeIf(each -> !programs.all().contains(each));
+    List<Watched> files = new ArrayList<>();
+    for (ProgramDocument each : programs.all()) {
+      each.onDisk()
+          .ifPresent(
+              known ->
+                  files.add(
+                      new Watched(
+                          each, known, watched.computeIfAbsent(each, d -> new DiskChange()))));
+    }
+    if (busy || files.isEmpty()) {
+      return;
+    }
+    busy = true;
+    Background.run(
+        () -> files.stream().flatMap(each -> found(each).stream()).toList(),
+        found -> {
+          busy = false;
+          found.stream().filter(DiskWatch::stillSo).forEach(this::tell);
+        },
+        failed -> {
+          throw new AssertionError("each file has its own trouble", failed);
+        });
+  }
+
+  private static Optional<Found> found(Watched file) {
+    if (file.change().gone(file.known())) {
+      return Optional.of(new Found.Gone(file));
+    }
+    try {
+      return file.change().look(file.known()).map(now -> new Found.Other(file, now));
+    } catch (IOException e) {
+      return Optional.of(new Found.Unreadable(file, e.getMessage()));
+    }
+  }
+
+  /** Whether the program was neither saved nor read again meanwhile. */
+  private static boolean stillSo(Found found) {
+    Watched watched = found.watched();
+    return watched.document().onDisk().equals(Optional.of(watched.known()));
+  }
+
+  private void tell(Found found) {
+    ProgramDocument document = found.watched().document();
+    switch (found) {
+      case Found.Gone gone -> {
+        document.gone();
+        tell.accept(document.name() + " is on disk no more; saving writes it again");
+      }
+      case Found.Unreadable(Watched file, String why) ->
+          tell.accept("What has changed on disk cannot be read: " + why);
+      case Found.Other(Watched file, ProgramFile now) -> changed(document, now);
+    }
+  }
+
+  private void changed(ProgramDocument document, ProgramFile now) {
+    if (document.text().equals(now.text())) {
+      document.saved(now);
+    } else if (document.modified()) {
+      ask(document, now);
+    } else {
+      document.reloaded(now);
+      tell.accept(document.name() + " has changed on disk and was read again");
+    }
+  }
+
+  private void ask(ProgramDocument document, ProgramFile now) {
+    String name = "disk-change-" + System.identityHashCode(document);
+    notices.ask(
+        name,
+        document.name() + " has changed on disk, and here too. Saving would replace what is there.",
+        List.of(
+            new Choice("Read it again", () -> document.reloaded(now)),
+            Choice.nothing("Keep mine")));
+    document.addListener(
+        new ProgramDocument.Listener() {
+          @Override
+          public void fileChanged() {
+            if (!document.modified()) {
+              // Saved, or read again some other way: there is nothing to choose any more.
+              document.removeListener(this);
+              notices.close(name);
+            }
+          }
+        });
+  }
+}

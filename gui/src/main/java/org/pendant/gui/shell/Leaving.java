@@ -1,0 +1,74 @@
+package org.pendant.gui.shell;
+
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import org.pendant.gui.session.ProgramDocument;
+import org.pendant.gui.session.Programs;
+import org.pendant.gui.shell.Notices.Choice;
+
+/** What happens when the window is to be closed: nothing is lost without a question. */
+final class Leaving {
+  private static final String QUESTION = "unsaved";
+
+  private final Programs programs;
+  private final ProgramFiles files;
+  private final Notices notices;
+  private final Runnable leave;
+
+  /**
+   * The way out.
+   *
+   * @param leave closes the window
+   */
+  Leaving(Programs programs, ProgramFiles files, Notices notices, Runnable leave) {
+    this.programs = programs;
+    this.files = files;
+    this.notices = notices;
+    this.leave = leave;
+  }
+
+  /** Leaves, after asking for what is not saved. */
+  void ask() {
+    List<ProgramDocument> unsaved = unsaved();
+    if (unsaved.isEmpty()) {
+      leave.run();
+      return;
+    }
+    String names = String.join(", ", unsaved.stream().map(ProgramDocument::name).toList());
+    notices.ask(
+        QUESTION,
+        "Not saved: " + names,
+        List.of(
+            new Choice(unsaved.size() == 1 ? "Save" : "Save all", this::saveAndLeave),
+            new Choice("Quit without saving", leave),
+            Choice.nothing("Cancel")));
+    notices.focus();
+  }
+
+  private List<ProgramDocument> unsaved() {
+    return new ArrayList<>(programs.all().stream().filter(ProgramDocument::modified).toList());
+  }
+
+  private void saveAndLeave() {
+    saveNext(unsaved().iterator());
+  }
+
+  /** One after the other: each may ask where. What is not saved keeps the window open. */
+  private void saveNext(Iterator<ProgramDocument> left) {
+    if (!left.hasNext()) {
+      // Somebody may have gone on writing meanwhile.
+      ask();
+      return;
+    }
+    ProgramDocument next = left.next();
+    programs.select(next);
+    files.save(
+        next,
+        saved -> {
+          if (saved) {
+            saveNext(left);
+          }
+        });
+  }
+}

@@ -1,0 +1,47 @@
+package org.pendant.gui.shell;
+
+import org.pendant.gui.workbench.Settings;
+
+/** What people want to see besides the arm; kept from one start to the next. */
+final class SceneShows {
+  private static final String FRAMES = "scene.frames";
+  private static final String PAYLOAD = "scene.payload";
+  private static final String TRACE = "scene.trace";
+
+  private final Settings settings;
+
+  SceneShows(Settings settings) {
+    this.settings = settings;
+  }
+
+  /** The frames of the joints and the flange. */
+  boolean frames() {
+    return on(FRAMES, false);
+  }
+
+  void setFrames(boolean on) {
+    settings.put(FRAMES, Boolean.toString(on));
+  }
+
+  /** A ball for the payload. */
+  boolean payload() {
+    return on(PAYLOAD, false);
+  }
+
+  void setPayload(boolean on) {
+    settings.put(PAYLOAD, Boolean.toString(on));
+  }
+
+  /** Where the tool was. */
+  boolean trace() {
+    return on(TRACE, true);
+  }
+
+  void setTrace(boolean on) {
+    settings.put(TRACE, Boolean.toString(on));
+  }
+
+  private boolean on(String name, boolean usually) {
+    return settings.get(name).map(Boolean::parseBoolean).orElse(usually);
+  }
+}

@@ -1,0 +1,263 @@
+package org.pendant.bench;
+
+import java.awt.AWTEvent;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.awt.Toolkit;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.lang.reflect.InvocationTargetException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import javax.swing.text.JTextComponent;
+import org.pendant.gui.shell.Desktop;
+
+/**
+ * How long the desktop takes for a key that is typed in the middle of a long program: from the key
+ * to the end of the repainting that it causes, on the dispatch thread, with every panel there. It
+ * needs a display, a virtual one will do.
+ */
+final class TypingLatency {
+  private static final int KEYS = 500;
+  private static final int WARM_UP_KEYS = 200;
+  private static final int LINES = 5_000;
+  private static final long NS_PER_US = 1_000;
+
+  /** Lines as people type them: calls with completions, blocks, brackets, strings. */
+  private static final String TYPED =
+      """
+      movej([0.1, -1.57, 1.57, 0, 0, 0], a=1.4, v=1.05)
+      if total > 10 and done < repeat:
+      textmsg("total is ", total)
+      end
+      total = total + steps[1] * sin(d2r(45.5)) # a note
+      """;
+
+  private final TimedQueue queue;
+  private final JTextComponent text;
+
+  private TypingLatency(TimedQueue queue, JTextComponent text) {
+    this.queue = queue;
+    this.text = text;
+  }
+
+  /**
+   * Opens a desktop with settings of its own in another process, types there and prints a table.
+   *
+   * @param arguments none; or {@code here} and the lines of the program, in that other process
+   */
+  public static void main(String[] arguments) throws Exception {
+    if (arguments.length == 2 && arguments[0].equals("here")) {
+      measure(Integer.parseInt(arguments[1]));
+      // The window would stay, and its process with it.
+      Runtime.getRuntime().halt(0);
+    }
+    int lines = arguments.length == 1 ? Integer.parseInt(arguments[0]) : LINES;
+    ProcessBuilder child =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:+UseSerialGC",
+                "-XX:TieredStopAtLevel=1",
+                "--enable-native-access=ALL-UNNAMED",
+                "--sun-misc-unsafe-memory-access=allow",
+                "-cp",
+                System.getProperty("java.class.path"),
+                TypingLatency.class.getName(),
+                "here",
+                Integer.toString(lines))
+            .inheritIO();
+    child
+        .environment()
+        .put("XDG_CONFIG_HOME", Files.createTempDirectory("pendant-typing").toString());
+    int code = child.start().waitFor();
+    if (code != 0) {
+      throw new IOException("the window's process ended with " + code);
+    }
+  }
+
+  private static void measure(int lines) throws Exception {
+    TimedQueue queue = new TimedQueue();
+    Toolkit.getDefaultToolkit().getSystemEventQueue().push(queue);
+    Desktop.open();
+    JTextComponent text = awaitText();
+    TypingLatency latency = new TypingLatency(queue, text);
+    latency.fill(program(lines));
+    latency.type(WARM_UP_KEYS);
+    queue.longestNs.set(0);
+    long[] ns = latency.type(KEYS);
+    print(lines, ns, queue.longestNs.get());
+  }
+
+  private static String program(int lines) {
+    int bytes = 20 * lines;
+    String text = GeneratedProgram.ofBytes(bytes);
+    while (text.lines().count() < lines) {
+      bytes += lines;
+      text = GeneratedProgram.ofBytes(bytes);
+    }
+    return text;
+  }
+
+  private static JTextComponent awaitText() throws Exception {
+    for (int tries = 0; tries < 300; tries++) {
+      Optional<Component> found = onDispatchThread(TypingLatency::findText);
+      if (found.isPresent()) {
+        return (JTextComponent) found.get();
+      }
+      TimeUnit.MILLISECONDS.sleep(100);
+    }
+    throw new IOException("no window with a script came");
+  }
+
+  /** Finds the editor; brings its screen to the front first, by the key for it. */
+  private static Optional<Component> findText() {
+    for (Window window : Window.getWindows()) {
+      Optional<Component> button = find(window, "rail-script");
+      if (button.isPresent() && button.get() instanceof javax.swing.AbstractButton rail) {
+        rail.doClick(0);
+        return find(window, "script-text").filter(Component::isShowing);
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static Optional<Component> find(Container in, String name) {
+    for (Component each : in.getComponents()) {
+      if (name.equals(each.getName())) {
+        return Optional.of(each);
+      }
+      if (each instanceof Container inner) {
+        Optional<Component> found = find(inner, name);
+        if (found.isPresent()) {
+          return found;
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private void fill(String program) throws Exception {
+    onDispatchThread(
+        () -> {
+          text.setText(program);
+          int middle = program.indexOf("\n", program.indexOf("total = ", program.length() / 2));
+          text.setCaretPosition(middle);
+          return text.requestFocusInWindow();
+        });
+    // The first analysis comes and colours the text.
+    TimeUnit.SECONDS.sleep(4);
+  }
+
+  /** How long each of {@code count} keys took, ns. */
+  private long[] type(int count) throws Exception {
+    long[] ns = new long[count];
+    key('\n');
+    for (int i = 0; i < count; i++) {
+      ns[i] = key(TYPED.charAt(i % TYPED.length()));
+      // Quick hands, and now and then a pause in which the text is analysed.
+      TimeUnit.MILLISECONDS.sleep(i % 12 == 11 ? 450 : 60);
+    }
+    return ns;
+  }
+
+  /** Types a character, and waits until what it did is painted. */
+  private long key(char c) throws InterruptedException {
+    int code = c == '\n' ? KeyEvent.VK_ENTER : KeyEvent.getExtendedKeyCodeForChar(c);
+    long now = System.currentTimeMillis();
+    queue.begin();
+    queue.postEvent(new KeyEvent(text, KeyEvent.KEY_PRESSED, now, 0, code, c));
+    queue.postEvent(
+        new KeyEvent(text, KeyEvent.KEY_TYPED, now, 0, KeyEvent.VK_UNDEFINED, c));
+    queue.postEvent(new KeyEvent(text, KeyEvent.KEY_RELEASED, now, 0, code, c));
+    CountDownLatch done = new CountDownLatch(1);
+    AtomicLong end = new AtomicLong();
+    // Twice: repainting is asked for by the key, and is in the queue before the second.
+    EventQueue.invokeLater(
+        () ->
+            EventQueue.invokeLater(
+                () -> {
+                  end.set(System.nanoTime());
+                  done.countDown();
+                }));
+    done.await();
+    return end.get() - queue.begunNs.get();
+  }
+
+  private static <T> T onDispatchThread(java.util.concurrent.Callable<T> work)
+      throws InterruptedException, InvocationTargetException, Exception {
+    java.util.concurrent.FutureTask<T> task = new java.util.concurrent.FutureTask<>(work);
+    EventQueue.invokeAndWait(task);
+    return task.get();
+  }
+
+  private static void print(int lines, long[] ns, long longestNs) {
+    long[] sorted = ns.clone();
+    Arrays.sort(sorted);
+    System.out.printf(
+        Locale.ROOT, "%n### A key typed in a program of %d lines, ms%n%n", lines);
+    System.out.println("| keys | p50 | p95 | p99 | longest | longest event of any kind |");
+    System.out.println("| ---: | ---: | ---: | ---: | ---: | ---: |");
+    System.out.printf(
+        Locale.ROOT,
+        "| %d | %.2f | %.2f | %.2f | %.2f | %.2f |%n",
+        ns.length,
+        ms(sorted[ns.length / 2]),
+        ms(sorted[ns.length * 95 / 100]),
+        ms(sorted[ns.length * 99 / 100]),
+        ms(sorted[ns.length - 1]),
+        ms(longestNs));
+    System.err.println("slowest keys: " + slowest(ns));
+  }
+
+  /** The ten slowest with the characters that they typed. */
+  private static List<String> slowest(long[] ns) {
+    return java.util.stream.IntStream.range(0, ns.length)
+        .boxed()
+        .sorted((a, b) -> Long.compare(ns[b], ns[a]))
+        .limit(10)
+        .map(
+            i ->
+                String.format(
+                    Locale.ROOT,
+                    "%s at %d: %.1f ms",
+                    TYPED.charAt(i % TYPED.length()) == '\n'
+                        ? "ENTER"
+                        : "'" + TYPED.charAt(i % TYPED.length()) + "'",
+                    i,
+                    ms(ns[i])))
+        .toList();
+  }
+
+  private static double ms(long ns) {
+    return ns / NS_PER_US / 1e3;
+  }
+
+  /** The event queue, with a clock. */
+  private static final class TimedQueue extends EventQueue {
+    private final AtomicLong begunNs = new AtomicLong();
+    private final AtomicLong longestNs = new AtomicLong();
+
+    void begin() {
+      begunNs.set(0);
+    }
+
+    @Override
+    protected void dispatchEvent(AWTEvent event) {
+      long start = System.nanoTime();
+      if (event.getID() == KeyEvent.KEY_PRESSED) {
+        begunNs.compareAndSet(0, start);
+      }
+      super.dispatchEvent(event);
+      longestNs.accumulateAndGet(System.nanoTime() - start, Math::max);
+    }
+  }
+}

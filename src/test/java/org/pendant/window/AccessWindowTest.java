@@ -1,0 +1,78 @@
+package org.pendant.window;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
+
+/** That everything can be reached and read, by key, by a screen reader and in a small window. */
+final class AccessWindowTest {
+  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+
+  private final OpenWindow window = desk.window();
+
+  @Test
+  void everythingThatKeysReachHasANameOnEveryScreen() {
+    List<String> screens = window.named("rail-");
+    assertTrue(screens.size() >= 6, screens.toString());
+    for (String each : screens) {
+      window.click(each);
+      assertEquals("", window.nameless(), each);
+    }
+  }
+
+  @Test
+  void everythingThatKeysReachHasANameInEveryPanel() {
+    window.perform("Show Problems");
+    for (String dock : List.of("dock-tabs-right", "dock-tabs-bottom")) {
+      for (String title : window.tabs(dock)) {
+        window.choose(dock, title);
+        assertEquals("", window.nameless(), title);
+      }
+    }
+    window.perform("Fold or unfold the dock at the bottom");
+  }
+
+  @Test
+  void everythingThatKeysReachHasANameInPanelsOverTheWindow() {
+    window.press("control shift P");
+    window.awaitFocus("palette-query");
+    assertEquals("", window.nameless());
+    window.type("change keys");
+    window.press("ENTER");
+    window.awaitFocus("key-filter");
+    assertEquals("", window.nameless());
+    window.press("ESCAPE");
+    window.awaitHidden("key-filter");
+  }
+
+  @Test
+  void keysComeToTheTextTableOrTreeOfAScreenThatIsShown() {
+    window.press("alt 2");
+    window.awaitFocus("script-text");
+    window.press("alt 5");
+    window.awaitFocus("log-table");
+    window.press("alt 2");
+    window.awaitFocus("script-text");
+  }
+
+  @Test
+  void stopIsThereInASmallWindowWithLargeLetters() {
+    window.resize("1024x700");
+    for (int i = 0; i < 6; i++) {
+      window.perform("Everything larger");
+      window.await("Stop is there as a whole", () -> window.whole("program-stop"));
+      window.await("the safety mode is there", () -> window.whole("safety-mode"));
+    }
+    window.awaitShown("footer-more");
+    window.awaitShown("rail-more");
+    window.press("alt 5");
+    window.awaitFocus("log-table");
+    window.perform("Everything in normal size");
+    window.awaitHidden("footer-more");
+    window.awaitHidden("rail-more");
+    window.resize("1440x900");
+  }
+}

@@ -1,0 +1,95 @@
+package org.pendant.window;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
+
+/** Panels that are dragged and folded, and keys that are changed. */
+final class ArrangeWindowTest {
+  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+
+  private final OpenWindow window = desk.window();
+
+  @AfterEach
+  void putBack() {
+    window.perform("Put all panels where they belong at first");
+  }
+
+  @Test
+  void aTabIsDraggedToTheOtherSideAndComesBack() {
+    window.dragTab("dock-tabs-right", "Outline", "rail-run");
+    window.await("it is where it was", () -> window.tabs("dock-tabs-right").contains("Outline"));
+    window.dragTab("dock-tabs-right", "Outline", "dock-tabs-bottom");
+    window.await("it is there", () -> window.tabs("dock-tabs-bottom").contains("Outline"));
+    window.awaitShown("outline-tree");
+    window.dragTab("dock-tabs-bottom", "Outline", "main-area");
+    window.await("it is there", () -> !window.tabs("dock-tabs-bottom").contains("Outline"));
+    window.awaitShown("outline-tree");
+    window.click("rail-run");
+    window.awaitHidden("outline-tree");
+  }
+
+  @Test
+  void aTabIsDraggedAmongItsNeighbours() {
+    List<String> before = window.tabs("dock-tabs-right");
+    window.dragTab("dock-tabs-right", before.getLast(), "dock-tabs-right");
+    window.choose("dock-tabs-right", before.getFirst());
+    assertEquals(before, window.tabs("dock-tabs-right"), "dropped beside the tabs: at the end");
+  }
+
+  @Test
+  void aSideIsFoldedByItsArrowAndUnfoldedByAKey() {
+    window.awaitShown("scene");
+    window.click("dock-collapse-right");
+    window.awaitHidden("scene");
+    window.press("control alt RIGHT");
+    window.awaitShown("scene");
+  }
+
+  @Test
+  void aNewKeyDoesItsActionAndTheOldOneDoesNotAnyMore() {
+    window.perform("Change keys");
+    window.awaitFocus("key-filter");
+    window.type("show log");
+    window.click("key-capture");
+    window.awaitFocus("key-capture");
+    window.press("A");
+    window.awaitWords("key-conflict", "is needed for writing");
+    window.press("control alt 9");
+    window.awaitWords("key-table", "Show Log | Ctrl+Alt+9 | changed");
+    window.press("ESCAPE");
+    window.awaitHidden("key-table");
+    window.press("control alt 9");
+    window.awaitShown("log-view");
+    window.click("rail-run");
+    window.awaitHidden("log-view");
+    window.press("alt 5");
+    window.perform("Change keys");
+    window.awaitFocus("key-filter");
+    assertEquals(false, window.shows("log-view"));
+    window.click("key-reset-all");
+    window.press("ESCAPE");
+    window.awaitHidden("key-table");
+    window.press("alt 5");
+    window.awaitShown("log-view");
+  }
+
+  @Test
+  void aKeyOfTwoActionsIsTakenFromTheOther() {
+    window.perform("Change keys");
+    window.awaitFocus("key-filter");
+    window.type("show plots");
+    window.click("key-capture");
+    window.awaitFocus("key-capture");
+    window.press("alt 5");
+    window.awaitWords("key-conflict", "Show Log");
+    window.click("key-take");
+    window.awaitWords("key-table", "Show Plots | Alt+5 | changed");
+    window.click("key-reset-all");
+    window.press("ESCAPE");
+    window.awaitHidden("key-table");
+  }
+}
