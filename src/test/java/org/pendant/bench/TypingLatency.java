@@ -8,16 +8,19 @@ import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.IntStream;
 import javax.swing.text.JTextComponent;
 import org.pendant.gui.shell.Desktop;
 
@@ -93,8 +96,8 @@ final class TypingLatency {
     latency.fill(program(lines));
     latency.type(WARM_UP_KEYS);
     queue.longestNs.set(0);
-    long[] ns = latency.type(KEYS);
-    print(lines, ns, queue.longestNs.get());
+    Times times = latency.type(KEYS);
+    print(lines, times, queue.longestNs.get());
   }
 
   private static String program(int lines) {
@@ -157,16 +160,25 @@ final class TypingLatency {
     TimeUnit.SECONDS.sleep(4);
   }
 
-  /** How long each of {@code count} keys took, ns. */
-  private long[] type(int count) throws Exception {
-    long[] ns = new long[count];
+  /**
+   * How long each key took, ns.
+   *
+   * @param wall from the key to the end of its painting, which other processes lengthen
+   * @param computing what the dispatch thread computed meanwhile
+   */
+  private record Times(List<Long> wall, List<Long> computing) {}
+
+  /** What each of {@code count} keys took. */
+  private Times type(int count) throws Exception {
+    Times times = new Times(new ArrayList<>(), new ArrayList<>());
     key('\n');
     for (int i = 0; i < count; i++) {
-      ns[i] = key(TYPED.charAt(i % TYPED.length()));
+      times.wall().add(key(TYPED.charAt(i % TYPED.length())));
+      times.computing().add(queue.endCpuNs.get() - queue.begunCpuNs.get());
       // Quick hands, and now and then a pause in which the text is analysed.
       TimeUnit.MILLISECONDS.sleep(i % 12 == 11 ? 450 : 60);
     }
-    return ns;
+    return times;
   }
 
   /** Types a character, and waits until what it did is painted. */
@@ -186,6 +198,7 @@ final class TypingLatency {
             EventQueue.invokeLater(
                 () -> {
                   end.set(System.nanoTime());
+                  queue.endCpuNs.set(TimedQueue.cpuNs());
                   done.countDown();
                 }));
     done.await();
@@ -199,42 +212,43 @@ final class TypingLatency {
     return task.get();
   }
 
-  private static void print(int lines, long[] ns, long longestNs) {
-    long[] sorted = ns.clone();
-    Arrays.sort(sorted);
+  private static void print(int lines, Times times, long longestNs) {
+    System.out.printf(Locale.ROOT, "%n### A key typed in a program of %d lines, ms%n%n", lines);
+    System.out.println("| what | p50 | p95 | p99 | longest |");
+    System.out.println("| --- | ---: | ---: | ---: | ---: |");
+    row("until it is painted", times.wall());
+    row("computing of the dispatch thread", times.computing());
     System.out.printf(
-        Locale.ROOT, "%n### A key typed in a program of %d lines, ms%n%n", lines);
-    System.out.println("| keys | p50 | p95 | p99 | longest | longest event of any kind |");
-    System.out.println("| ---: | ---: | ---: | ---: | ---: | ---: |");
+        Locale.ROOT, "| longest event of any kind meanwhile | | | | %.2f |%n", ms(longestNs));
+    System.err.println("slowest to compute: " + slowest(times.computing()));
+  }
+
+  private static void row(String what, List<Long> ns) {
+    List<Long> sorted = ns.stream().sorted().toList();
+    int count = sorted.size();
     System.out.printf(
         Locale.ROOT,
-        "| %d | %.2f | %.2f | %.2f | %.2f | %.2f |%n",
-        ns.length,
-        ms(sorted[ns.length / 2]),
-        ms(sorted[ns.length * 95 / 100]),
-        ms(sorted[ns.length * 99 / 100]),
-        ms(sorted[ns.length - 1]),
-        ms(longestNs));
-    System.err.println("slowest keys: " + slowest(ns));
+        "| %s | %.2f | %.2f | %.2f | %.2f |%n",
+        what,
+        ms(sorted.get(count / 2)),
+        ms(sorted.get(count * 95 / 100)),
+        ms(sorted.get(count * 99 / 100)),
+        ms(sorted.getLast()));
   }
 
   /** The ten slowest with the characters that they typed. */
-  private static List<String> slowest(long[] ns) {
-    return java.util.stream.IntStream.range(0, ns.length)
+  private static List<String> slowest(List<Long> ns) {
+    return IntStream.range(0, ns.size())
         .boxed()
-        .sorted((a, b) -> Long.compare(ns[b], ns[a]))
+        .sorted(Comparator.comparing((Integer i) -> ns.get(i)).reversed())
         .limit(10)
-        .map(
-            i ->
-                String.format(
-                    Locale.ROOT,
-                    "%s at %d: %.1f ms",
-                    TYPED.charAt(i % TYPED.length()) == '\n'
-                        ? "ENTER"
-                        : "'" + TYPED.charAt(i % TYPED.length()) + "'",
-                    i,
-                    ms(ns[i])))
+        .map(i -> String.format(Locale.ROOT, "%s at %d: %.1f ms", name(i), i, ms(ns.get(i))))
         .toList();
+  }
+
+  private static String name(int key) {
+    char c = TYPED.charAt(key % TYPED.length());
+    return c == '\n' ? "ENTER" : "'" + c + "'";
   }
 
   private static double ms(long ns) {
@@ -244,7 +258,14 @@ final class TypingLatency {
   /** The event queue, with a clock. */
   private static final class TimedQueue extends EventQueue {
     private final AtomicLong begunNs = new AtomicLong();
+    private final AtomicLong begunCpuNs = new AtomicLong();
+    private final AtomicLong endCpuNs = new AtomicLong();
     private final AtomicLong longestNs = new AtomicLong();
+
+    /** What the present thread has computed so far. */
+    static long cpuNs() {
+      return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+    }
 
     void begin() {
       begunNs.set(0);
@@ -255,6 +276,7 @@ final class TypingLatency {
       long start = System.nanoTime();
       if (event.getID() == KeyEvent.KEY_PRESSED) {
         begunNs.compareAndSet(0, start);
+        begunCpuNs.set(cpuNs());
       }
       super.dispatchEvent(event);
       longestNs.accumulateAndGet(System.nanoTime() - start, Math::max);

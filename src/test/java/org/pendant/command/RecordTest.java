@@ -101,4 +101,62 @@ final class RecordTest {
           () -> assertArrayEquals(expected, record));
     }
   }
+
+  @Test
+  void columnsOfVariablesFollowInEveryRow() throws IOException {
+    Launcher.script(
+        folder,
+        "count.script",
+        """
+        def count():
+          n = 0
+          p = p[0, 0, 0, 0, 0, 0]
+          while n < 3:
+            n = n + 1
+            p[2] = 0.5 * n
+            sync()
+          end
+          late = True
+          sync()
+        end
+        """);
+    Result result =
+        Launcher.pendant(
+            folder,
+            "run",
+            "--record",
+            "out.csv",
+            "--column",
+            "var:n",
+            "--column",
+            "var:p[2]",
+            "--column=var:late",
+            "count.script");
+
+    assertEquals(0, result.exitCode(), result.errors());
+    List<String> lines = Files.readAllLines(folder.resolve("out.csv"));
+    assertTrue(lines.getFirst().endsWith(",line,var:n,var:p[2],var:late"), lines.getFirst());
+    assertTrue(lines.get(1).endsWith(",1.0,0.5,"), lines.get(1));
+    assertTrue(lines.get(3).endsWith(",3.0,1.5,"), lines.get(3));
+    assertTrue(lines.get(4).endsWith(",3.0,1.5,1.0"), lines.get(4));
+  }
+
+  @Test
+  void columnThatTheProgramDoesNotHaveIsRefused() {
+    Result result =
+        Launcher.pendant(
+            folder, "run", "--record", "out.csv", "--column", "var:hom", "busy.script");
+
+    assertEquals(2, result.exitCode());
+    assertTrue(
+        result.errors().contains("busy has no variable hom, did you mean home?"), result.errors());
+  }
+
+  @Test
+  void columnWithoutARecordIsRefused() {
+    Result result = Launcher.pendant(folder, "run", "--column", "var:home", "busy.script");
+
+    assertEquals(2, result.exitCode());
+    assertTrue(result.errors().contains("--column goes with --record"), result.errors());
+  }
 }

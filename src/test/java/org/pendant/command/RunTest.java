@@ -87,6 +87,48 @@ final class RunTest {
   }
 
   @Test
+  void questionsAreAnsweredByTextOrInOrderForEachFileAnew() {
+    script(
+        "ask.script",
+        "n = request_integer_from_primary_client(\"How many = ?\")",
+        "b = request_boolean_from_primary_client(\"Mark them?\")",
+        "textmsg(n, b)");
+
+    Result result =
+        Launcher.pendant(
+            folder,
+            "run",
+            "--answer",
+            "=yes",
+            "--answer",
+            "How many = ?=3",
+            "ask.script",
+            "ask.script");
+
+    assertAll(
+        () -> assertEquals(0, result.exitCode(), result.errors()),
+        () -> assertEquals("3True\n3True\n", result.output()),
+        () ->
+            assertTrue(
+                result.errors().contains("note: \"Mark them?\" is answered: True"),
+                result.errors()));
+  }
+
+  @Test
+  void questionWithoutAnAnswerFailsAndIsQuoted() {
+    script("ask.script", "textmsg(\"before\")", "request_string_from_primary_client(\"Who?\")");
+
+    Result result = Launcher.pendant(folder, "run", "ask.script");
+
+    assertAll(
+        () -> assertEquals(1, result.exitCode()),
+        () -> assertEquals("before\n", result.output()),
+        () -> assertTrue(result.errors().startsWith("ask.script:2:"), result.errors()),
+        () -> assertTrue(result.errors().contains("\"Who?\""), result.errors()),
+        () -> assertTrue(result.errors().contains("--answer"), result.errors()));
+  }
+
+  @Test
   void eachFileHasAControllerOfItsOwn() {
     script("one.script", "set_standard_digital_out(0, True)", "global left_over = 1");
     script("two.script", "textmsg(get_standard_digital_out(0))", "textmsg(random())");

@@ -86,8 +86,9 @@ final class InlinePrompt {
   }
 
   void close() {
-    // Asked for first: what is typed meanwhile waits for the script instead of being lost.
-    owner.requestFocusInWindow();
-    overlay.hide();
+    // It hides when it loses the focus: what is typed meanwhile would be lost with the field.
+    if (!owner.requestFocusInWindow()) {
+      overlay.hide();
+    }
   }
 }

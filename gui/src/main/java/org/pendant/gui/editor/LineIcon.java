@@ -97,14 +97,15 @@ record LineIcon(Optional<Dot> dot, Optional<Execution.State> arrow, boolean bulb
   private static void paintDot(Graphics2D pen, Dot dot, double x, double y, double size) {
     Ellipse2D circle = new Ellipse2D.Double(x, y, size, size);
     pen.setColor(Palette.error());
-    if (dot.filled()) {
+    boolean filled = dot.filled() && dot.reach() != Reach.NOWHERE;
+    if (filled) {
       pen.fill(circle);
     }
     pen.draw(circle);
     double middle = x + size / 2;
     double centre = y + size / 2;
     if (dot.conditional()) {
-      pen.setColor(dot.filled() ? Palette.card() : Palette.error());
+      pen.setColor(filled ? Palette.card() : Palette.error());
       pen.draw(new Line2D.Double(middle - 2, centre - 1.5, middle + 2, centre - 1.5));
       pen.draw(new Line2D.Double(middle - 2, centre + 1.5, middle + 2, centre + 1.5));
     }

@@ -29,7 +29,7 @@ final class SignaturePopup {
     area.addCaretListener(
         event -> {
           if (overlay.visible()) {
-            request();
+            schedule.whenRested(this::show);
           }
         });
     area.addKeyListener(

@@ -58,7 +58,7 @@ final class AnalogRow {
     below.setOpaque(false);
     below.add(slider, SLIDER);
     below.add(problem, PROBLEM);
-    card.add(below, "skip, growx, wmin 40");
+    card.add(below, "skip, growx, w 40:80:");
     card.add(value, "wmin pref");
     card.add(domain, "wmin pref");
   }

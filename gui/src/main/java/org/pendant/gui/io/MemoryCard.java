@@ -52,7 +52,7 @@ final class MemoryCard {
     problem.setBorder(BorderFactory.createEmptyBorder(0, 8, 0, 8));
     scroll.addMouseWheelListener(this::passOn);
     card.add(scroll, "wmin 0");
-    card.add(empty, "wmin 0");
+    card.add(empty, "w 0:0:");
     showRows();
   }
 

@@ -85,7 +85,7 @@ final class ReadingsCard {
     table.removeAll();
     table.setLayout(
         new MigLayout(
-            "insets 0, gap 8 4, wrap " + (values + 1), "[]push" + "[right]".repeat(values)));
+            "insets 0, gap 8 4, wrap " + (values + 1), "[]push" + "[right,60::]".repeat(values)));
     addRow(new JLabel(), titles, values);
     for (int joint = 0; joint < joints.size(); joint++) {
       addRow(new JLabel(Readings.JOINTS.get(joint)), joints.get(joint), values);

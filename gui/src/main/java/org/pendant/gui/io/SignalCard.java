@@ -20,7 +20,7 @@ final class SignalCard {
   SignalCard(SignalBank bank, IoPresenter presenter, SignalLabels labels) {
     this.presenter = presenter;
     this.labels = labels;
-    card = new Card(SignalName.of(bank), "[][][grow,fill,80::][]");
+    card = new Card(SignalName.of(bank), "[][][grow,fill,110::][]");
     for (int i = 0; i < bank.size(); i++) {
       if (bank.input()) {
         addInput(new Signal(bank, i));

@@ -5,10 +5,13 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
+import java.util.List;
 import javax.swing.JComponent;
 
 /** What an empty table says. */
 final class EmptyNote {
+  private static final int SIDE = 8;
+
   private EmptyNote() {}
 
   /**
@@ -29,10 +32,13 @@ final class EmptyNote {
     pen.setColor(LogColors.quiet());
     FontMetrics metrics = pen.getFontMetrics();
     Rectangle sight = on.getVisibleRect();
-    pen.drawString(
-        text,
-        Math.max(8, sight.x + (sight.width - metrics.stringWidth(text)) / 2),
-        sight.y + sight.height / 2);
+    List<String> lines = WrappedText.lines(text, metrics::stringWidth, sight.width - 2 * SIDE);
+    int y = sight.y + Math.max(SIDE, (sight.height - lines.size() * metrics.getHeight()) / 2);
+    for (String each : lines) {
+      y += metrics.getHeight();
+      int left = (sight.width - metrics.stringWidth(each)) / 2;
+      pen.drawString(each, sight.x + Math.max(SIDE, left), y);
+    }
     pen.dispose();
   }
 }

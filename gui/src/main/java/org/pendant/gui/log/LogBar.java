@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import javax.swing.AbstractButton;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JCheckBoxMenuItem;
@@ -35,11 +36,9 @@ final class LogBar {
   private static final int NARROW_DIGITS = 66;
 
   private final JPanel filters = new JPanel(new MigLayout("insets 0, gap 4, hidemode 3"));
-
   private final JButton narrow = new JButton("Sources \u25be");
   private final JPanel from = new JPanel(new MigLayout("insets 0, gap 4"));
   private final JPanel searching = new JPanel(new MigLayout("insets 0, gap 4", "[grow,fill][][]"));
-  private final JPanel commands = new JPanel(new MigLayout("insets 0, gap 4"));
   private final JPanel bar = new JPanel(new WrappingRow(8));
   private final JTextField search = new JTextField(16);
   private final JLabel matches = new QuietLabel();
@@ -71,7 +70,6 @@ final class LogBar {
           }
         });
     bar.add(searching);
-    bar.add(commands);
     bar.add(messages);
     name(messages, "log-counts", "How many messages there are");
   }
@@ -100,6 +98,7 @@ final class LogBar {
     if (narrow.isVisible() != little) {
       narrow.setVisible(little);
       from.setVisible(!little);
+      levels.forEach((level, toggle) -> toggle.setText(little ? "" : word(level)));
       bar.revalidate();
     }
   }
@@ -117,7 +116,12 @@ final class LogBar {
     follow.putClientProperty("JButton.buttonType", "toolBarButton");
     name(follow, "log-follow", "Keep the newest message in sight (Ctrl End)");
     follow.addActionListener(event -> wanted.accept(follow.isSelected()));
-    commands.add(follow, 0);
+    addCommand(follow);
+  }
+
+  /** Each on its own, so that they wrap; the count stays last. */
+  private void addCommand(AbstractButton button) {
+    bar.add(button, bar.getComponentCount() - 1);
   }
 
   /** Adds the button that opens the menu of columns below it. */
@@ -126,7 +130,7 @@ final class LogBar {
     button.putClientProperty("JButton.buttonType", "toolBarButton");
     name(button, "log-columns", "Choose the columns of the table");
     button.addActionListener(event -> menu.show(button, 0, button.getHeight()));
-    commands.add(button);
+    addCommand(button);
   }
 
   private JToggleButton toggle(String text, Icon icon) {
@@ -170,6 +174,7 @@ final class LogBar {
     search
         .getInputMap(JComponent.WHEN_FOCUSED)
         .put(KeyStroke.getKeyStroke("shift ENTER"), "log-previous-match");
+    search.getActionMap().put("log-previous-match", LogView.act(() -> stepping.step(false)));
     searching.add(search);
     searching.add(
         arrow("\u2191", "log-previous", "Previous match (Shift F3)", () -> stepping.step(false)));
@@ -199,7 +204,7 @@ final class LogBar {
       String text, String name, String tip, Runnable run, UnaryOperator<String> keys) {
     String key = keys.apply(name);
     JButton button = arrow(text, "log-" + name, key.isEmpty() ? tip : tip + " (" + key + ")", run);
-    commands.add(button);
+    addCommand(button);
   }
 
   private static void name(JComponent component, String name, String tip) {

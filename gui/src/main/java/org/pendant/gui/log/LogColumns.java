@@ -65,7 +65,8 @@ final class LogColumns {
    * The columns, and how wide they are; the message gets what is left.
    *
    * @param width of all, in pixels
-   * @param leastMessage what the message needs at least, in pixels
+   * @param leastMessage what the message needs, in pixels; where others cannot make room, it gets a
+   *     third of it at least
    * @param widths of columns but the message, in pixels
    * @param compactSeverity width of the severity as a symbol, in pixels
    */
@@ -88,7 +89,7 @@ final class LogColumns {
       boolean symbol = compact && each == LogColumn.SEVERITY;
       int own =
           each == LogColumn.MESSAGE
-              ? Math.max(leastMessage, left(width, shown, widths, compact, compactSeverity))
+              ? Math.max(leastMessage / 3, left(width, shown, widths, compact, compactSeverity))
               : symbol ? compactSeverity : widths.applyAsInt(each);
       laidOut.add(new Shown(each, own, symbol));
     }

@@ -22,7 +22,7 @@ final class LogDetail {
   /** Lines that can be seen at least, the headline among them. */
   private static final int LEAST_LINES = 6;
 
-  private final JPanel content = new JPanel(new BorderLayout());
+  private final JPanel content = new Lower();
   private final JLabel heading = new QuietLabel();
   private final JButton source = new JButton();
   private final JTextArea text = new JTextArea();
@@ -49,8 +49,6 @@ final class LogDetail {
     scroll.setBorder(BorderFactory.createEmptyBorder());
     content.add(head, BorderLayout.NORTH);
     content.add(scroll, BorderLayout.CENTER);
-    content.setMinimumSize(
-        new Dimension(0, LEAST_LINES * text.getFontMetrics(text.getFont()).getHeight()));
     showNone();
   }
 
@@ -122,5 +120,20 @@ final class LogDetail {
 
   void copy(String words) {
     Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(words), null);
+  }
+
+  /** At least a few lines, but never most of what there is. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class Lower extends JPanel {
+    Lower() {
+      super(new BorderLayout());
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+      int lines = LEAST_LINES * getFontMetrics(getFont()).getHeight();
+      int room = getParent() == null ? lines : getParent().getHeight();
+      return new Dimension(0, Math.min(lines, room * 2 / 5));
+    }
   }
 }

@@ -62,12 +62,12 @@ public final class LogView implements View {
     content.add(bar.component(), BorderLayout.NORTH);
     content.add(split(), BorderLayout.CENTER);
     declareActions();
+    bar.addFollowing(table::follow);
     bar.addCommands(
         this::copy, this::export, this::clear, name -> workbench.actions().keysOf(ID + "." + name));
     LogMenus menus = new LogMenus(columns, table::columnsChanged);
     table.setMenu(menus.ofMessages(this::copy, table::showSelectedSource));
     bar.addColumns(menus.ofColumns());
-    bar.addFollowing(table::follow);
     showCounts();
   }
 

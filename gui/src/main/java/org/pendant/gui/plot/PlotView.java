@@ -94,11 +94,15 @@ public final class PlotView implements View {
 
   @Override
   public void refresh(ControllerState state) {
-    if (presenter.quantities().variables().show(state.variables())) {
-      tree.refill();
-    }
+    showVariables(state);
     if (presenter.refresh()) {
       stack.refresh();
+    }
+  }
+
+  private void showVariables(ControllerState state) {
+    if (presenter.quantities().variables().show(state.variables())) {
+      tree.refill();
     }
   }
 
@@ -108,7 +112,7 @@ public final class PlotView implements View {
    * @param expressions such as {@code count} or {@code p[2]}
    */
   public void addVariables(List<String> expressions) {
-    presenter.quantities().variables().show(workbench.session().state().variables());
+    showVariables(workbench.session().state());
     List<Quantity> found =
         expressions.stream()
             .flatMap(each -> presenter.quantities().variables().of(each).stream())

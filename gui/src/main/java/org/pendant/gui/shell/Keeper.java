@@ -54,7 +54,9 @@ final class Keeper {
     Background.run(
         recovery::leftBehind,
         found -> found.forEach(this::offer),
-        failed -> tell.accept("Unsaved texts cannot be read: " + FileTrouble.reason(failed)));
+        failed ->
+            tell.accept(
+                "Texts kept from the last time cannot be read: " + FileTrouble.reason(failed)));
   }
 
   private void offer(RecoveryFolder.LeftBehind left) {

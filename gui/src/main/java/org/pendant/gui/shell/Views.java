@@ -21,7 +21,6 @@ import org.pendant.gui.io.IoView;
 import org.pendant.gui.log.LogView;
 import org.pendant.gui.move.MoveView;
 import org.pendant.gui.plot.PlotView;
-import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.shell.dock.Side;
 import org.pendant.gui.shell.look.Glyph;
@@ -77,8 +76,7 @@ final class Views {
             screen(log, Glyph.LOG),
             screen(plots, Glyph.PLOT),
             panel(scene, Side.RIGHT),
-            panel(
-                new VariablesView(workbench, debug, favourites, plots::addVariables), Side.RIGHT),
+            panel(new VariablesView(workbench, debug, favourites, plots::addVariables), Side.RIGHT),
             panel(new WatchesView(workbench, debug), Side.RIGHT),
             panel(new OutlineView(workbench, editor), Side.RIGHT),
             panel(new ProblemsView(workbench, editor), Side.BOTTOM),

@@ -37,12 +37,12 @@ public final class FileSettings implements Settings, AutoCloseable {
   private final ScheduledThreadPoolExecutor writer =
       new ScheduledThreadPoolExecutor(1, Thread.ofPlatform().daemon().name("settings").factory());
   private volatile Optional<String> notice = Optional.empty();
-  private volatile Consumer<String> told = text -> {};
+  private Consumer<String> told = text -> {};
 
   /** Whether the file has something that could not be read, and must not be lost. */
   private boolean unreadable;
 
-  private boolean failed;
+  private Optional<String> trouble = Optional.empty();
 
   private FileSettings(Path file) {
     this.file = file;
@@ -105,9 +105,23 @@ public final class FileSettings implements Settings, AutoCloseable {
     return notice;
   }
 
-  /** Tells {@code listener} from now on when they cannot be written, in any thread. */
-  public void onTrouble(Consumer<String> listener) {
+  /** Tells {@code listener} when they cannot be written, in any thread; at once if it was so. */
+  public synchronized void onTrouble(Consumer<String> listener) {
     told = listener;
+    trouble.ifPresent(listener);
+  }
+
+  private synchronized void written() {
+    trouble = Optional.empty();
+  }
+
+  /** Tells once: each later change would fail as well. The next one tries again. */
+  private synchronized void notWritten(IOException why) {
+    if (trouble.isEmpty()) {
+      trouble =
+          Optional.of("Settings cannot be written: " + why.getMessage() + "; " + UNKEPT);
+      told.accept(trouble.get());
+    }
   }
 
   @Override
@@ -131,13 +145,9 @@ public final class FileSettings implements Settings, AutoCloseable {
     }
     try {
       AtomicFile.write(file, SettingsText.format(values).getBytes(StandardCharsets.UTF_8));
-      failed = false;
+      written();
     } catch (IOException e) {
-      // Told once: each later change would fail as well. The next one tries again.
-      if (!failed) {
-        told.accept("Settings cannot be written: " + e.getMessage() + "; " + UNKEPT);
-      }
-      failed = true;
+      notWritten(e);
     }
   }
 

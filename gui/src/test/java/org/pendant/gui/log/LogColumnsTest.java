@@ -56,7 +56,7 @@ final class LogColumnsTest {
     assertTrue(fit(700).get(1).compact(), "a symbol says the same");
     assertEquals(
         List.of(LogColumn.TIME, LogColumn.SEVERITY, LogColumn.LINE, LogColumn.MESSAGE), shown(200));
-    assertEquals(300, fit(200).getLast().width());
+    assertEquals(100, fit(200).getLast().width());
   }
 
   @Test

@@ -10,8 +10,8 @@ import org.pendant.language.signature.Catalogue;
 
 /**
  * Decides when the text of one editor is analysed: after a pause in typing, or at once when
- * somebody waits for it. Results of a text that has changed since are dropped. Only the dispatch
- * thread calls it.
+ * somebody waits for it. Results of a text that has changed since are dropped, and texts that have
+ * changed before their turn came are not read. Only the dispatch thread calls it.
  */
 public final class AnalysisSchedule {
   /** How long nobody may type before an analysis begins. */
@@ -25,7 +25,7 @@ public final class AnalysisSchedule {
   private final Consumer<AnalysedText> shown;
   private final List<Consumer<AnalysedText>> waiting = new ArrayList<>();
   private Optional<AnalysedText> newest = Optional.empty();
-  private long version;
+  private volatile long version;
   private long analysedVersion = -1;
   private long startedVersion = -1;
 
@@ -53,7 +53,8 @@ public final class AnalysisSchedule {
 
   /** Says that the text is another now. */
   public void changed() {
-    long changed = ++version;
+    long changed = version + 1;
+    version = changed;
     waiting.clear();
     background.run(PAUSE_MS, () -> dispatch.execute(() -> startIfStill(changed)));
   }
@@ -77,6 +78,16 @@ public final class AnalysisSchedule {
     startIfStill(version);
   }
 
+  /** The same, but nothing is hurried for it: while somebody types it comes at the next pause. */
+  public void whenRested(Consumer<AnalysedText> receiver) {
+    Optional<AnalysedText> current = current();
+    if (current.isPresent()) {
+      receiver.accept(current.get());
+    } else {
+      waiting.add(receiver);
+    }
+  }
+
   private void startIfStill(long wanted) {
     if (wanted != version || startedVersion == version || analysedVersion == version) {
       return;
@@ -86,6 +97,9 @@ public final class AnalysisSchedule {
     background.run(
         0,
         () -> {
+          if (wanted != version) {
+            return; // somebody types faster than texts are read
+          }
           AnalysedText result = AnalysedText.of(name, now, catalogue);
           dispatch.execute(() -> finished(wanted, result));
         });

@@ -13,6 +13,9 @@ final class Canvas implements AutoCloseable {
   private final Surface drawn;
   private final Surface read;
 
+  /** Whether what is drawn can be read as it is. */
+  private final boolean readable;
+
   /** A picture in the memory of the graphics. */
   private record Surface(int framebuffer, int colour, int depth, int width, int height) {
 
@@ -73,7 +76,7 @@ final class Canvas implements AutoCloseable {
             Math.ceilDiv(height, quality.divisor()),
             samples,
             true);
-    boolean readable = samples == 0 && quality.divisor() == 1;
+    readable = samples == 0 && quality.divisor() == 1;
     read = readable ? drawn : Surface.of(width, height, 0, false);
   }
 
@@ -103,7 +106,7 @@ final class Canvas implements AutoCloseable {
    * @param pixels width times height numbers 0xAARRGGBB, overwritten
    */
   void read(int[] pixels) {
-    if (read != drawn) {
+    if (!readable) {
       glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn.framebuffer);
       glBindFramebuffer(GL_DRAW_FRAMEBUFFER, read.framebuffer);
       int filter = quality.divisor() == 1 ? GL_NEAREST : GL_LINEAR;
@@ -117,7 +120,7 @@ final class Canvas implements AutoCloseable {
   @Override
   public void close() {
     drawn.delete();
-    if (read != drawn) {
+    if (!readable) {
       read.delete();
     }
   }

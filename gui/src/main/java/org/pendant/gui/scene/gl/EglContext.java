@@ -1,5 +1,7 @@
 package org.pendant.gui.scene.gl;
 
+import java.io.OutputStream;
+import java.io.PrintStream;
 import java.nio.IntBuffer;
 import org.lwjgl.PointerBuffer;
 import org.lwjgl.egl.EGL;
@@ -47,6 +49,10 @@ final class EglContext implements GlContext {
               + " does not have; so far there is a 3D view on Linux only");
     }
     try {
+      if (!Configuration.DEBUG.get(false)) {
+        // What is missing is said by our own message, in one line.
+        Configuration.DEBUG_STREAM.set(new PrintStream(OutputStream.nullOutputStream()));
+      }
       Configuration.OPENGL_CONTEXT_API.set("EGL");
       return openLoaded();
     } catch (LinkageError missing) {

@@ -9,6 +9,8 @@ import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.util.Optional;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
@@ -31,6 +33,7 @@ public final class Overlay {
           place();
         }
       };
+  private boolean open;
   private Optional<Component> focusBefore = Optional.empty();
   private Runnable escape = this::close;
 
@@ -63,7 +66,7 @@ public final class Overlay {
 
   /** Whether it is open. */
   public boolean isOpen() {
-    return card.getParent() != null;
+    return open;
   }
 
   /** Opens it. */
@@ -71,6 +74,8 @@ public final class Overlay {
     if (isOpen()) {
       return;
     }
+    remove();
+    open = true;
     focusBefore =
         Optional.ofNullable(KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner());
     // The look may have changed since it was open.
@@ -88,22 +93,45 @@ public final class Overlay {
     if (!isOpen()) {
       return;
     }
-    returnFocus();
-    JLayeredPane layers = layers();
-    under.removeComponentListener(follower);
-    layers.remove(card);
-    layers.repaint();
+    open = false;
+    Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+    if (!focusWithin() || !returnFocus()) {
+      remove();
+      return;
+    }
+    // What is typed meanwhile waits for the new owner; it would be lost with the old one.
+    owner.addFocusListener(
+        new FocusAdapter() {
+          @Override
+          public void focusLost(FocusEvent event) {
+            owner.removeFocusListener(this);
+            if (!open) {
+              remove();
+            }
+          }
+        });
   }
 
-  /** Gives the focus back to where it was, if it is in here. */
-  public void returnFocus() {
-    if (focusWithin()) {
-      focusBefore
-          .filter(Component::isShowing)
-          .filter(each -> !SwingUtilities.isDescendingFrom(each, card))
-          .orElse(under)
-          .requestFocusInWindow();
+  private void remove() {
+    if (card.getParent() instanceof JLayeredPane layers) {
+      under.removeComponentListener(follower);
+      layers.remove(card);
+      layers.repaint();
     }
+  }
+
+  /**
+   * Gives the focus back to where it was, if it is in here.
+   *
+   * @return whether it will be there
+   */
+  public boolean returnFocus() {
+    return focusWithin()
+        && focusBefore
+            .filter(Component::isShowing)
+            .filter(each -> !SwingUtilities.isDescendingFrom(each, card))
+            .orElse(under)
+            .requestFocusInWindow();
   }
 
   /** Gives the focus to a part of this; {@link #returnFocus} gives it back. */

@@ -69,6 +69,28 @@ final class AnalysisScheduleTest {
   }
 
   @Test
+  void doesNotReadATextThatHasChangedBeforeItsTurn() {
+    type("y");
+    later.removeFirst().work.run(); // the pause is over, the analysis waits for its thread
+    type("z");
+    int dispatched = later.size();
+    later.removeFirst().work.run(); // its turn comes: there is nothing to hand over
+
+    assertEquals(dispatched - 1, later.size());
+  }
+
+  @Test
+  void hurriesNothingForWhoeverCanWait() {
+    List<String> received = new ArrayList<>();
+    type("y");
+    schedule.whenRested(analysed -> received.add(analysed.text()));
+
+    assertEquals(1, later.size());
+    workOff();
+    assertEquals(List.of("x = 1\ny"), received);
+  }
+
+  @Test
   void analysesAtOnceWhenSomebodyWaits() {
     List<String> received = new ArrayList<>();
     type("y");
