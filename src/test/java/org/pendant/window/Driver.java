@@ -21,6 +21,7 @@ import java.util.concurrent.FutureTask;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.RepaintManager;
@@ -83,10 +84,10 @@ final class Driver {
     switch (verb) {
       case "press" -> hands.press(what);
       case "type" -> hands.type(what);
-      case "hold" -> hands.hold(place(what));
+      case "hold" -> hands.hold(placeInView(what));
       case "release" -> hands.release();
       case "click" -> {
-        hands.hold(place(what));
+        hands.hold(placeInView(what));
         hands.release();
       }
       case "click-text" -> {
@@ -154,6 +155,18 @@ final class Driver {
     hands.hold(from);
     hands.moveTo(place(ends[1]));
     hands.release();
+  }
+
+  /** As people scroll to what they want to click on. */
+  private static Rectangle placeInView(String name) throws IOException, InterruptedException {
+    dispatched(
+        () -> {
+          if (find(name) instanceof JComponent inside) {
+            inside.scrollRectToVisible(new Rectangle(inside.getSize()));
+          }
+          return "";
+        });
+    return place(name);
   }
 
   private static Component find(String name) {

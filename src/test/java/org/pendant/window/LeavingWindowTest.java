@@ -116,6 +116,7 @@ final class LeavingWindowTest {
       edit(window);
       write(file, "newest = 3\n");
       window.awaitWords("notices", "has changed on disk, and here too");
+      window.settle();
       window.clickText("notices", "Read it again");
       window.awaitWords("script-text", "newest = 3");
       window.await("it is not modified", () -> window.words("program-name").equals("mine.script"));
@@ -163,11 +164,18 @@ final class LeavingWindowTest {
       window.awaitWords("notices", "a.script: it is no text");
       window.awaitWords("notices", "none.script: there is no such file");
       window.awaitWords("program-name", "good.script");
-      window.askToClose();
-      window.awaitEnd();
+      window.await("it is remembered", () -> settings().contains("file.open = " + good));
     }
     try (OpenWindow window = OpenWindow.open(display, folder)) {
       window.awaitWords("program-name", "good.script");
+    }
+  }
+
+  private String settings() {
+    try {
+      return Files.readString(folder.resolve("pendant/settings.txt"));
+    } catch (IOException e) {
+      return ""; // not written yet
     }
   }
 

@@ -25,6 +25,8 @@ import org.pendant.gui.workbench.Palette;
 /** Finds and replaces in the program in front. */
 @SuppressWarnings("serial") // never written to a stream
 final class FindBar extends JPanel {
+  private static final int MOST_MARKED = 2_000;
+
   private final Supplier<ProgramEditor> editor;
   private final JTextField words = field("find-words", "Find");
   private final JTextField replacement = field("find-replacement", "Replace by");
@@ -135,7 +137,7 @@ final class FindBar extends JPanel {
     area.clearMarkAllHighlights();
     if (!state.matches().isEmpty()) {
       area.markAll(
-          state.matches().stream()
+          near(area.getCaretPosition()).stream()
               .map(each -> new DocumentRange(each.start(), each.end()))
               .toList());
     }
@@ -143,6 +145,13 @@ final class FindBar extends JPanel {
       select(state.from(area.getSelectionStart()));
     }
     showSummary();
+  }
+
+  /** The matches around the caret, as many as can be painted without delay. */
+  private List<Span> near(int caret) {
+    List<Span> all = state.matches();
+    int from = Math.clamp(state.from(caret) - MOST_MARKED / 2, 0, all.size());
+    return all.subList(from, Math.min(all.size(), from + MOST_MARKED));
   }
 
   private void select(int index) {

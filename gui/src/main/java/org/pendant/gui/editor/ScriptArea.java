@@ -8,7 +8,7 @@ import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
-import java.util.ArrayList;
+import java.util.AbstractList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -275,10 +275,6 @@ final class ScriptArea extends RSyntaxTextArea {
     }
   }
 
-  /** All lines, without their ends. */
-  private List<String> lines() {
-    return List.of(getText().split("\n", -1));
-  }
 
   /** A line that has just become {@code end} goes back to where its block began. */
   private void alignClosingWord() {
@@ -292,14 +288,25 @@ final class ScriptArea extends RSyntaxTextArea {
     if (!code.equals("end") && !code.equals("else:") && !code.equals("elif")) {
       return;
     }
-    List<String> above = new ArrayList<>();
-    for (int i = 1; i < lineAt(caret); i++) {
-      above.add(text(line(i)));
-    }
-    String wanted = AutoIndent.of(content, above) + code;
+    String wanted = AutoIndent.of(content, linesAbove(lineAt(caret))) + code;
     if (!wanted.equals(content)) {
       replaceRange(wanted, line.start(), line.end());
     }
+  }
+
+  /** The lines over a line; each is read when it is asked for. */
+  private List<String> linesAbove(int line) {
+    return new AbstractList<>() {
+      @Override
+      public String get(int index) {
+        return text(line(index + 1));
+      }
+
+      @Override
+      public int size() {
+        return line - 1;
+      }
+    };
   }
 
   String text(Span span) {
@@ -322,7 +329,8 @@ final class ScriptArea extends RSyntaxTextArea {
       boolean endless =
           before.stripTrailing().endsWith(":")
               && behind.isBlank()
-              && BlockEnd.missing(lines(), lineAt(start) - 1);
+              && BlockEnd.missing(
+                  index -> text(line(index + 1)), getLineCount(), lineAt(start) - 1);
       if (endless) {
         ScriptArea.super.replaceSelection(deeper + "\n" + AutoIndent.blanks(before) + "end");
         setCaretPosition(start + deeper.length());

@@ -1,33 +1,43 @@
 package org.pendant.gui.editor.text;
 
-import java.util.List;
 import java.util.Set;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 
 /** Whether a block that is being begun still needs its {@code end}. */
 public final class BlockEnd {
   private static final Set<String> OPENERS = Set.of("def", "sec", "thread", "if", "while");
 
+  private static final int MOST_COUNTED = 20_000;
+
   private BlockEnd() {}
 
   /**
-   * Whether the line at {@code index} is the head of a block without an end: the text as a whole
-   * has fewer ends than heads, and no {@code end} stands under this one as deep as it.
+   * Whether a line is the head of a block without an end: no {@code end} stands under it as deep as
+   * it, and the text as a whole has fewer ends than heads. Texts of very many lines are not counted
+   * through: there the depth alone decides.
    *
-   * @param lines all lines, without their ends
+   * @param lines each line without its end, by its number from 0
+   * @param count how many lines there are
+   * @param head the number of the line
    */
-  public static boolean missing(List<String> lines, int index) {
-    String head = AutoIndent.code(lines.get(index)).strip();
-    return head.endsWith(":")
-        && OPENERS.contains(AutoIndent.firstWord(head))
-        && balance(head) > 0
-        && lines.stream().mapToInt(line -> balance(AutoIndent.code(line))).sum() > 0
-        && !isClosed(lines, index);
+  public static boolean missing(IntFunction<String> lines, int count, int head) {
+    String code = AutoIndent.code(lines.apply(head)).strip();
+    return code.endsWith(":")
+        && OPENERS.contains(AutoIndent.firstWord(code))
+        && balance(code) > 0
+        && !isClosed(lines, count, head)
+        && (count > MOST_COUNTED
+            || IntStream.range(0, count)
+                    .map(line -> balance(AutoIndent.code(lines.apply(line))))
+                    .sum()
+                > 0);
   }
 
-  private static boolean isClosed(List<String> lines, int index) {
-    int depth = AutoIndent.blanks(lines.get(index)).length();
-    for (int i = index + 1; i < lines.size(); i++) {
-      String code = AutoIndent.code(lines.get(i));
+  private static boolean isClosed(IntFunction<String> lines, int count, int head) {
+    int depth = AutoIndent.blanks(lines.apply(head)).length();
+    for (int i = head + 1; i < count; i++) {
+      String code = AutoIndent.code(lines.apply(i));
       if (!code.isBlank() && AutoIndent.blanks(code).length() <= depth) {
         String word = AutoIndent.firstWord(code);
         boolean part = word.equals("end") || word.equals("elif") || word.equals("else");

@@ -3,12 +3,14 @@ package org.pendant.gui.editor.text;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 final class BlockEndTest {
 
   private static boolean missing(String text, int line) {
-    return BlockEnd.missing(text.lines().toList(), line - 1);
+    List<String> lines = text.lines().toList();
+    return BlockEnd.missing(lines::get, lines.size(), line - 1);
   }
 
   @Test
