@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
@@ -36,9 +37,13 @@ final class Measurements {
 
   /**
    * Without arguments all benchmarks run; {@code quick} makes them short, to see whether they work.
-   * Any other arguments are those of JMH.
+   * {@code typing} types in a window instead. Any other arguments are those of JMH.
    */
   public static void main(String[] arguments) throws Exception {
+    if (arguments.length > 0 && arguments[0].equals("typing")) {
+      TypingLatency.main(Arrays.copyOfRange(arguments, 1, arguments.length));
+      return;
+    }
     boolean quick = arguments.length == 1 && arguments[0].equals("quick");
     if (arguments.length > 0 && !quick) {
       new Runner(new CommandLineOptions(arguments)).run();

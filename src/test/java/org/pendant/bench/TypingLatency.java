@@ -187,8 +187,7 @@ final class TypingLatency {
     long now = System.currentTimeMillis();
     queue.begin();
     queue.postEvent(new KeyEvent(text, KeyEvent.KEY_PRESSED, now, 0, code, c));
-    queue.postEvent(
-        new KeyEvent(text, KeyEvent.KEY_TYPED, now, 0, KeyEvent.VK_UNDEFINED, c));
+    queue.postEvent(new KeyEvent(text, KeyEvent.KEY_TYPED, now, 0, KeyEvent.VK_UNDEFINED, c));
     queue.postEvent(new KeyEvent(text, KeyEvent.KEY_RELEASED, now, 0, code, c));
     CountDownLatch done = new CountDownLatch(1);
     AtomicLong end = new AtomicLong();

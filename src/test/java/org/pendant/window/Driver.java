@@ -157,13 +157,22 @@ final class Driver {
     hands.release();
   }
 
-  /** As people scroll to what they want to click on. */
-  private static Rectangle placeInView(String name) throws IOException, InterruptedException {
+  /** As people scroll to what they want to click on, and wait until it stands still. */
+  private static Rectangle placeInView(String name) throws InterruptedException {
+    Rectangle place = scrolledTo(name);
+    for (Rectangle next = scrolledTo(name); !next.equals(place); next = scrolledTo(name)) {
+      place = next;
+    }
+    return place;
+  }
+
+  private static Rectangle scrolledTo(String name) throws InterruptedException {
     dispatched(
         () -> {
           if (find(name) instanceof JComponent inside) {
             inside.scrollRectToVisible(new Rectangle(inside.getSize()));
           }
+          Toolkit.getDefaultToolkit().sync();
           return "";
         });
     return place(name);

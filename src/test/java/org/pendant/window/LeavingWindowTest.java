@@ -89,6 +89,9 @@ final class LeavingWindowTest {
       window.press("ESCAPE");
       window.awaitHidden("save-dialog");
       window.awaitWords("program-name", "\u2022");
+      // Without a window manager nobody else gives the window the focus.
+      window.click("rail-run");
+      window.awaitFocus("pendant");
       window.askToClose();
       window.click("unsaved-save");
       window.awaitFocus("save-dialog");

@@ -75,6 +75,7 @@ final class Shots {
     window.press("ESCAPE");
     window.awaitHidden("palette-query");
     popup(theme);
+    question(theme);
     stopCard(theme);
   }
 
@@ -103,6 +104,18 @@ final class Shots {
     window.press("F5");
     window.awaitShown("popup-text");
     shoot("popup", theme);
+    window.press("shift F5");
+    window.awaitHidden("popup-text");
+  }
+
+  private void question(String theme) throws IOException {
+    program("n = request_integer_from_primary_client(\"How many parts are on the tray?\")");
+    window.press("F5");
+    window.awaitFocus("popup-field");
+    window.type("3.5");
+    window.press("ENTER");
+    window.awaitShown("popup-error");
+    shoot("question", theme);
     window.press("shift F5");
     window.awaitHidden("popup-text");
   }
