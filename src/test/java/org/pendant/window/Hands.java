@@ -35,8 +35,8 @@ final class Hands {
     Point start = MouseInfo.getPointerInfo().getLocation();
     for (int i = 1; i <= STEPS; i++) {
       robot.mouseMove(
-          start.x + (int) (place.getCenterX() - start.x) * i / STEPS,
-          start.y + (int) (place.getCenterY() - start.y) * i / STEPS);
+          start.x + (int) ((place.getCenterX() - start.x) * i / STEPS),
+          start.y + (int) ((place.getCenterY() - start.y) * i / STEPS));
     }
   }
 

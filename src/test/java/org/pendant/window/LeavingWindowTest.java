@@ -160,10 +160,7 @@ final class LeavingWindowTest {
     Path good = folder.resolve("good.script");
     Files.writeString(good, "fine = 1\n");
     try (OpenWindow window =
-        OpenWindow.open(
-            display,
-            folder,
-            List.of(binary, folder.resolve("none.script"), good))) {
+        OpenWindow.open(display, folder, List.of(binary, folder.resolve("none.script"), good))) {
       window.awaitWords("notices", "a.script: it is no text");
       window.awaitWords("notices", "none.script: there is no such file");
       window.awaitWords("program-name", "good.script");

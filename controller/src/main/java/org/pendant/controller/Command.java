@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.ToolCentre;
 import org.pendant.controller.debug.Debugger;
+import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.io.InputOwners;
@@ -28,6 +29,9 @@ public sealed interface Command {
 
   /** Starts a program; refused while another one runs or is paused. */
   record StartProgram(Program program) implements Command {}
+
+  /** From now on programs may read files in a folder. */
+  record SetProgramsFolder(ProgramsFolder folder) implements Command {}
 
   /** Ends the program; the arm comes to rest on its path. */
   record StopProgram() implements Command {}
@@ -79,6 +83,15 @@ public sealed interface Command {
 
   /** Gives back all signals that {@code owner} has taken. */
   record ReleaseSignals(String owner) implements Command {}
+
+  /**
+   * Turns an encoder by a simulated belt, without pulses; one that no program has set up counts
+   * from then on.
+   *
+   * @param index 0 or 1
+   * @param ticksPerS -1,000,000 to 1,000,000; 0 for a belt that stands
+   */
+  record RunEncoder(int index, double ticksPerS) implements Command {}
 
   /**
    * Moves the speed slider.

@@ -96,6 +96,7 @@ final class CommandDesk {
     try {
       return switch (command) {
         case Command.StartProgram start -> start(start.program());
+        case Command.SetProgramsFolder set -> done(() -> box.setProgramsFolder(set.folder()));
         case Command.StopProgram stop -> done(machine::stop);
         case Command.PauseProgram pause -> pause();
         case Command.ResumeProgram resume -> resume();
@@ -106,6 +107,8 @@ final class CommandDesk {
             granted(box.signals().owners().claim(claim.signal(), claim.owner()));
         case Command.ReleaseSignals release ->
             done(() -> box.signals().owners().release(release.owner()));
+        case Command.RunEncoder run ->
+            done(() -> box.encoders().get(run.index()).run(run.ticksPerS()));
         case Command.SetSpeedFraction set ->
             done(() -> box.motion().setSpeedFraction(set.fraction()));
         case Command.AnswerPopup answer -> answer(answer.number());

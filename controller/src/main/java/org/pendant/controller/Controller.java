@@ -36,7 +36,7 @@ public final class Controller {
   /**
    * Switches a controller on.
    *
-   * @throws IllegalArgumentException if the robot or an input is not known
+   * @throws IllegalArgumentException if the robot, an input or an encoder is not known
    */
   public Controller(ControllerOptions options) {
     this(options, StandardBuiltins.create());
@@ -48,6 +48,7 @@ public final class Controller {
     box = new ControlBox(options.boxSetup());
     options.inputs().forEach(this::setInput);
     options.signals().forEach(box.signals()::write);
+    options.encoders().forEach((index, ticksPerS) -> box.encoders().get(index).run(ticksPerS));
     machine = new Machine(builtins, box);
     Debugger debugger = new Debugger(machine);
     HandDesk hand = new HandDesk(box, machine);

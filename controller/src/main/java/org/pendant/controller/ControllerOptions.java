@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.box.BoxSetup;
+import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.SafetyConfiguration;
@@ -29,12 +30,14 @@ public final class ControllerOptions {
   private Operator operator = Operator.headless(List.of());
   private Map<String, Boolean> inputs = Map.of();
   private List<SignalWrite> signals = List.of();
+  private Map<Integer, Double> encoderTicksPerS = Map.of();
   private ArmChoice armChoice = ArmChoice.DYNAMIC;
   private double encoderNoiseRad;
   private Scene scene = Scene.EMPTY;
   private Optional<SafetyConfiguration> safety = Optional.empty();
   private boolean poweredOn = true;
   private Optional<InstantSource> systemTime = Optional.empty();
+  private ProgramsFolder programsFolder = ProgramsFolder.NONE;
 
   private ControllerOptions() {}
 
@@ -54,12 +57,14 @@ public final class ControllerOptions {
     copy.operator = operator;
     copy.inputs = inputs;
     copy.signals = signals;
+    copy.encoderTicksPerS = encoderTicksPerS;
     copy.armChoice = armChoice;
     copy.encoderNoiseRad = encoderNoiseRad;
     copy.scene = scene;
     copy.safety = safety;
     copy.poweredOn = poweredOn;
     copy.systemTime = systemTime;
+    copy.programsFolder = programsFolder;
     change.accept(copy);
     return copy;
   }
@@ -97,6 +102,15 @@ public final class ControllerOptions {
     return changed(copy -> copy.signals = List.copyOf(writes));
   }
 
+  /**
+   * With simulated belts that turn encoders from the start.
+   *
+   * @param ticksPerS by the number of the encoder, 0 or 1; see {@link Command.RunEncoder}
+   */
+  public ControllerOptions withEncoders(Map<Integer, Double> ticksPerS) {
+    return changed(copy -> copy.encoderTicksPerS = Map.copyOf(ticksPerS));
+  }
+
   /** With another simulation of the arm. */
   public ControllerOptions withArm(ArmChoice choice) {
     return changed(copy -> copy.armChoice = choice);
@@ -130,6 +144,11 @@ public final class ControllerOptions {
     return changed(copy -> copy.systemTime = Optional.of(source));
   }
 
+  /** With a folder from which programs may read files; without one they can read none. */
+  public ControllerOptions withProgramsFolder(ProgramsFolder folder) {
+    return changed(copy -> copy.programsFolder = folder);
+  }
+
   /** Id of the arm. */
   public String robotId() {
     return robotId;
@@ -149,6 +168,10 @@ public final class ControllerOptions {
     return signals;
   }
 
+  Map<Integer, Double> encoders() {
+    return encoderTicksPerS;
+  }
+
   Map<String, Boolean> inputs() {
     return inputs;
   }
@@ -165,6 +188,7 @@ public final class ControllerOptions {
         scene,
         safety(),
         poweredOn,
-        systemTime);
+        systemTime,
+        programsFolder);
   }
 }

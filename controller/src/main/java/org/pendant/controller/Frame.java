@@ -109,7 +109,12 @@ final class Frame {
   }
 
   private void stepMotion() {
+    box.encoders().step(box.io());
+    if (machine.state() == ProgramState.STOPPED) {
+      box.forceMode().finish();
+    }
     box.motion().step();
+    box.forceMode().follow();
     hand.step();
   }
 
@@ -153,7 +158,8 @@ final class Frame {
         box.motion().steady(),
         box.motion().moving(),
         machine.state() == ProgramState.RUNNING,
-        box.freedrive().active());
+        box.freedrive().active() || box.motion().torqueDriven(),
+        box.forceMode().active());
   }
 
   /** Holds the program if it runs; returns whether it did. */
@@ -226,6 +232,7 @@ final class Frame {
       case STOPPED -> {
         box.freedrive().end();
         box.motion().abort();
+        box.motion().endOffsets();
         box.motion().resume();
         closePopups();
         box.safety().programStopped();

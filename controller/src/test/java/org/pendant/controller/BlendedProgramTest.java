@@ -1,12 +1,9 @@
 package org.pendant.controller;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.models.arm.Joints;
@@ -27,18 +24,6 @@ final class BlendedProgramTest {
         textmsg("there")
       end
       """;
-
-  /** How far a point may be from the broken line through the points of a run without a pause. */
-  private static final double CHORD_RAD = 4e-5;
-
-  private static List<Joints> targets(RunningProgram running) {
-    List<Joints> targets = new ArrayList<>();
-    while (running.programState() != ProgramState.STOPPED) {
-      running.advance(1);
-      targets.add(running.state().arm().targetPositionRad());
-    }
-    return targets;
-  }
 
   @Test
   void arrivesWithoutStoppingOnTheWay() {
@@ -86,69 +71,144 @@ final class BlendedProgramTest {
   }
 
   @Test
-  void aPauseInAnyFrameChangesNoPointOfThePath() {
-    RunningProgram plain = new RunningProgram();
-    plain.start(CHAIN);
-    List<Joints> path = targets(plain);
-    SplittableRandom random = new SplittableRandom(3);
-    for (int each = 0; each < 120; each++) {
-      int at = each < 60 ? spread(path, each) : random.nextInt(5, path.size() - 5);
-      RunningProgram paused = new RunningProgram();
-      paused.start(CHAIN);
-      paused.advance(at);
-      paused.ask(new Command.PauseProgram());
-      paused.advance(random.nextInt(1, 400));
-      paused.ask(new Command.ResumeProgram());
-      List<Joints> points = targets(paused);
-      int near = nearest(points.getFirst(), path, 0, path.size());
-      for (Joints point : points) {
-        near = nearest(point, path, near, near + 10);
-        double aside = aside(point, path, near);
-        assertTrue(aside < CHORD_RAD, "paused in frame " + at + ": " + aside + " rad aside");
-      }
-      assertEquals(path.getLast(), points.getLast());
-      assertFalse(paused.said().isEmpty());
-    }
+  void theArmGoesToTheLastWaypointWhateverItsRadius() {
+    RunningProgram running = new RunningProgram();
+    running.run(
+        """
+        def last():
+          movel(p[0.45, -0.15, 0.45, 2.2214, -2.2214, 0])
+          movel(p[0.45, 0.05, 0.45, 2.2214, -2.2214, 0], r=0.05)
+          textmsg(get_target_tcp_pose()[1] < 0.01)
+        end
+        """);
+    assertEquals(List.of("True"), running.said());
+    assertEquals(0.05, running.state().arm().targetTcpInBase().y(), 1e-9);
+    assertEquals(Joints.ZERO, running.state().arm().targetSpeedRadPerS());
   }
 
-  /** Frames all over the run, a few at a time beside each other. */
-  private static int spread(List<Joints> path, int each) {
-    return Math.min(path.size() - 5, 10 + each * (path.size() / 61));
+  @Test
+  void aConditionAfterABlendedMoveIsEvaluatedWhereTheBlendBegins() {
+    RunningProgram running = new RunningProgram();
+    running.start(
+        """
+        def choice():
+          movel(p[0.45, -0.15, 0.45, 2.2214, -2.2214, 0])
+          movel(p[0.45, 0.05, 0.45, 2.2214, -2.2214, 0], r=0.05)
+          textmsg(get_target_tcp_pose()[1] - 0.05)
+          textmsg(is_steady())
+          textmsg(get_target_waypoint()[1])
+          if get_standard_digital_in(0):
+            movel(p[0.55, 0.05, 0.45, 2.2214, -2.2214, 0])
+          else:
+            movel(p[0.35, 0.05, 0.45, 2.2214, -2.2214, 0])
+          end
+          textmsg(get_target_waypoint()[0])
+        end
+        """);
+    while (running.state().arm().targetTcpInBase().y() < -0.05) {
+      running.advance(1);
+    }
+    running.done(new Command.SetInput("standard_digital_in[0]", true));
+    running.finish();
+    double before = Double.parseDouble(running.said().getFirst());
+    assertEquals(-0.05, before, 0.25 * 0.002);
+    assertEquals(List.of("False", "0.05", "0.55"), running.said().subList(1, 4));
   }
 
-  /** The point of a part of the path that is next to another one. */
-  private static int nearest(Joints point, List<Joints> path, int from, int to) {
-    int best = from;
-    for (int k = from; k < Math.min(path.size(), to); k++) {
-      if (path.get(k).squaredDistance(point) < path.get(best).squaredDistance(point)) {
-        best = k;
-      }
-    }
-    return best;
+  @Test
+  void theNextWaypointIsTheOneOfTheMoveThatIsBlendedInto() {
+    RunningProgram running = new RunningProgram();
+    running.start(
+        """
+        def relative():
+          global waypoints = []
+          thread look():
+            while True:
+              textmsg(get_target_waypoint()[1])
+              sleep(0.05)
+            end
+          end
+          movel(p[0.45, -0.15, 0.45, 2.2214, -2.2214, 0])
+          h = run look()
+          movel(p[0.45, 0.05, 0.45, 2.2214, -2.2214, 0], r=0.05)
+          movel(pose_add(get_target_waypoint(), p[0, 0.1, 0, 0, 0, 0]), r=0.02)
+          movel(pose_add(get_target_waypoint(), p[0.1, 0, 0, 0, 0, 0]))
+          kill h
+        end
+        """);
+    running.finish();
+    assertTrue(running.said().contains("0.05"), () -> running.said().toString());
+    assertEquals("0.15", running.said().getLast());
+    assertEquals(0.55, running.state().arm().targetTcpInBase().x(), 1e-9);
+    assertEquals(0.15, running.state().arm().targetTcpInBase().y(), 1e-9);
   }
 
-  private static double aside(Joints point, List<Joints> path, int near) {
-    double nearest = Double.POSITIVE_INFINITY;
-    for (int k = Math.max(0, near - 1); k < Math.min(path.size() - 1, near + 1); k++) {
-      nearest = Math.min(nearest, distance(point, path.get(k), path.get(k + 1)));
+  @Test
+  void movesToTheSamePlaceAreNoReasonToStop() {
+    RunningProgram running = new RunningProgram();
+    running.start(
+        """
+        def twice():
+          movel(p[0.45, -0.15, 0.45, 2.2214, -2.2214, 0])
+          textmsg("begin")
+          movel(p[0.45, 0, 0.45, 2.2214, -2.2214, 0], r=0.03)
+          movel(p[0.45, 0, 0.45, 2.2214, -2.2214, 0], r=0.03)
+          movel(p[0.45, 0.15, 0.45, 2.2214, -2.2214, 0])
+        end
+        """);
+    while (running.said().isEmpty()) {
+      running.advance(1);
     }
-    return nearest;
+    running.advance(10);
+    int atRest = 0;
+    while (running.programState() == ProgramState.RUNNING) {
+      running.advance(1);
+      boolean rests = running.state().arm().targetSpeedRadPerS().equals(Joints.ZERO);
+      atRest += rests ? 1 : 0;
+    }
+    assertTrue(atRest < 3, atRest + " frames at rest");
+    assertEquals(List.of(), running.reported());
   }
 
-  private static double distance(Joints point, Joints from, Joints to) {
-    double along = 0;
-    double square = 0;
-    for (int i = 0; i < Joints.COUNT; i++) {
-      double step = to.get(i) - from.get(i);
-      along += step * (point.get(i) - from.get(i));
-      square += step * step;
+  @Test
+  void aDurationThatIsTooShortIsReportedOnceForEachMoveThatIsMade() {
+    RunningProgram running = new RunningProgram();
+    running.run(
+        """
+        def hasty():
+          movej([0, -1.5, -1.6, -1.6, 1.6, 0])
+          movej([0.5, -1.5, -1.6, -1.6, 1.6, 0], r=0.02)
+          movej([1, -1.2, -1.6, -1.6, 1.6, 0], t=0.05, r=0.02)
+          movej([0, -1.5, -1.6, -1.6, 1.6, 0], t=0.05)
+        end
+        """);
+    long warnings = running.reported().stream().filter(text -> text.contains("longer")).count();
+    assertEquals(2, warnings, () -> running.reported().toString());
+    assertEquals(2, running.reported().size(), () -> running.reported().toString());
+  }
+
+  @Test
+  void abortBlendsIntoTheNextMoveRightAway() {
+    RunningProgram running = new RunningProgram();
+    running.start(
+        """
+        def aborted():
+          movel(p[0.45, -0.3, 0.45, 2.2214, -2.2214, 0])
+          movel(p[0.45, 0.3, 0.45, 2.2214, -2.2214, 0], r=0.05)
+          textmsg(get_target_tcp_pose()[1] < 0)
+          movel(p[0.55, -0.1, 0.45, 2.2214, -2.2214, 0])
+        end
+        """);
+    while (running.state().arm().targetTcpInBase().y() < -0.15
+        || running.state().arm().targetSpeedRadPerS().equals(Joints.ZERO)) {
+      running.advance(1);
     }
-    double part = square == 0 ? 0 : Math.max(0, Math.min(1, along / square));
-    double sum = 0;
-    for (int i = 0; i < Joints.COUNT; i++) {
-      double off = from.get(i) + part * (to.get(i) - from.get(i)) - point.get(i);
-      sum += off * off;
+    running.done(new Command.AbortMove());
+    while (running.programState() == ProgramState.RUNNING) {
+      assertTrue(running.state().arm().targetTcpInBase().y() < 0, "goes on far");
+      running.advance(1);
     }
-    return Math.sqrt(sum);
+    assertEquals(List.of("True"), running.said());
+    assertEquals(-0.1, running.state().arm().targetTcpInBase().y(), 1e-9);
   }
 }

@@ -18,8 +18,16 @@ import org.pendant.language.source.Source;
 final class RunningProgram {
   private static final int MOST_FRAMES = 60_000;
 
-  private final Controller controller = new Controller(ControllerOptions.headless());
+  private final Controller controller;
   private final List<LogEntry> entries = new ArrayList<>();
+
+  RunningProgram() {
+    this(ControllerOptions.headless());
+  }
+
+  RunningProgram(ControllerOptions options) {
+    controller = new Controller(options);
+  }
 
   ControllerState state() {
     return controller.state();

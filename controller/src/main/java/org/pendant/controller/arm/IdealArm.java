@@ -16,8 +16,8 @@ import org.pendant.models.pose.Wrench;
  * nothing, it touches nothing, and without a target it stays where it is, at once. Only the flange
  * feels something: the weight and inertia of the load in the target motion.
  *
- * <p>Guided by hand it has no target, and something must yield to the hand: it then moves as the
- * {@link DynamicArm} would.
+ * <p>Guided by hand, driven by torques or pushed in backdrive it has no target, and something must
+ * yield: it then moves as the {@link DynamicArm} would.
  */
 public final class IdealArm implements SimulatedArm {
   private final DynamicArm.Setup setup;
@@ -43,7 +43,7 @@ public final class IdealArm implements SimulatedArm {
             arm, startRad, new ArmDynamics(arm), new ContactWorld(Scene.EMPTY), 0, 0));
   }
 
-  /** An arm at rest; model and world count when it is guided, the noise never. */
+  /** An arm at rest; model and world count when it yields, the noise never. */
   public IdealArm(DynamicArm.Setup setup) {
     this.setup =
         new DynamicArm.Setup(
@@ -58,11 +58,15 @@ public final class IdealArm implements SimulatedArm {
   public void step(ArmCommand command) {
     ArmCommand before = last;
     last = command;
-    if (command instanceof ArmCommand.Guide guide) {
-      yieldTo(guide, before instanceof ArmCommand.Guide);
+    if (yields(command)) {
+      yieldTo(command, yields(before));
     } else if (!command.equals(before)) {
       obey(command);
     }
+  }
+
+  private static boolean yields(ArmCommand command) {
+    return command instanceof ArmCommand.Guide || command instanceof ArmCommand.Torque;
   }
 
   private void obey(ArmCommand command) {
@@ -73,13 +77,13 @@ public final class IdealArm implements SimulatedArm {
     }
   }
 
-  private void yieldTo(ArmCommand.Guide guide, boolean goesOn) {
+  private void yieldTo(ArmCommand command, boolean goesOn) {
     DynamicArm arm = yielding.orElseGet(this::newYielding);
     yielding = Optional.of(arm);
     if (!goesOn) {
       arm.jumpTo(positionRad, speedRadPerS);
     }
-    arm.step(guide);
+    arm.step(command);
     ArmSensors felt = arm.sensors();
     if (!Arrays.equals(felt.positionRad, sensors.positionRad)
         || !Arrays.equals(felt.speedRadPerS, sensors.speedRadPerS)
@@ -146,14 +150,14 @@ public final class IdealArm implements SimulatedArm {
     move(positionRad, speedRadPerS, sensors.accelerationRadPerS2());
   }
 
-  /** Counts when the arm is guided; otherwise an ideal arm touches nothing. */
+  /** Counts when the arm yields; otherwise an ideal arm touches nothing. */
   @Override
   public void setToolCentre(Pose tcpInFlange) {
     this.tcpInFlange = tcpInFlange;
     yielding.ifPresent(arm -> arm.setToolCentre(tcpInFlange));
   }
 
-  /** Counts when the arm is guided; otherwise an ideal arm needs no model. */
+  /** Counts when the arm yields; otherwise an ideal arm needs no model. */
   @Override
   public void modelChanged() {
     yielding.ifPresent(DynamicArm::modelChanged);

@@ -3,6 +3,7 @@ package org.pendant.controller.box;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.world.Scene;
@@ -24,6 +25,7 @@ import org.pendant.models.arm.Joints;
  * @param poweredOn whether the arm is powered and its brakes are released at first
  * @param systemTime where the date comes from; without one it starts at {@link
  *     ControlBox#VIRTUAL_START} and goes with the frames, so that runs repeat exactly
+ * @param programsFolder where programs may read files
  */
 public record BoxSetup(
     ArmDescription arm,
@@ -35,7 +37,8 @@ public record BoxSetup(
     Scene scene,
     SafetyConfiguration safety,
     boolean poweredOn,
-    Optional<InstantSource> systemTime) {
+    Optional<InstantSource> systemTime,
+    ProgramsFolder programsFolder) {
   /**
    * Where the arm stands when nothing else is said: forearm level, tool down, away from every
    * singularity, so that a program may begin with a linear move.
@@ -72,6 +75,7 @@ public record BoxSetup(
         Scene.EMPTY,
         SafetyConfiguration.standard(arm),
         true,
-        Optional.empty());
+        Optional.empty(),
+        ProgramsFolder.NONE);
   }
 }

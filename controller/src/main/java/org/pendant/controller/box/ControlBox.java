@@ -9,6 +9,8 @@ import org.pendant.controller.arm.ForceSensor;
 import org.pendant.controller.arm.IdealArm;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.arm.WarmUp;
+import org.pendant.controller.encoder.Encoders;
+import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.freedrive.Freedrive;
 import org.pendant.controller.io.DigitalIo;
 import org.pendant.controller.io.Signals;
@@ -16,13 +18,21 @@ import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.message.PopupBoard;
 import org.pendant.controller.message.PromptNumbers;
 import org.pendant.controller.message.QuestionBoard;
+import org.pendant.controller.motion.ArmHeadroom;
 import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.motion.MotionControl;
+import org.pendant.controller.motion.offset.ConveyorTracking;
+import org.pendant.controller.motion.offset.PathOffsetting;
+import org.pendant.controller.motion.servo.Servoing;
+import org.pendant.controller.motion.force.ContactWatch;
+import org.pendant.controller.motion.force.ForceMode;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetySystem;
 import org.pendant.controller.safety.SpeedCaps;
+import org.pendant.controller.toolpath.Toolpaths;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.world.ContactWorld;
+import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
@@ -64,15 +74,24 @@ public final class ControlBox {
   private final SpeedCaps speedCaps;
   private final MotionControl motion;
   private final MotionSettings motionSettings;
+  private final Encoders encoders = new Encoders();
+  private final ConveyorTracking conveyor = new ConveyorTracking();
+  private final PathOffsetting pathOffset = new PathOffsetting();
+  private final Servoing servoing;
+  private final ArmHeadroom headroom;
   private final DriveTarget driveTarget = new DriveTarget();
   private final Freedrive freedrive;
+  private final ForceMode forceMode;
+  private final ContactWatch contactWatch = new ContactWatch();
   private final PositionHistory history;
+  private final Toolpaths toolpaths;
   private final SafetySystem safety;
   private final Signals signals = new Signals();
   private final MessageLog log = new MessageLog();
   private final PopupBoard popups;
   private final QuestionBoard questions;
   private final RandomGenerator random;
+  private ProgramsFolder programsFolder;
   private ToolCentre tool = ToolCentre.FLANGE;
   private boolean cogAtTool;
   private boolean loadKnown;
@@ -101,11 +120,22 @@ public final class ControlBox {
         new SafetySystem(setup.arm(), model.dynamics(), setup.safety(), log, setup.poweredOn());
     speedCaps = new SpeedCaps(setup.arm(), model.dynamics(), safety);
     motion = new MotionControl(setup.arm(), setup.startRad(), speedCaps);
+    motion.addOffset(conveyor);
+    motion.addOffset(pathOffset);
     motionSettings = new MotionSettings(setup.arm());
+    toolpaths = new Toolpaths(setup.arm(), setup.systemTime().isEmpty());
+    programsFolder = setup.programsFolder();
+    servoing = new Servoing(setup.arm(), motion);
+    headroom = new ArmHeadroom(setup.arm());
     freedrive =
         new Freedrive(
             new Freedrive.Setup(
                 setup.arm(), arm, model.dynamics(), model::payload, safety, speedCaps, motion));
+    // after everything else that carries the tool
+    forceMode =
+        new ForceMode(
+            new ForceMode.Setup(
+                setup.arm(), arm, this::flangeWrenchInBase, speedCaps, safety::limits, motion));
     actualRad = setup.startRad();
     history = new PositionHistory(actualRad);
     PromptNumbers numbers = new PromptNumbers();
@@ -208,9 +238,69 @@ public final class ControlBox {
     return freedrive;
   }
 
+  /** Pressing with a force. */
+  public ForceMode forceMode() {
+    return forceMode;
+  }
+
+  /** Notices when the tool meets something. */
+  public ContactWatch contactWatch() {
+    return contactWatch;
+  }
+
+  /** What the arm can do with the payload and the mounting of now. */
+  public ArmHeadroom headroom() {
+    headroom.setPayload(model.payload());
+    headroom.setGravity(
+        model.gravityMPerS2(0) + model.baseAccelerationMPerS2(0),
+        model.gravityMPerS2(1) + model.baseAccelerationMPerS2(1),
+        model.gravityMPerS2(2) + model.baseAccelerationMPerS2(2));
+    return headroom;
+  }
+
+  /** What stands around the arm. */
+  public Scene scene() {
+    return setup.scene();
+  }
+
+  /** The encoders of conveyors. */
+  public Encoders encoders() {
+    return encoders;
+  }
+
+  /** The conveyor that the tool goes along with. */
+  public ConveyorTracking conveyor() {
+    return conveyor;
+  }
+
+  /** What a program lays over the path of its moves. */
+  public PathOffsetting pathOffset() {
+    return pathOffset;
+  }
+
+  /** Motions that a program queues, and toolpaths. */
+  public Toolpaths toolpaths() {
+    return toolpaths;
+  }
+
+  /** Where programs may read files. */
+  public ProgramsFolder programsFolder() {
+    return programsFolder;
+  }
+
+  /** From now on programs may read files elsewhere. */
+  public void setProgramsFolder(ProgramsFolder folder) {
+    programsFolder = folder;
+  }
+
   /** How moves are planned. */
   public MotionSettings motionSettings() {
     return motionSettings;
+  }
+
+  /** Speeds, servos and torques that programs stream. */
+  public Servoing servoing() {
+    return servoing;
   }
 
   /** The arm that follows. */
@@ -263,6 +353,7 @@ public final class ControlBox {
     speedCaps.setTool(tool.inFlange());
     motion.setTool(tool.inFlange());
     freedrive.setTool(tool.inFlange());
+    forceMode.setTool(tool.inFlange());
     if (cogAtTool) {
       declareAtTool(model.targetPayload().massKg());
     }
@@ -346,6 +437,8 @@ public final class ControlBox {
   public void zeroForceSensor() {
     forceSensor.zero(arm, model.payload());
     wrenchKnown = false;
+    forceMode.sensorChanged();
+    contactWatch.forget();
   }
 
   /** The external wrench at the flange, along the axes of the base (manual 16.32). */
@@ -441,8 +534,11 @@ public final class ControlBox {
       actualRad = position;
     }
     history.add(actualRad);
+    contactWatch.add(flangeWrenchInBase());
     if (freedrive.active()) {
       freedrive.follow(actualRad, arm.speedRadPerS());
+    } else if (motion.torqueDriven()) {
+      motion.guide(actualRad, arm.speedRadPerS());
     }
     if (model.transitionEnded()) {
       zeroForceSensor();
@@ -456,6 +552,10 @@ public final class ControlBox {
         if (freedrive.active()) {
           driveTarget.forget();
           yield freedrive.command();
+        }
+        if (motion.torqueDriven()) {
+          driveTarget.forget();
+          yield servoing.torque();
         }
         if (driveTarget.beside() && safety.stop().isEmpty()) {
           driveTarget.stepBack();
@@ -473,7 +573,7 @@ public final class ControlBox {
       freedrive.end();
     }
     if (safety.robotMode() != RobotMode.RUNNING) {
-      if (motion.moving() || !motion.positionRad().equals(actualRad)) {
+      if (motion.moving() || motion.carried() || !motion.positionRad().equals(actualRad)) {
         motion.adopt(actualRad);
       }
       driveTarget.forget();
@@ -483,7 +583,12 @@ public final class ControlBox {
       driveTarget.stayAt(actualRad, motion.positionRad());
     }
     if (driveTarget.beside() && !motion.moving()) {
-      motion.adopt(drivenPositionRad());
+      if (conveyor.active() || pathOffset.active()) {
+        log.warning(
+            "the arm was pushed aside while it was stopped: conveyor tracking and path offset have"
+                + " ended");
+      }
+      forceMode.goOnFrom(() -> motion.adopt(drivenPositionRad()));
       driveTarget.forget();
     }
   }
@@ -508,9 +613,12 @@ public final class ControlBox {
   /** A program starts: clears what belongs to the one before. */
   public void programStarted() {
     freedrive.end();
+    forceMode.programStarted();
     motion.resume();
     motion.clearFault();
+    pathOffset.reset();
     log.programStarted();
+    toolpaths.clear();
     popups.closeBlocking();
   }
 }

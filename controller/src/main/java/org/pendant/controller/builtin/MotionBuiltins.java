@@ -5,6 +5,7 @@ import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.Outcome;
+import org.pendant.controller.motion.Headroom;
 import org.pendant.controller.motion.MotionPath;
 import org.pendant.controller.motion.Move;
 import org.pendant.controller.motion.MoveLimits;
@@ -101,22 +102,39 @@ final class MotionBuiltins {
 
   private static Outcome movej(Call call) throws ScriptError {
     ControlBox box = call.box();
+    Headroom headroom = headroom(call);
     Pose tcp = box.tool().inFlange();
     if (call.kind(0) == Kind.POSE) {
       Pose goal = MotionArguments.pose(call, 0);
-      return move(call, "movej", from -> toJoints(box, from, reach(box, goal, tcp, from), goal));
+      return move(
+          call,
+          "movej",
+          from -> toJoints(box, from, reach(box, goal, tcp, from), goal, headroom));
     }
     Joints goal = MotionArguments.jointsInRange(call, 0, "q");
     Pose waypoint = box.forward().tcpPose(goal, tcp);
-    return move(call, "movej", from -> toJoints(box, from, goal, waypoint));
+    return move(call, "movej", from -> toJoints(box, from, goal, waypoint, headroom));
   }
 
-  private static MotionPath toJoints(ControlBox box, Joints from, Joints goal, Pose waypoint) {
-    return Routes.joints(box.armDescription(), from, goal, waypoint, box.tool().inFlange());
+  static MotionPath toJoints(
+      ControlBox box, Joints from, Joints goal, Pose waypoint, Headroom headroom) {
+    Pose tcp = box.tool().inFlange();
+    return Routes.joints(box.armDescription(), from, goal, waypoint, tcp, headroom);
+  }
+
+  /** Motion version 2 plans within what the arm can do (manual 14). */
+  private static Headroom headroom(Call call) throws ScriptError {
+    MoveLimits limits = MotionArguments.moveLimits(call, 1);
+    double asked = limits.timed() ? Double.POSITIVE_INFINITY : limits.speed();
+    ControlBox box = call.box();
+    return box.motionSettings().version() == 2
+        ? box.headroom().share(1, 1, asked)
+        : box.headroom().asAsked(asked);
   }
 
   private static Outcome movel(Call call) throws ScriptError {
     ControlBox box = call.box();
+    Headroom headroom = headroom(call);
     Pose tcp = box.tool().inFlange();
     Pose goal =
         call.kind(0) == Kind.POSE
@@ -126,9 +144,9 @@ final class MotionBuiltins {
         call,
         "movel",
         from -> {
-          reach(box, goal, tcp, from);
+          Joints end = reach(box, goal, tcp, from);
           Pose start = box.forward().tcpPose(from, tcp);
-          return Routes.line(box.armDescription(), from, start, goal, tcp);
+          return Routes.line(box.armDescription(), from, start, goal, end, tcp, headroom);
         });
   }
 
@@ -136,33 +154,12 @@ final class MotionBuiltins {
   private static Outcome move(Call call, String function, Move.Route route) throws ScriptError {
     MoveLimits limits = MotionArguments.moveLimits(call, 1);
     double radiusM = MotionArguments.notNegative(call, 4);
-    ControlBox box = call.box();
-    Move.Route checked =
-        from -> {
-          MotionPath path = route.from(from);
-          warnOfStretching(box, function, path, limits);
-          return path;
-        };
-    return MotionWait.move(call, function, new Move(checked, limits, radiusM, box.motionSettings().jerkRampS()));
-  }
-
-  private static void warnOfStretching(
-      ControlBox box, String function, MotionPath path, MoveLimits limits) {
-    double neededS = path.length() / path.fastestRate();
-    if (limits.timed() && neededS > limits.durationS()) {
-      box.log()
-          .warning(
-              function
-                  + ": t is "
-                  + Value.of(limits.durationS()).text()
-                  + " s, the joints need more than "
-                  + Value.of(neededS).text()
-                  + " s; the move takes longer");
-    }
+    double jerkRampS = call.box().motionSettings().jerkRampS();
+    return MotionWait.move(call, function, new Move(route, limits, radiusM, jerkRampS));
   }
 
   /** Joint positions near {@code from} that put the TCP at the goal. */
-  private static Joints reach(ControlBox box, Pose goal, Pose tcp, Joints from) throws ScriptError {
+  static Joints reach(ControlBox box, Pose goal, Pose tcp, Joints from) throws ScriptError {
     Pose flange = InverseKinematics.flangeOf(goal, tcp);
     double error = InverseKinematics.DEFAULT_ERROR;
     return switch (box.inverse().find(flange, from, error, error)) {

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.call.Wait;
+import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.motion.MotionPlan;
 import org.pendant.controller.motion.Move;
@@ -20,8 +21,11 @@ final class MotionWait implements Wait {
   private final String function;
   private final MotionTicket ticket;
   private final boolean abortable;
+  private final MessageLog log;
+  private boolean warned;
 
-  private MotionWait(String function, MotionTicket ticket, boolean abortable) {
+  private MotionWait(Call call, String function, MotionTicket ticket, boolean abortable) {
+    log = call.box().log();
     this.function = function;
     this.ticket = ticket;
     this.abortable = abortable;
@@ -35,7 +39,9 @@ final class MotionWait implements Wait {
     try {
       Optional<MotionTicket> ticket = call.box().motion().start(move);
       if (ticket.isPresent()) {
-        return new MotionWait(function, ticket.get(), true);
+        return ticket.get().finished()
+            ? call.answer()
+            : new MotionWait(call, function, ticket.get(), true);
       }
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
@@ -53,7 +59,16 @@ final class MotionWait implements Wait {
   /** Starts a stop from whatever the arm does. */
   static MotionWait stop(Call call, String function, MotionPlan plan) throws ScriptError {
     try {
-      return new MotionWait(function, call.box().motion().takeOver(plan), false);
+      return new MotionWait(call, function, call.box().motion().takeOver(plan), false);
+    } catch (ScriptError e) {
+      throw call.failure(e.code(), e.getMessage());
+    }
+  }
+
+  /** Starts a motion that goes on from whatever the arm does and waits until it hands over. */
+  static MotionWait goOn(Call call, String function, MotionPlan plan) throws ScriptError {
+    try {
+      return new MotionWait(call, function, call.box().motion().goOn(plan), false);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
@@ -61,11 +76,23 @@ final class MotionWait implements Wait {
 
   @Override
   public Optional<Value> poll(long frame) throws ScriptError {
+    warnOfStretching();
     if (ticket.failure().isPresent()) {
       MotionFailure failure = ticket.failure().get();
       throw new ScriptError(failure.code(), function + ": " + failure.message());
     }
     return ticket.finished() ? DONE : Optional.empty();
+  }
+
+  private void warnOfStretching() {
+    if (!warned && ticket.stretchedS() > 0) {
+      warned = true;
+      log.warning(
+          function
+              + ": the arm needs at least "
+              + Value.of(ticket.stretchedS()).text()
+              + " s for this way, more than t; the move takes longer");
+    }
   }
 
   @Override

@@ -19,8 +19,18 @@ public final class StandardBuiltins {
     StringBuiltins.declareIn(builtins);
     AssertBuiltins.declareIn(builtins);
     MotionBuiltins.declareIn(builtins);
+    ServoBuiltins.declareIn(builtins);
+    ProcessMoveBuiltins.declareIn(builtins);
+    OptimoveBuiltins.declareIn(builtins);
+    ToolWrenchBuiltins.declareIn(builtins);
     MotionSettingBuiltins.declareIn(builtins);
     FreedriveBuiltins.declareIn(builtins);
+    ToolpathBuiltins.declareIn(builtins);
+    EncoderBuiltins.declareIn(builtins);
+    ConveyorBuiltins.declareIn(builtins);
+    PathOffsetBuiltins.declareIn(builtins);
+    ForceBuiltins.declareIn(builtins);
+    ContactBuiltins.declareIn(builtins);
     KinematicsBuiltins.declareIn(builtins);
     StateBuiltins.declareIn(builtins);
     DynamicsBuiltins.declareIn(builtins);

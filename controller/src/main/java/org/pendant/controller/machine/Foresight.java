@@ -8,8 +8,13 @@ import org.pendant.controller.call.Builtin;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.call.ProgramControl;
 import org.pendant.controller.motion.Move;
+import org.pendant.controller.value.ListValue;
+import org.pendant.controller.value.MatrixValue;
+import org.pendant.controller.value.ObjectList;
 import org.pendant.controller.value.Registers;
 import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.StructValue;
+import org.pendant.controller.value.Value;
 
 /**
  * Runs a copy of a thread ahead, to learn which moves come after the one that the thread waits for.
@@ -22,7 +27,7 @@ import org.pendant.controller.value.ScriptError;
  */
 final class Foresight {
   /** Calls and turns of loops after which the copy gives up. */
-  private static final int BUDGET = 5000;
+  private static final int BUDGET = 500;
 
   /** Moves that are foreseen at most. */
   private static final int MOST_MOVES = 24;
@@ -30,10 +35,20 @@ final class Foresight {
   /** Registers of a program that is too large to copy for each blend. */
   private static final int MOST_REGISTERS = 20_000;
 
+  /** Elements of lists and the like of a program that has too much data to copy for each blend. */
+  private static final int MOST_ELEMENTS = 20_000;
+
   private static final Set<String> COMPUTING = Set.of("urmath", "core");
 
-  /** They answer otherwise each time, or say how the path after them is to be taken. */
-  private static final Set<String> NEVER = Set.of("random");
+  /** They answer otherwise each time, or what is not yet so when the thread asks itself. */
+  private static final Set<String> NEVER = Set.of("random", "get_steptime");
+
+  /** The beginnings of such names: where the arm is, and what it feels. */
+  private static final List<String> OF_THE_ARM =
+      List.of("get_actual_", "get_target_", "get_tcp_force", "get_joint_torques", "is_steady");
+
+  /** Of these, what is right for the first move: the goal of the one that is under way. */
+  private static final String WAYPOINT = "get_target_waypoint";
 
   /** They say something to the outside, which does not change what the thread does next. */
   private static final List<String> TELLING =
@@ -102,18 +117,47 @@ final class Foresight {
 
   /** The moves that {@code thread} will ask for once its wait is over, up to one that stops. */
   List<Move> after(ProgramRun run, ScriptThread thread) {
-    if (run.registers().size() > MOST_REGISTERS) {
-      return List.of();
-    }
     Ahead ahead = new Ahead(run.frame());
-    ProgramRun side = run.onTheSide(tables(run), box, ahead);
-    ScriptThread worker = copy(thread, side.registers());
     try {
+      if (run.registers().size() > MOST_REGISTERS || tooMuchData(run.registers())) {
+        return List.of();
+      }
+      ProgramRun side = run.onTheSide(tables(run), box, ahead);
+      ScriptThread worker = copy(thread, side.registers());
       side.processor().execute(worker);
     } catch (ScriptError e) {
       // as far as it went; if the thread itself comes to fail there it will say so
     }
     return ahead.next;
+  }
+
+  private static boolean tooMuchData(Registers registers) throws ScriptError {
+    int left = MOST_ELEMENTS;
+    for (int slot = 0; slot < registers.size() && left > 0; slot++) {
+      if (registers.tags()[slot] == Registers.OBJECT) {
+        left = less(left, registers.objects()[slot]);
+      }
+    }
+    return left <= 0;
+  }
+
+  /** What is left of a number of elements after those of {@code value}; below 0 ends early. */
+  private static int less(int left, Value value) throws ScriptError {
+    int rest = left - 1;
+    if (value instanceof MatrixValue matrix) {
+      rest -= matrix.rows() * matrix.columns();
+    } else if (value instanceof ListValue list) {
+      rest -= list.length();
+      boolean nested = list instanceof ObjectList;
+      for (int i = 0; nested && i < list.length() && rest > 0; i++) {
+        rest = less(rest, list.get(i));
+      }
+    } else if (value instanceof StructValue struct) {
+      for (int i = 0; i < struct.length() && rest > 0; i++) {
+        rest = less(rest, struct.memberAt(i));
+      }
+    }
+    return rest;
   }
 
   private static ScriptThread copy(ScriptThread thread, Registers registers) {
@@ -162,15 +206,31 @@ final class Foresight {
     if (starts(name, TELLING)) {
       return new Builtin(builtin.signature(), builtin.defaults(), call -> call.answer());
     }
+    if (name.equals(WAYPOINT)) {
+      return beforeTheFirstMove(builtin);
+    }
     boolean computes = COMPUTING.contains(builtin.signature().module()) || starts(name, ASKING);
     boolean moves = name.startsWith("move") || name.startsWith("optimove");
-    if (moves || (computes && !builtin.signature().physicalTime() && !NEVER.contains(name))) {
+    boolean another = NEVER.contains(name) || starts(name, OF_THE_ARM);
+    if (moves || (computes && !builtin.signature().physicalTime() && !another)) {
       return builtin;
     }
     return new Builtin(
         builtin.signature(),
         builtin.defaults(),
         call -> {
+          throw ended();
+        });
+  }
+
+  private static Builtin beforeTheFirstMove(Builtin builtin) {
+    return new Builtin(
+        builtin.signature(),
+        builtin.defaults(),
+        call -> {
+          if (call.program() instanceof Ahead ahead && ahead.next.isEmpty()) {
+            return builtin.code().run(call);
+          }
           throw ended();
         });
   }

@@ -36,7 +36,7 @@ final class HotFunctions {
 
   /** Counts a turn or call of an interpreted function; whether it is better not interpreted. */
   boolean counts(ScriptFunction function) {
-    if (++function.heat == HOT && when == Translation.WHEN_HOT) {
+    if (when == Translation.WHEN_HOT && ++function.heat == HOT) {
       Thread.ofVirtual().name("translate " + function.name()).start(() -> translate(function));
     }
     return translated(function);

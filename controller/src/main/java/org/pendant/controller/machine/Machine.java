@@ -28,6 +28,9 @@ public final class Machine {
   /** A pause has been asked for, and the motion needs to know where it leads on before. */
   private boolean pausing;
 
+  /** The program has run past its last statement, and its last move goes on to its waypoint. */
+  private boolean arriving;
+
   private Optional<Ending> ending = Optional.empty();
   private String programName = "";
   private Sentry sentry = Sentry.NONE;
@@ -68,6 +71,7 @@ public final class Machine {
     programName = program.name();
     ending = Optional.empty();
     pausing = false;
+    arriving = false;
     state = ProgramState.RUNNING;
     sentry.programStarted();
   }
@@ -118,6 +122,13 @@ public final class Machine {
       return held;
     }
     ProgramRun running = run.orElseThrow();
+    if (arriving) {
+      if (!box.motion().arriving()) {
+        end(new Ending.Finished());
+      }
+      pauseWhenPossible();
+      return false;
+    }
     try {
       if (!running.heldInFrame()) {
         interpreter.feed(running.main());
@@ -127,7 +138,7 @@ public final class Machine {
         case HELD -> held = true;
         case PAUSED -> pause();
         case HALTED -> end(new Ending.Halted());
-        case FINISHED -> end(new Ending.Finished());
+        case FINISHED -> finish(running);
       }
     } catch (ThreadFailure thrown) {
       fail(thrown.thread(), ProgramFailure.of(thrown.thread(), thrown.error()));
@@ -137,6 +148,15 @@ public final class Machine {
       pauseWhenPossible();
     }
     return held;
+  }
+
+  /** A blend radius means nothing behind the last move: the arm still goes to its waypoint. */
+  private void finish(ProgramRun running) {
+    running.endAll();
+    arriving = box.motion().arriving();
+    if (!arriving) {
+      end(new Ending.Finished());
+    }
   }
 
   private void fail(ScriptThread thread, ScriptFailure why) {
@@ -156,6 +176,7 @@ public final class Machine {
     interpreter.programEnded();
     state = ProgramState.STOPPED;
     pausing = false;
+    arriving = false;
     ending = Optional.of(how);
     sentry.programEnded();
   }
@@ -215,7 +236,7 @@ public final class Machine {
   }
 
   private void pauseWhenPossible() {
-    if (pausing && !box.motion().handsOverBeforeRest()) {
+    if (state == ProgramState.RUNNING && pausing && !box.motion().handsOverBeforeRest()) {
       pausing = false;
       state = ProgramState.PAUSED;
     }

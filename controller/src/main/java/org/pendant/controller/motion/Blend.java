@@ -118,11 +118,26 @@ final class Blend {
             ? Corner.entryRate(after, nextLeft, limits, move, outlook)
             : 0;
     double most = Math.min(limits.speed(), 2 * mostEntered / lastsS);
-    double even = bends(0, strongest) ? 0 : Math.min(most, rate);
-    double bent = highest(even, most, entry -> bends(entry, strongest));
+    double gentlest = gentlest(most, strongest);
+    double bent = highest(gentlest, most, entry -> bend(entry, strongest) <= ROUNDING);
     double slow = highest(0, bent, entry -> slowsDown(entry, end, limits));
     // where the arm comes too fast for both, it rather brakes harder behind the corner
-    return bends(slow, strongest) ? slow : Math.max(slow, Math.min(bent, most));
+    return bend(slow, strongest) <= ROUNDING ? slow : Math.max(slow, gentlest);
+  }
+
+  /** The rate on the new path that needs the least acceleration in the blend. */
+  private double gentlest(double most, double strongest) {
+    double low = 0;
+    double high = most;
+    for (int i = 0; i < HALVINGS; i++) {
+      double third = (high - low) / 3;
+      if (bend(low + third, strongest) <= bend(high - third, strongest)) {
+        high -= third;
+      } else {
+        low += third;
+      }
+    }
+    return low;
   }
 
   /** The highest rate up to a limit for which something holds that holds for slower ones. */
@@ -152,12 +167,13 @@ final class Blend {
     return leaving.move().limits(before, 1).acceleration();
   }
 
-  /** Whether the blend keeps to the accelerations of the moves when it ends with a rate. */
-  private boolean bends(double entry, double strongest) {
+  /**
+   * The acceleration that the blend needs when it ends with a rate, as a share of what the moves
+   * themselves may use; convex in the rate.
+   */
+  private double bend(double entry, double strongest) {
     double peak = Math.max(move.peakOverMean(), leaving.move().peakOverMean()) / lastsS;
-    return sameTool()
-        ? toolStep(entry) * peak <= strongest * ROUNDING
-        : jointsCan(entry, peak);
+    return peak * (sameTool() ? toolStep(entry) / strongest : jointStep(entry));
   }
 
   /** By how much the blend changes the tool's velocity, m/s; turning counts as on a path. */
@@ -165,14 +181,16 @@ final class Blend {
     return rate * ((ToolPath) before).bendInto((ToolPath) after, entry / rate);
   }
 
-  private boolean jointsCan(double entry, double peak) {
+  /** By how much it changes the speeds of the joints, each as a share of what it may per second. */
+  private double jointStep(double entry) {
+    double largest = 0;
     for (int i = 0; i < N; i++) {
       double step = Math.abs(entry * directionAfter[i] - rate * directionBefore[i]);
-      if (step * peak > allowed[i] * ROUNDING) {
-        return false;
+      if (step > 0) {
+        largest = Math.max(largest, step / allowed[i]);
       }
     }
-    return true;
+    return largest;
   }
 
   private Motion throughJoints(double entered, double entry) throws ScriptError {

@@ -43,13 +43,25 @@ final class JoinedMotion implements Motion {
   }
 
   @Override
+  public double stretchedS() {
+    return next.stretchedS();
+  }
+
+  @Override
+  public Optional<Motion> cutShort(double timeS) {
+    return timeS < nextAtS ? Optional.empty() : next.cutShort(timeS - nextAtS);
+  }
+
+  @Override
   public Optional<MotionFailure> sample(double timeS, MotionSample sample) {
     if (timeS < blendAtS) {
       return first.sample(firstBeginS + timeS, sample);
     }
-    return timeS < nextAtS
-        ? blend.sample(timeS - blendAtS, sample)
-        : next.sample(timeS - nextAtS, sample);
+    if (timeS < nextAtS) {
+      return blend.sample(timeS - blendAtS, sample);
+    }
+    // the sum of the durations may be rounded down, and the end is to be met exactly
+    return next.sample(timeS >= durationS() ? next.durationS() : timeS - nextAtS, sample);
   }
 
   @Override

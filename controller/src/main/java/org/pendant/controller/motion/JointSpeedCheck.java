@@ -18,9 +18,21 @@ final class JointSpeedCheck {
     }
   }
 
+  /** How much of what they can do the joints do at these speeds; 1 for all that one can. */
+  double share(Joints speedRadPerS) {
+    double share = 0;
+    for (int i = 0; i < Joints.COUNT; i++) {
+      share = Math.max(share, Math.abs(speedRadPerS.get(i)) / maxSpeed[i]);
+    }
+    return share;
+  }
+
   /** A point of a path, reached from {@code before} within a frame. */
   Optional<MotionFailure> onPath(double[] before, MotionSample sample, double scaling) {
     for (int i = 0; i < Joints.COUNT; i++) {
+      if (Math.abs(sample.position[i] - before[i]) > Math.PI) {
+        return Optional.of(rangeEnds(i, before[i]));
+      }
       double moved = Math.abs(sample.position[i] - before[i]) / FrameTime.FRAME_S;
       double needed = Math.max(moved, Math.abs(sample.speed[i]) * scaling);
       if (!(needed <= maxSpeed[i] * MEAN_SPEED_TOLERANCE)) {
@@ -40,6 +52,17 @@ final class JointSpeedCheck {
       }
     }
     return Optional.empty();
+  }
+
+  /** The path goes on only where the joint stands a turn farther back. */
+  private static MotionFailure rangeEnds(int joint, double atRad) {
+    return new MotionFailure(
+        "joint-out-of-range",
+        "joint "
+            + joint
+            + " reaches the end of its range at "
+            + Value.of(atRad).text()
+            + " rad, where the path would turn it on; begin with the joint a turn farther back");
   }
 
   private MotionFailure tooFast(int joint, double needed, String why) {

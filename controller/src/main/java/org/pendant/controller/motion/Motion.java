@@ -41,6 +41,38 @@ public interface Motion {
     return Optional.empty();
   }
 
+  /**
+   * How long the whole way takes when a duration was asked for that is too short, s; otherwise 0.
+   */
+  default double stretchedS() {
+    return 0;
+  }
+
+  /**
+   * This motion as it is when its waypoint does not matter any more: handed over at once, and at
+   * rest as soon as any next move may need it.
+   *
+   * @param timeS how far it is, s in its own time
+   * @return empty if it has no blend radius, or is not yet behind the blend that it began with
+   */
+  default Optional<Motion> cutShort(double timeS) {
+    return Optional.empty();
+  }
+
+  /**
+   * How much of its speed it wants, 0 to 1, asked in each frame: one that was planned for full speed
+   * and that is made slower as it goes, as by {@code mc_set_speed_factor}. A change is reached in a
+   * ramp.
+   */
+  default double speedFactor() {
+    return 1;
+  }
+
+  /** The function that keeps the arm moving after the hand-over, for messages. */
+  default String driver() {
+    return "another motion";
+  }
+
   /** The move that a next one may blend with from {@link #handOverS} on; empty if none may. */
   default Optional<PathMotion> leaving() {
     return Optional.empty();

@@ -2,6 +2,7 @@ package org.pendant.controller.motion;
 
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.value.PoseValue;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 import org.pendant.models.arm.ArmDescription;
@@ -62,6 +63,12 @@ public final class MotionControl {
   /** The arm is guided by hand, and the target follows it. */
   private boolean guided;
 
+  /** Torques of the program drive the arm, and the target follows it. */
+  private boolean torqueDriven;
+
+  /** ... and the program has given those for the frame that comes. */
+  private boolean torqueGiven;
+
   private int framesAtRest = STEADY_FRAMES;
 
   /** Plans a move that has not begun to move, as often as more becomes known of what follows it. */
@@ -86,8 +93,8 @@ public final class MotionControl {
    */
   public MotionControl(ArmDescription arm, Joints positionRad, PathLimiter limiter) {
     this.limiter = limiter;
-    offsets = new OffsetTarget(arm);
     jointSpeeds = new JointSpeedCheck(arm);
+    offsets = new OffsetTarget(arm, jointSpeeds);
     position = positionRad;
   }
 
@@ -99,6 +106,9 @@ public final class MotionControl {
    */
   public MotionTicket start(MotionPlan plan) throws ScriptError {
     refuseSecondOwner();
+    if (endlessly()) {
+      settleAtRest();
+    }
     MotionTicket ticket = new MotionTicket(this);
     if (active.isPresent()) {
       pending = Optional.of(new Pending(plan, ticket));
@@ -118,11 +128,12 @@ public final class MotionControl {
    */
   public Optional<MotionTicket> start(Move move) throws ScriptError {
     refuseSecondOwner();
-    if (handedOver && active.orElseThrow().leaving().isEmpty()) {
-      return startFromRest(move);
+    if (endlessly()) {
+      settleAtRest();
     }
     MotionTicket ticket = new MotionTicket(this);
-    if (active.isPresent() && !handedOver) {
+    if (active.isPresent() && !takesOver(move)) {
+      handedOver = false;
       MotionPlan plan = (from, atSpeed) -> MovePlanner.fromRest(move, from, List.of());
       pending = Optional.of(new Pending(plan, ticket));
       return Optional.of(ticket);
@@ -133,27 +144,47 @@ public final class MotionControl {
       return Optional.empty();
     }
     boolean moves = handedOver;
+    ticket.stretchedTo(motion.get().stretchedS());
     begin(motion.get(), Optional.of(ticket));
     if (moves) {
       time.goOn();
     } else {
       time.begin(false);
     }
-    unforeseen = move.blendRadiusM() > 0 ? Optional.of(planning) : Optional.empty();
+    if (motion.get() instanceof RestOfMove rest && rest.leaving().isPresent()) {
+      // nothing to do for this one, and what follows it may blend as if it had not been
+      ticket.finish();
+      owner = Optional.empty();
+      handedOver = true;
+    } else if (move.blendRadiusM() > 0) {
+      unforeseen = Optional.of(planning);
+    }
     return Optional.of(ticket);
   }
 
-  /** After a motion without an end, such as speedj; that one cannot be blended with. */
-  private Optional<MotionTicket> startFromRest(Move move) throws ScriptError {
+  /** Whether a move goes on from the one that is under way, rather than after it. */
+  private boolean takesOver(Move move) {
+    return handedOver && move.mayFollow(active.orElseThrow().leaving().orElseThrow().move());
+  }
+
+  /** Whether something has the arm that no move can blend with, and that nobody waits for. */
+  private boolean endlessly() {
+    return torqueDriven || (handedOver && active.orElseThrow().leaving().isEmpty());
+  }
+
+  /** Gives up what moves the arm without an end, such as speedj, if it does not move it now. */
+  private void settleAtRest() throws ScriptError {
     if (!speed.equals(Joints.ZERO)) {
+      String driver = torqueDriven ? "direct_torque" : active.orElseThrow().driver();
       throw new ScriptError(
           "moving",
-          "the arm is moving at "
+          driver
+              + " has left the arm moving, its fastest joint at "
               + Value.of(speed.maxAbsDifference(Joints.ZERO)).text()
               + " rad/s, must be at rest before a move; stopj or stopl brings it to rest");
     }
+    torqueDriven = false;
     forget();
-    return start(move);
   }
 
   private Planning fromRest(Move move) {
@@ -196,9 +227,41 @@ public final class MotionControl {
     return ticket;
   }
 
+  /**
+   * Starts a motion that goes on from the present speed and is scaled as moves are; for speeds and
+   * servos. What the plan is given is the speed in the motion's own time.
+   *
+   * @throws ScriptError when it cannot be planned, or another thread's motion is under way
+   */
+  public MotionTicket goOn(MotionPlan plan) throws ScriptError {
+    refuseSecondOwner();
+    boolean unscaled = torqueDriven || time.stopping();
+    double scaling =
+        speed.equals(Joints.ZERO)
+            ? time.wanted()
+            : time.goingOn(unscaled, jointSpeeds.share(speed));
+    Joints own = scaling > 0 && scaling != 1 ? inOwnTime(scaling) : speed;
+    Motion motion = plan.from(position, own);
+    MotionTicket ticket = new MotionTicket(this);
+    begin(motion, Optional.of(ticket));
+    own.copyTo(sample.speed);
+    time.goOnAt(scaling);
+    return ticket;
+  }
+
+  private Joints inOwnTime(double scaling) {
+    return new Joints(
+        speed.q0() / scaling,
+        speed.q1() / scaling,
+        speed.q2() / scaling,
+        speed.q3() / scaling,
+        speed.q4() / scaling,
+        speed.q5() / scaling);
+  }
+
   private void refuseSecondOwner() throws ScriptError {
     refuseGuided();
-    if (owner.isPresent() || pending.isPresent()) {
+    if (owner.isPresent() || pending.isPresent() || torqueGiven) {
       throw new ScriptError(
           "robot-in-use", "another thread controls the robot, only one can at a time");
     }
@@ -217,8 +280,10 @@ public final class MotionControl {
 
   private void begin(Motion motion, Optional<MotionTicket> ticket) {
     active = Optional.of(motion);
+    time.setFactor(motion.speedFactor());
     owner = ticket;
     handedOver = false;
+    torqueDriven = false;
     unforeseen = Optional.empty();
     motionFrames = 0;
   }
@@ -232,13 +297,47 @@ public final class MotionControl {
   public void startGuidance() throws ScriptError {
     if (!guided) {
       refuseSecondOwner();
-      takeTargetForPath();
-      offsets.end();
+      letGo();
       guided = true;
     }
   }
 
-  /** The target is where the guided arm is. */
+  private void letGo() {
+    takeTargetForPath();
+    offsets.end();
+    torqueDriven = false;
+  }
+
+  /**
+   * In the frame that comes torques of the program drive the arm, and {@link #guide} says where the
+   * target is. Without another call before the next step the arm comes to rest from there, unless a
+   * motion takes it over.
+   *
+   * @throws ScriptError when a thread's motion is under way, or the arm is guided by hand
+   */
+  public void giveTorque() throws ScriptError {
+    refuseSecondOwner();
+    if (!torqueDriven) {
+      letGo();
+      torqueDriven = true;
+    }
+    torqueGiven = true;
+  }
+
+  /** Whether torques of the program drive the arm; after the step, whether in this frame. */
+  public boolean torqueDriven() {
+    return torqueDriven;
+  }
+
+  /** No torques have come for this frame: the joints stop, as soon as a stop demands. */
+  private void endTorques() {
+    torqueDriven = false;
+    if (!speed.equals(Joints.ZERO)) {
+      begin(new StopJ(position, speed, time.rampRadPerS2()), Optional.empty(), true);
+    }
+  }
+
+  /** The target is where the arm is that is guided, or driven by torques. */
   public void guide(Joints positionRad, Joints speedRadPerS) {
     position = positionRad;
     speed = speedRadPerS;
@@ -266,7 +365,15 @@ public final class MotionControl {
       framesAtRest = 0;
       return;
     }
-    if (handedOver) {
+    if (torqueGiven) {
+      torqueGiven = false;
+      framesAtRest = 0;
+      return;
+    }
+    if (torqueDriven) {
+      endTorques();
+    }
+    if (handedOver && !heldInPause()) {
       handedOver = false;
       endUncontinued();
     }
@@ -285,6 +392,11 @@ public final class MotionControl {
         speedRadPerS().equals(Joints.ZERO) ? Math.min(framesAtRest + 1, STEADY_FRAMES) : 0;
   }
 
+  /** A motion without an end rests in a pause, and whoever keeps it up goes on after that. */
+  private boolean heldInPause() {
+    return time.paused() && active.isPresent() && active.get().ending().isPresent();
+  }
+
   /** Nobody has taken the motion over: it ends as it says itself. */
   private void endUncontinued() {
     Optional<MotionPlan> ending = active.flatMap(Motion::ending);
@@ -299,9 +411,6 @@ public final class MotionControl {
 
   private void carryAside() {
     Optional<MotionFailure> failure = offsets.step(position, speed);
-    if (failure.isEmpty() && offsets.engaged()) {
-      failure = jointSpeeds.carried(offsets.speed());
-    }
     if (failure.isPresent()) {
       takeTargetForPath();
       offsets.end();
@@ -324,8 +433,45 @@ public final class MotionControl {
    * under way is given up; whoever ends an offset stops the arm with {@link #takeOver}.
    */
   public void takeTargetForPath() {
-    Joints target = positionRad();
-    Joints targetSpeed = speedRadPerS();
+    takeTarget(positionRad(), speedRadPerS());
+  }
+
+  /**
+   * Ends one offset without a jump: the path is put so that the other offsets carry the TCP to
+   * where it is. A motion under way is given up; whoever ends an offset stops the arm with {@link
+   * #takeOver}.
+   *
+   * @throws ScriptError when another thread's motion is under way
+   */
+  public void endOffset(PathOffset ending) throws ScriptError {
+    refuseSecondOwner();
+    ending.end();
+    if (offsets.engaged()) {
+      Optional<OffsetTarget.Rebased> path = offsets.rebased(position);
+      if (path.isPresent()) {
+        takeTarget(path.get().positionRad(), path.get().speedRadPerS());
+      } else {
+        takeTargetForPath();
+        offsets.end();
+      }
+    }
+  }
+
+  /** Ends all offsets: what they carry comes to rest, all joints in proportion. */
+  public void endOffsets() {
+    if (offsets.engaged()) {
+      takeTargetForPath();
+      begin(new StopJ(position, speed, SCALING_ACCELERATION_RAD_PER_S2), Optional.empty(), true);
+    }
+    offsets.end();
+  }
+
+  /** Whether offsets make the target another than the path. */
+  public boolean carried() {
+    return offsets.engaged();
+  }
+
+  private void takeTarget(Joints target, Joints targetSpeed) {
     Joints targetAcceleration = accelerationRadPerS2();
     owner.ifPresent(ticket -> ticket.fail(PATH_ENDED));
     forget();
@@ -337,7 +483,9 @@ public final class MotionControl {
   private void beginPending(Pending next) {
     pending = Optional.empty();
     try {
-      begin(next.plan.from(position, Joints.ZERO), Optional.of(next.ticket), false);
+      Motion motion = next.plan.from(position, Joints.ZERO);
+      next.ticket.stretchedTo(motion.stretchedS());
+      begin(motion, Optional.of(next.ticket), false);
     } catch (ScriptError e) {
       next.ticket.fail(new MotionFailure(e.code(), e.getMessage()));
     }
@@ -346,6 +494,7 @@ public final class MotionControl {
   private void follow(Motion motion) {
     double before = time.scaling();
     double framesBefore = motionFrames;
+    time.setFactor(motion.speedFactor());
     time.step(sample.fastestRadPerS());
     position.copyTo(previous);
     Optional<MotionFailure> failure = sampleAfter(motion, framesBefore, before);
@@ -362,7 +511,7 @@ public final class MotionControl {
       failure = jointSpeeds.onPath(previous, sample, time.scaling());
     }
     if (failure.isPresent()) {
-      stopBeside(failure.get());
+      stopBeside(onTheWay(failure.get(), motion));
       return;
     }
     publish((time.scaling() - before) / FrameTime.FRAME_S);
@@ -394,8 +543,11 @@ public final class MotionControl {
    * handed over, so that whoever asked for it has to say before where it leads on.
    */
   public boolean handsOverBeforeRest() {
-    if (handedOver || owner.isEmpty() || active.isEmpty() || active.get().leaving().isEmpty()) {
-      return handedOver;
+    if (active.isEmpty() || active.get().leaving().isEmpty() || owner.isEmpty()) {
+      return handedOver && !endlessly();
+    }
+    if (time.scaling() == 0) {
+      return false;
     }
     double rampS = 2 * time.untilRestS(sample.fastestRadPerS());
     double atRestS = motionFrames * FrameTime.FRAME_S + rampS;
@@ -444,7 +596,19 @@ public final class MotionControl {
     owner = Optional.empty();
     handedOver = false;
     sample.rest();
+    time.setFactor(1);
     time.begin(false);
+  }
+
+  private static MotionFailure onTheWay(MotionFailure failure, Motion motion) {
+    return motion
+        .waypoint()
+        .map(
+            goal ->
+                new MotionFailure(
+                    failure.code(),
+                    failure.message() + "; on the way to " + new PoseValue(goal).text()))
+        .orElse(failure);
   }
 
   /** The path cannot be followed: all joints stop from what they do now. */
@@ -465,14 +629,28 @@ public final class MotionControl {
   public void abort() {
     owner = Optional.empty();
     pending = Optional.empty();
+    torqueGiven = false;
+    handedOver = handedOver && !endlessly();
     if (active.isPresent()) {
       time.release();
     }
   }
 
+  /**
+   * Ends a move as {@code abort} does (manual 13.5): one with a blend radius is handed over right
+   * away, unless it is still in the blend that it began with; another one comes to rest.
+   */
   void endEarly(MotionTicket ticket) {
     if (owner.isPresent() && owner.get() == ticket) {
-      time.release();
+      Motion present = active.orElseThrow();
+      Optional<Motion> cut = present.cutShort(motionFrames * FrameTime.FRAME_S);
+      if (cut.isPresent()) {
+        begin(cut.get(), Optional.empty());
+        ticket.finish();
+        handedOver = true;
+      } else if (present.leaving().isEmpty() || motionFrames == 0) {
+        time.release();
+      }
     } else if (pending.isPresent() && pending.get().ticket == ticket) {
       pending = Optional.empty();
       ticket.finish();
@@ -491,21 +669,25 @@ public final class MotionControl {
 
   /** Comes to rest on the path and keeps the motion for {@link #resume}. */
   public void pause() {
-    halt(SCALING_ACCELERATION_RAD_PER_S2);
+    if (!time.paused()) {
+      time.pause(SCALING_ACCELERATION_RAD_PER_S2);
+    }
   }
 
   /**
-   * As {@link #pause}, for stops that must be shorter.
+   * As {@link #pause}, for stops that must be shorter; what offsets carry comes to rest as well.
    *
    * @param decelerationRadPerS2 of the fastest joint, above 0
    */
   public void halt(double decelerationRadPerS2) {
     time.pause(decelerationRadPerS2);
+    offsets.hold(decelerationRadPerS2);
   }
 
   /** Goes on after {@link #pause} or {@link #halt}. */
   public void resume() {
     time.resume();
+    offsets.release();
   }
 
   /** Gives up every motion: the arm has been stopped by its brakes and rests elsewhere. */
@@ -514,6 +696,8 @@ public final class MotionControl {
     pending.ifPresent(next -> next.ticket.fail(POWER_LOST));
     pending = Optional.empty();
     guided = false;
+    torqueDriven = false;
+    torqueGiven = false;
     forget();
     offsets.end();
     position = positionRad;
@@ -541,7 +725,7 @@ public final class MotionControl {
    */
   public void jumpTo(Joints positionRad) throws ScriptError {
     refuseGuided();
-    if (moving()) {
+    if (moving() || carried()) {
       throw new ScriptError("robot-in-use", "the arm is moving, must be at rest");
     }
     position = positionRad;
@@ -557,9 +741,27 @@ public final class MotionControl {
     return fault;
   }
 
-  /** Whether a motion is under way, a paused one included. */
+  /** Whether a thread waits for a motion that it has started. */
+  public boolean owned() {
+    return owner.isPresent() || pending.isPresent();
+  }
+
+  /** Whether a motion is under way, a paused one included, or torques drive the arm. */
   public boolean moving() {
-    return active.isPresent() || pending.isPresent();
+    return active.isPresent() || pending.isPresent() || torqueDriven;
+  }
+
+  /** Whether the motion is held, by a pause or a stop, or is to be held as soon as it begins. */
+  public boolean paused() {
+    return time.paused();
+  }
+
+  /** Whether a move that nobody waits for any more goes on to its waypoint. */
+  public boolean arriving() {
+    return active.isPresent()
+        && owner.isEmpty()
+        && !time.releasing()
+        && active.get().leaving().isPresent();
   }
 
   /** Whether the target has rested for 500 ms. */

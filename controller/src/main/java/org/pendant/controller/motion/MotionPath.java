@@ -39,6 +39,16 @@ public interface MotionPath {
   Pose tcpInFlange();
 
   /**
+   * The part of the path up to a point of it, for a move that is cut short.
+   *
+   * @param at above 0, at most {@link #length}
+   * @return empty if moves on such a path are not cut short
+   */
+  default Optional<MotionPath> upTo(double at) {
+    return Optional.empty();
+  }
+
+  /**
    * How far from the end the path comes into a sphere around the end for good.
    *
    * @param radiusM of the sphere, m, 0 or more
@@ -51,4 +61,14 @@ public interface MotionPath {
 
   /** The highest rate that no joint is too slow for, as far as that is known beforehand. */
   double fastestRate();
+
+  /** The highest change of the rate that the arm can do, per s², as far as that is known. */
+  default double strongestRate2() {
+    return Double.POSITIVE_INFINITY;
+  }
+
+  /** The acceleration across the path for a rate of 1; 0 for one that does not bend. */
+  default double bending() {
+    return 0;
+  }
 }

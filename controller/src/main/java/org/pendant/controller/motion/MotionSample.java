@@ -27,6 +27,13 @@ public final class MotionSample {
     return Joints.of(acceleration);
   }
 
+  /** Sets one joint: position in rad, speed in rad/s, acceleration in rad/s². */
+  public void set(int joint, double q, double qd, double qdd) {
+    position[joint] = q;
+    speed[joint] = qd;
+    acceleration[joint] = qdd;
+  }
+
   /** Speed of the fastest joint, rad/s. */
   double fastestRadPerS() {
     double fastest = 0;

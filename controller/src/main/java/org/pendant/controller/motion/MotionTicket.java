@@ -7,6 +7,7 @@ import java.util.Optional;
 public final class MotionTicket {
   private final MotionControl control;
   private boolean finished;
+  private double stretchedS;
   private Optional<MotionFailure> failure = Optional.empty();
 
   MotionTicket(MotionControl control) {
@@ -41,6 +42,15 @@ public final class MotionTicket {
   /** The moves that follow the one that has just begun, as far as can be foreseen. */
   public void outlook(List<Move> next) {
     control.outlook(this, next);
+  }
+
+  /** How long the move takes when a shorter duration was asked for, s; otherwise 0. */
+  public double stretchedS() {
+    return stretchedS;
+  }
+
+  void stretchedTo(double leastS) {
+    stretchedS = leastS;
   }
 
   void finish() {

@@ -42,13 +42,14 @@ public record MoveLimits(double acceleration, double speed, double durationS) {
    * @param distance 0 or more
    * @param restingEnds at how many of its ends the move rests, 0 to 2
    * @param fastest what the arm can do, per s
+   * @param strongest acceleration that a duration alone may lead to, per s²
    */
-  ProfileLimits over(double distance, int restingEnds, double fastest) {
+  ProfileLimits over(double distance, int restingEnds, double fastest, double strongest) {
     if (!timed()) {
       return ProfileLimits.of(Math.min(speed, fastest), acceleration);
     }
-    double least = 2 * restingEnds * distance / durationS / durationS;
-    double enough = Math.max(acceleration, Math.max(least, Double.MIN_NORMAL));
+    double needed = Math.min(4 * distance / durationS / durationS, strongest);
+    double enough = Math.max(acceleration, Math.max(needed, Double.MIN_NORMAL));
     // the smaller root of n v² - 2 a T v + 2 a D = 0, written so that nothing cancels
     double root = Math.sqrt(durationS * durationS - 2 * restingEnds * distance / enough);
     double cruise = 2 * distance / (durationS + (Double.isNaN(root) ? 0 : root));

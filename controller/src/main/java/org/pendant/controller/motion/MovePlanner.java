@@ -45,8 +45,21 @@ final class MovePlanner {
   static Optional<Motion> blended(
       PathMotion leaving, double leavingS, Move move, List<Move> outlook) throws ScriptError {
     MotionPath before = leaving.path();
-    Blend blend = new Blend(leaving, move.route().from(endOf(before)), move);
-    if (blend.overlaps() && !move.smooth() && move.blendRadiusM() > 0) {
+    MotionPath after = move.route().from(endOf(before));
+    if (after.length() == 0) {
+      return Optional.of(new RestOfMove(leaving, leavingS, move.blendRadiusM() > 0));
+    }
+    double left = before.length() - leaving.handOverAt();
+    Optional<ProcessCorner> corner =
+        ProcessCorner.between(before, leaving.move(), left, after, move);
+    if (corner.isPresent()) {
+      Optional<Motion> rounded = corner.get().join(leaving, leavingS, outlook);
+      if (rounded.isPresent()) {
+        return rounded;
+      }
+    }
+    Blend blend = new Blend(leaving, after, move);
+    if (blend.overlaps() && move.leftOutOnOverlap()) {
       return Optional.empty();
     }
     return Optional.of(blend.join(leavingS, outlook));

@@ -20,17 +20,21 @@ final class OffsetTarget {
   private final List<PathOffset> offsets = new ArrayList<>();
   private final ForwardKinematics forward;
   private final InverseKinematics inverse;
+  private final JointSpeedCheck jointSpeeds;
+  private final OffsetHold hold = new OffsetHold();
   private final double[] q = new double[N];
   private final double[] flange = new double[Transforms.SIZE];
   private final double[] tcp = new double[Transforms.SIZE];
   private final double[] tcpInFlange = new double[Transforms.SIZE];
   private final double[] flangeInTcp = new double[Transforms.SIZE];
   private boolean engaged;
+  private Joints before = Joints.ZERO;
   private Joints position = Joints.ZERO;
   private Joints speed = Joints.ZERO;
   private Joints acceleration = Joints.ZERO;
 
-  OffsetTarget(ArmDescription arm) {
+  OffsetTarget(ArmDescription arm, JointSpeedCheck jointSpeeds) {
+    this.jointSpeeds = jointSpeeds;
     forward = new ForwardKinematics(arm.dh());
     inverse = new InverseKinematics(arm);
     setTool(Pose.ZERO);
@@ -68,10 +72,12 @@ final class OffsetTarget {
    *
    * @param path where the path is, rad
    * @param pathSpeed how fast it goes there, rad/s; taken over when offsets begin
+   * @return why there is none; the target is what it was then
    */
   Optional<MotionFailure> step(Joints path, Joints pathSpeed) {
     if (!anyActive()) {
       engaged = false;
+      hold.clear();
       return Optional.empty();
     }
     if (!engaged) {
@@ -79,26 +85,79 @@ final class OffsetTarget {
       position = path;
       speed = pathSpeed;
     }
+    if (hold.holding()) {
+      hold.step(position, speed, q);
+      accept(Joints.of(q));
+      return Optional.empty();
+    }
     path.copyTo(q);
-    forward.flange(q, flange);
-    Transforms.multiply(flange, tcpInFlange, tcp);
+    toTcp();
     for (int i = 0; i < offsets.size(); i++) {
       if (offsets.get(i).active()) {
         offsets.get(i).apply(tcp);
       }
     }
-    Transforms.multiply(tcp, flangeInTcp, flange);
-    position.copyTo(q);
-    if (!inverse.track(flange, q)) {
+    if (!solveNear(position)) {
       return Optional.of(
           new MotionFailure("no-solution", "an offset takes the tool out of the arm's reach"));
     }
+    hold.leadBack(position, q);
     Joints next = Joints.of(q);
+    Optional<MotionFailure> failure = jointSpeeds.carried(perSecond(position, next));
+    if (failure.isEmpty()) {
+      accept(next);
+    }
+    return failure;
+  }
+
+  private void accept(Joints next) {
     Joints nextSpeed = perSecond(position, next);
     acceleration = perSecond(speed, nextSpeed);
     speed = nextSpeed;
+    before = position;
     position = next;
-    return Optional.empty();
+  }
+
+  private void toTcp() {
+    forward.flange(q, flange);
+    Transforms.multiply(flange, tcpInFlange, tcp);
+  }
+
+  private boolean solveNear(Joints near) {
+    Transforms.multiply(tcp, flangeInTcp, flange);
+    near.copyTo(q);
+    return inverse.track(flange, q);
+  }
+
+  /**
+   * The path anew, so that those offsets that are still active carry it to where the target is.
+   *
+   * @param path where it has been, rad
+   * @return positions, rad, and speeds, rad/s; empty if it would be out of reach
+   */
+  Optional<Rebased> rebased(Joints path) {
+    if (!anyActive()) {
+      return Optional.of(new Rebased(position, speed));
+    }
+    Optional<Joints> last = rebased(position, path, 0);
+    Optional<Joints> earlier = rebased(before, path, 1);
+    return last.isPresent() && earlier.isPresent()
+        ? Optional.of(new Rebased(last.get(), perSecond(earlier.get(), last.get())))
+        : Optional.empty();
+  }
+
+  /** A path that the target stays where it is with. */
+  record Rebased(Joints positionRad, Joints speedRadPerS) {}
+
+  private Optional<Joints> rebased(Joints target, Joints path, int framesAgo) {
+    target.copyTo(q);
+    toTcp();
+    for (int i = offsets.size() - 1; i >= 0; i--) {
+      if (offsets.get(i).active()) {
+        offsets.get(i).rebase(tcp, framesAgo);
+      }
+    }
+    return solveNear(path) ? Optional.of(Joints.of(q)) : Optional.empty();
   }
 
   private static Joints perSecond(Joints before, Joints after) {
@@ -121,9 +180,23 @@ final class OffsetTarget {
     return false;
   }
 
+  /** The carried arm comes to rest and stays, whatever its offsets do. */
+  void hold(double decelerationRadPerS2) {
+    if (engaged && !hold.holding()) {
+      hold.begin(decelerationRadPerS2);
+      offsets.forEach(PathOffset::rest);
+    }
+  }
+
+  /** Goes on after {@link #hold}. */
+  void release() {
+    hold.end();
+  }
+
   /** Nothing is carried any more. */
   void end() {
     engaged = false;
+    hold.clear();
     offsets.forEach(PathOffset::end);
   }
 }

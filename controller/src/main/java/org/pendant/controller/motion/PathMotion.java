@@ -2,6 +2,7 @@ package org.pendant.controller.motion;
 
 import java.util.Optional;
 import org.pendant.controller.motion.profile.Profile;
+import org.pendant.controller.motion.profile.ProfileLimits;
 import org.pendant.models.pose.Pose;
 
 /**
@@ -73,6 +74,32 @@ public final class PathMotion implements Motion {
   @Override
   public Optional<PathMotion> leaving() {
     return settling.isPresent() ? Optional.of(this) : Optional.empty();
+  }
+
+  @Override
+  public double stretchedS() {
+    return move.stretchedS(path);
+  }
+
+  @Override
+  public Optional<Motion> cutShort(double timeS) {
+    double rate = approach.speed(timeS);
+    if (settling.isEmpty() || !(rate > 0)) {
+      return Optional.empty();
+    }
+    double at = begin + approach.position(timeS);
+    ProfileLimits limits = move.limits(path, 1);
+    double forAnyCorner = move.peakOverMean() * rate * rate / limits.acceleration();
+    double left = Math.min(forAnyCorner, path.length() - at);
+    Optional<MotionPath> shorter = path.upTo(at + left);
+    if (shorter.isEmpty() || !(left > 0)) {
+      return Optional.empty();
+    }
+    Profile handedOver = limits.between(0, rate, rate);
+    Profile last = limits.withSpeed(rate).between(left, rate, 0);
+    MoveLimits asBefore = new MoveLimits(limits.acceleration(), limits.speed(), 0);
+    Move toThere = new Move(from -> path, asBefore, move.blendRadiusM(), move.jerkRampS());
+    return Optional.of(blending(shorter.get(), at, handedOver, last, toThere));
   }
 
   @Override

@@ -6,6 +6,10 @@ package org.pendant.controller.motion;
  */
 final class PathTime {
   private double fraction = 1;
+
+  /** What the motion itself makes of the slider. */
+  private double factor = 1;
+
   private double scaling = 1;
   private double rampRadPerS2 = MotionControl.SCALING_ACCELERATION_RAD_PER_S2;
   private boolean paused;
@@ -29,11 +33,34 @@ final class PathTime {
     releasing = false;
   }
 
+  /**
+   * The scaling at which a motion takes over from whatever moves the arm: no less than wanted, so
+   * that it does not crawl up again, and no less than what is there, so that no joint jumps.
+   *
+   * @param unscaled whether the arm moves without scaling now
+   * @param share of what the joints can do that the arm moves at; an unscaled speed counts as no
+   *     more than all of it in the new motion's own time
+   */
+  double goingOn(boolean unscaled, double share) {
+    return Math.max(unscaled ? Math.min(1, share) : scaling, wanted());
+  }
+
+  /** A motion begins at a scaling. */
+  void goOnAt(double begin) {
+    goOn();
+    scaling = begin;
+  }
+
+  /** What the scaling of a motion that is no stop goes to. */
+  double wanted() {
+    return paused ? 0 : fraction * factor;
+  }
+
   private double goal() {
     if (stopping) {
       return 1;
     }
-    return paused || releasing ? 0 : fraction;
+    return releasing ? 0 : wanted();
   }
 
   /**
@@ -67,6 +94,15 @@ final class PathTime {
     return stopping;
   }
 
+  boolean paused() {
+    return paused;
+  }
+
+  /** How fast a change of the scaling may slow down the fastest joint now, rad/s². */
+  double rampRadPerS2() {
+    return rampRadPerS2;
+  }
+
   boolean releasing() {
     return releasing;
   }
@@ -82,14 +118,22 @@ final class PathTime {
 
   void resume() {
     paused = false;
-    rampRadPerS2 = MotionControl.SCALING_ACCELERATION_RAD_PER_S2;
+    if (!releasing) {
+      // what comes to rest for good goes on as hard as it began
+      rampRadPerS2 = MotionControl.SCALING_ACCELERATION_RAD_PER_S2;
+    }
+  }
+
+  /** How much of its speed the motion wants by itself, 0 to 1. */
+  void setFactor(double ofMotion) {
+    factor = ofMotion;
   }
 
   double fraction() {
     return fraction;
   }
 
-  void setFraction(double wanted) {
-    fraction = wanted;
+  void setFraction(double slider) {
+    fraction = slider;
   }
 }

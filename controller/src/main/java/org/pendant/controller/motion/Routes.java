@@ -20,6 +20,56 @@ public final class Routes {
   }
 
   /**
+   * A straight line in joint space that an arm has limited means for.
+   *
+   * @param goal joint positions at its end, rad, within the ranges of the arm
+   * @param waypoint pose of the TCP at its end, in the base frame
+   */
+  public static MotionPath joints(
+      ArmDescription arm,
+      Joints from,
+      Joints goal,
+      Pose waypoint,
+      Pose tcpInFlange,
+      Headroom headroom) {
+    return new JointLine(arm, from, goal, waypoint, tcpInFlange, headroom);
+  }
+
+  /**
+   * A straight line of the TCP that an arm has limited means for.
+   *
+   * @param start pose of the TCP at its begin, in the base frame
+   * @param goal pose of the TCP at its end, in the base frame
+   */
+  public static MotionPath line(
+      ArmDescription arm,
+      Joints from,
+      Pose start,
+      Pose goal,
+      Pose tcpInFlange,
+      Headroom headroom) {
+    return new ToolPath(arm, from, start, goal, tcpInFlange, headroom);
+  }
+
+  /**
+   * A straight line of the TCP that an arm has limited means for.
+   *
+   * @param start pose of the TCP at its begin, in the base frame
+   * @param goal pose of the TCP at its end, in the base frame
+   * @param end joint positions that reach the goal from near {@code from}, rad
+   */
+  public static MotionPath line(
+      ArmDescription arm,
+      Joints from,
+      Pose start,
+      Pose goal,
+      Joints end,
+      Pose tcpInFlange,
+      Headroom headroom) {
+    return new ToolPath(arm, from, start, goal, tcpInFlange, headroom).endingAt(end);
+  }
+
+  /**
    * A straight line of the TCP.
    *
    * @param start pose of the TCP at its begin, in the base frame

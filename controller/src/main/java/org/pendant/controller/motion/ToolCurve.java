@@ -1,7 +1,7 @@
 package org.pendant.controller.motion;
 
 /** A smooth way of the TCP in the base frame, over a parameter of its own. Allocates nothing. */
-interface ToolCurve {
+public interface ToolCurve {
   /**
    * The transformation (see {@link org.pendant.models.pose.Transforms}) at a point.
    *

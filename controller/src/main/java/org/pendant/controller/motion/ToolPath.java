@@ -14,7 +14,7 @@ import org.pendant.models.pose.StraightLine;
  * counts as a length of {@code 1 / }{@value #ROTATION_FACTOR} m for each rad where that is longer
  * than the line.
  */
-final class ToolPath implements MotionPath {
+final class ToolPath implements ToolWay {
   /** Angular speed and acceleration, in rad, for one m/s and one m/s². */
   static final double ROTATION_FACTOR = 4;
 
@@ -26,7 +26,14 @@ final class ToolPath implements MotionPath {
   private final double length;
   private final Joints begin;
   private final Pose tcpInFlange;
-  private final ToolPathFollower follower;
+  private final ToolCurve curve;
+
+  /** Made when the path is followed: most paths are only looked at from a blend before. */
+  private Optional<ToolPathFollower> follower = Optional.empty();
+
+  private Optional<Joints> end = Optional.empty();
+  private final Headroom headroom;
+  private Optional<PathCaps> caps = Optional.empty();
 
   /**
    * A line.
@@ -36,19 +43,45 @@ final class ToolPath implements MotionPath {
    * @param goal pose of the TCP at its end, in the base frame
    */
   ToolPath(ArmDescription arm, Joints begin, Pose start, Pose goal, Pose tcpInFlange) {
+    this(arm, begin, start, goal, tcpInFlange, Headroom.UNLIMITED);
+  }
+
+  /**
+   * A line.
+   *
+   * @param headroom what keeps a move on it within the means of the arm
+   */
+  ToolPath(
+      ArmDescription arm,
+      Joints begin,
+      Pose start,
+      Pose goal,
+      Pose tcpInFlange,
+      Headroom headroom) {
+    this.headroom = headroom;
     this.arm = arm;
     this.begin = begin;
     this.tcpInFlange = tcpInFlange;
     line = new StraightLine(start, goal);
     double effective = Math.max(line.lengthM(), line.angleRad() / ROTATION_FACTOR);
     length = effective > NOTHING_M ? effective : 0;
-    follower =
-        new ToolPathFollower(
-            arm, new ToolLine(line, length == 0 ? 1 : length), tcpInFlange, begin);
+    curve = new ToolLine(line, length == 0 ? 1 : length);
   }
 
-  ArmDescription arm() {
+  /** This path, whose last joint positions are known. */
+  ToolPath endingAt(Joints positionRad) {
+    end = Optional.of(positionRad);
+    return this;
+  }
+
+  @Override
+  public ArmDescription arm() {
     return arm;
+  }
+
+  @Override
+  public ToolCurve curve() {
+    return curve;
   }
 
   /** The line itself. */
@@ -64,7 +97,10 @@ final class ToolPath implements MotionPath {
   @Override
   public Optional<MotionFailure> sample(
       double at, double rate, double rate2, MotionSample sample) {
-    return follower.sample(Math.min(at, length), rate, rate2, sample);
+    if (follower.isEmpty()) {
+      follower = Optional.of(new ToolPathFollower(arm, curve, tcpInFlange, begin));
+    }
+    return follower.get().sample(Math.min(at, length), rate, rate2, sample);
   }
 
   @Override
@@ -74,8 +110,11 @@ final class ToolPath implements MotionPath {
 
   @Override
   public Joints end() {
-    Pose flange = InverseKinematics.flangeOf(line.to(), tcpInFlange);
-    return new InverseKinematics(arm).closest(flange, begin).orElse(begin);
+    if (end.isEmpty()) {
+      Pose flange = InverseKinematics.flangeOf(line.to(), tcpInFlange);
+      end = Optional.of(new InverseKinematics(arm).closest(flange, begin).orElse(begin));
+    }
+    return end.get();
   }
 
   /**
@@ -112,6 +151,12 @@ final class ToolPath implements MotionPath {
   }
 
   @Override
+  public Optional<MotionPath> upTo(double at) {
+    Pose goal = at >= length ? line.to() : line.at(at / length);
+    return Optional.of(new ToolPath(arm, begin, line.from(), goal, tcpInFlange));
+  }
+
+  @Override
   public double lengthWithinEnd(double radiusM) {
     return radiusM >= line.lengthM() ? length : length * (radiusM / line.lengthM());
   }
@@ -123,6 +168,18 @@ final class ToolPath implements MotionPath {
 
   @Override
   public double fastestRate() {
-    return Double.POSITIVE_INFINITY;
+    return caps().rate();
+  }
+
+  @Override
+  public double strongestRate2() {
+    return caps().rate2();
+  }
+
+  private PathCaps caps() {
+    if (caps.isEmpty()) {
+      caps = Optional.of(headroom.along(arm, curve, length, tcpInFlange, begin));
+    }
+    return caps.get();
   }
 }

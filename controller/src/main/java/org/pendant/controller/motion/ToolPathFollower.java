@@ -18,7 +18,7 @@ import org.pendant.models.pose.Transforms;
  * Haviland and P. Corke, "Manipulator differential kinematics, part 2", IEEE Robotics and
  * Automation Magazine 2023, equations 8 to 12.)
  */
-final class ToolPathFollower {
+public final class ToolPathFollower {
   /** Damping of the solution that is tried in a singularity; see {@link #solve}. */
   private static final double DAMPING = 1e-4;
 
@@ -47,7 +47,7 @@ final class ToolPathFollower {
    * @param curve of the TCP in the base frame
    * @param from joint positions at its begin, rad
    */
-  ToolPathFollower(ArmDescription arm, ToolCurve curve, Pose tcpInFlange, Joints from) {
+  public ToolPathFollower(ArmDescription arm, ToolCurve curve, Pose tcpInFlange, Joints from) {
     this.curve = curve;
     this.tcpInFlange = tcpInFlange;
     inverse = new InverseKinematics(arm);
@@ -59,6 +59,15 @@ final class ToolPathFollower {
   }
 
   /**
+   * Goes on from elsewhere, where the curve now leads.
+   *
+   * @param from joint positions there, rad
+   */
+  public void restart(Joints from) {
+    from.copyTo(q);
+  }
+
+  /**
    * A point on the curve.
    *
    * @param at the curve's parameter
@@ -66,7 +75,7 @@ final class ToolPathFollower {
    * @param atPerS2 its second derivative, per s²
    * @param sample overwritten
    */
-  Optional<MotionFailure> sample(double at, double atPerS, double atPerS2, MotionSample sample) {
+  public Optional<MotionFailure> sample(double at, double atPerS, double atPerS2, MotionSample sample) {
     curve.at(at, tcp);
     Transforms.multiply(tcp, flangeInTcp, flange);
     if (!inverse.track(flange, q)) {

@@ -1,7 +1,6 @@
 package org.pendant.controller.safety;
 
 import java.util.Optional;
-import org.pendant.controller.arm.ArmSensors;
 import org.pendant.controller.motion.FrameTime;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
@@ -71,10 +70,11 @@ final class FollowingCheck {
     return maxTorqueNm[joint] * (holding ? HOLDING_COLLISION_SHARE : COLLISION_SHARE);
   }
 
-  Optional<SafetyStop> check(double timeS, Observation seen, ArmSensors sensors, boolean holding) {
+  Optional<SafetyStop> check(FrameFacts facts, Observation seen, boolean holding) {
+    double timeS = facts.timeS();
     Optional<SafetyStop> stop = Optional.empty();
     for (int i = 0; i < Joints.COUNT; i++) {
-      double torque = sensors.externalTorqueNm(i);
+      double torque = facts.pressing() ? 0 : facts.sensors().externalTorqueNm(i);
       double allowedTorque = allowedTorqueNm(i, holding);
       pushed[i] = pushedFrames(pushed[i], torque, allowedTorque);
       double deviation = Math.abs(seen.targetQ[i] - seen.q[i]);

@@ -104,7 +104,7 @@ final class FrameChecks {
       found = travel.check(facts.timeS(), seen, limits.checked(), limits.reducedChecked());
     }
     if (found.isEmpty()) {
-      found = following.check(facts.timeS(), seen, facts.sensors(), holding);
+      found = following.check(facts, seen, holding);
     }
     return found;
   }

@@ -19,6 +19,7 @@ import org.pendant.models.pose.Wrench;
  * @param moving whether a motion is under way, a paused one included
  * @param programRunning whether a program runs and is not paused
  * @param guided whether the arm is guided by hand: its target follows it, and pushes are wanted
+ * @param pressing whether force mode presses with the tool: torques from outside are no collision
  */
 public record FrameFacts(
     double timeS,
@@ -30,4 +31,5 @@ public record FrameFacts(
     boolean steady,
     boolean moving,
     boolean programRunning,
-    boolean guided) {}
+    boolean guided,
+    boolean pressing) {}

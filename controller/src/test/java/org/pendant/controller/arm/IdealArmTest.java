@@ -35,7 +35,6 @@ class IdealArmTest {
     arm.step(new ArmCommand.Servo(Rig.ELSEWHERE, new Joints(1, 1, 1, 1, 1, 1), Joints.ZERO));
 
     arm.step(ArmCommand.BRAKES_ON);
-    arm.step(new ArmCommand.Torque(new Joints(9, 9, 9, 9, 9, 9), true));
 
     assertEquals(Rig.ELSEWHERE, arm.positionRad());
     assertEquals(Joints.ZERO, arm.speedRadPerS());
@@ -86,6 +85,23 @@ class IdealArmTest {
     assertEquals(dynamic.positionRad(), ideal.positionRad());
     assertEquals(dynamic.speedRadPerS(), ideal.speedRadPerS());
     assertTrue(ideal.positionRad().maxAbsDifference(Rig.START) > 0.05);
+  }
+
+  @Test
+  void torquesMoveItAsTheDynamicArm() {
+    ArmDescription ur5e = ArmLibrary.load("ur5e");
+    ContactWorld world = new ContactWorld(Scene.EMPTY);
+    DynamicArm.Setup setup =
+        new DynamicArm.Setup(ur5e, Rig.START, new ArmDynamics(ur5e), world, 0, 0);
+    IdealArm ideal = new IdealArm(setup);
+    DynamicArm dynamic = new DynamicArm(setup);
+    for (int frame = 0; frame < 100; frame++) {
+      ArmCommand torque = new ArmCommand.Torque(Joints.ZERO.with(5, 2), true);
+      ideal.step(torque);
+      dynamic.step(torque);
+    }
+    assertEquals(dynamic.positionRad(), ideal.positionRad());
+    assertTrue(ideal.speedRadPerS().q5() > 0.1);
   }
 
   @Test

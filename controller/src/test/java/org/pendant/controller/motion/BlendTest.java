@@ -179,7 +179,6 @@ final class BlendTest {
       double ramp = random.nextBoolean() ? 0 : 0.08;
       List<Move> moves = new ArrayList<>();
       Joints at = READY;
-      double total = 0;
       for (int i = 0; i < 10; i++) {
         double r = i == 9 ? 0 : random.nextDouble(0.001, 0.05);
         Pose goal =

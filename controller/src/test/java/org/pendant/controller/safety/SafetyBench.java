@@ -32,6 +32,7 @@ final class SafetyBench {
   private boolean steady;
   private boolean program;
   private boolean guided;
+  private boolean pressing;
 
   SafetyBench(ArmDescription arm, SafetyConfiguration configuration, boolean running) {
     this.arm = arm;
@@ -89,6 +90,11 @@ final class SafetyBench {
     return this;
   }
 
+  SafetyBench pressing(boolean inForceMode) {
+    pressing = inForceMode;
+    return this;
+  }
+
   SafetyBench guided(boolean byHand) {
     guided = byHand;
     return this;
@@ -113,7 +119,8 @@ final class SafetyBench {
         steady,
         !targetSpeed.equals(Joints.ZERO),
         program,
-        guided);
+        guided,
+        pressing);
   }
 
   /** Steps until something has to be done; the number of frames that took, or -1 for too many. */

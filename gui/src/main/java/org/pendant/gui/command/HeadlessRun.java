@@ -7,6 +7,7 @@ import org.pendant.controller.Clock;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.Reply;
+import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.machine.Ending;
 import org.pendant.controller.machine.Program;
 import org.pendant.controller.machine.ProgramState;
@@ -57,6 +58,7 @@ final class HeadlessRun {
   }
 
   ExitCode run(Program program) {
+    var _ = controller.submit(new Command.SetProgramsFolder(ProgramsFolder.of(source.name())));
     if (program.secondary()) {
       return runSecondary(program);
     }

@@ -12,6 +12,7 @@ import org.pendant.controller.Clock;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.VirtualClock;
 import org.pendant.controller.WallClock;
+import org.pendant.controller.encoder.Encoder;
 import org.pendant.controller.io.SignalText;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.io.UnknownSignal;
@@ -43,6 +44,9 @@ record RunOptions(
           "--input",
           "NAME=LEVEL",
           "an input, e.g. digital_in[0]=true, analog_in[0]=5V; repeatable");
+  private static final Option ENCODER =
+      new Option(
+          "--encoder", "N=RATE", "a belt turns encoder 0 or 1, RATE ticks a second; repeatable");
   private static final Option ANSWER =
       new Option(
           "--answer",
@@ -59,13 +63,23 @@ record RunOptions(
 
   /** What says how a program runs, whatever is made of the run. */
   static final List<Option> OF_PROGRAM =
-      Stream.concat(Stream.of(ROBOT, INPUT, ANSWER, TIMEOUT, SEED), Surroundings.ALL.stream())
+      Stream.concat(
+              Stream.of(ROBOT, INPUT, ENCODER, ANSWER, TIMEOUT, SEED), Surroundings.ALL.stream())
           .toList();
 
   /** For the usage text. */
   static final List<Option> ALL =
       Stream.concat(
-              Stream.of(ROBOT, SPEED, INPUT, ANSWER, RECORD, RecordColumns.OPTION, TIMEOUT, SEED),
+              Stream.of(
+                  ROBOT,
+                  SPEED,
+                  INPUT,
+                  ENCODER,
+                  ANSWER,
+                  RECORD,
+                  RecordColumns.OPTION,
+                  TIMEOUT,
+                  SEED),
               Surroundings.ALL.stream())
           .toList();
 
@@ -76,6 +90,7 @@ record RunOptions(
             .withSeed(seed(arguments))
             .withInputs(safetyInputs(arguments))
             .withSignals(signals(arguments))
+            .withEncoders(encoders(arguments))
             .withOperator(Operator.headless(answers(arguments)));
     controller = Surroundings.in(controller, arguments);
     Optional<Double> speedFactor = speedFactor(arguments);
@@ -177,6 +192,26 @@ record RunOptions(
       }
     }
     return writes;
+  }
+
+  private static Map<Integer, Double> encoders(Arguments arguments) throws UsageException {
+    Map<Integer, Double> belts = new HashMap<>();
+    for (String text : arguments.values(ENCODER)) {
+      int equals = separator(ENCODER, text);
+      String index = text.substring(0, equals);
+      if (!index.equals("0") && !index.equals("1")) {
+        throw new UsageException(
+            "--encoder " + text + ": encoder is " + index + ", must be 0 or 1");
+      }
+      String rate = text.substring(equals + 1);
+      double ticksPerS = number(rate, "--encoder " + index, "a number of ticks a second");
+      if (!(Math.abs(ticksPerS) <= Encoder.MOST_TICKS_PER_S)) {
+        throw new UsageException(
+            "--encoder " + index + " is " + rate + ", must be -1000000 to 1000000 ticks a second");
+      }
+      belts.put(Integer.parseInt(index), ticksPerS);
+    }
+    return belts;
   }
 
   private static List<PreparedAnswer> answers(Arguments arguments) throws UsageException {

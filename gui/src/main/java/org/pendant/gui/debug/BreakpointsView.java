@@ -20,8 +20,8 @@ import javax.swing.ListSelectionModel;
 import javax.swing.table.TableCellEditor;
 import org.pendant.controller.debug.Breakpoint;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.gui.layout.WrappingRow;
 import org.pendant.gui.editor.WorkerThread;
+import org.pendant.gui.layout.WrappingRow;
 import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
 
@@ -41,7 +41,7 @@ public final class BreakpointsView implements View {
   private final ConditionCheck check;
   private final JTable table;
   private final JLabel refused = new JLabel();
-  private final JCheckBox onErrors = new JCheckBox("Stop before a program fails");
+  private final JCheckBox onErrors = new JCheckBox("Stop at errors");
   private final JButton remove = new JButton("Remove");
   private final DebugPanel list;
   private final JPanel panel = new JPanel(new BorderLayout());
@@ -140,7 +140,7 @@ public final class BreakpointsView implements View {
   private JComponent buttons() {
     onErrors.setName("break-on-errors");
     onErrors.setToolTipText("Holds a program that fails, so that its variables can be looked at");
-    onErrors.getAccessibleContext().setAccessibleName("Stop before a program fails");
+    onErrors.getAccessibleContext().setAccessibleName("Stop at errors, before the program ends");
     onErrors.addActionListener(event -> desk.setOnErrors(onErrors.isSelected()));
     remove.setName("breakpoint-remove");
     remove.setToolTipText("Removes the selected breakpoint (Del)");

@@ -39,7 +39,7 @@ public final class CallStackView implements View {
   private final JTable table = new JTable(rows);
   private final DebugPanel panel;
   private final JButton kill = new JButton("End thread");
-  private final JCheckBox onErrors = new JCheckBox("Stop before a program fails");
+  private final JCheckBox onErrors = new JCheckBox("Stop at errors");
   private final JButton hold;
   private final JButton resume;
   private final List<JButton> steps;
@@ -54,9 +54,9 @@ public final class CallStackView implements View {
     resume = button("Go on", "debug.continue", "Lets the program go on");
     steps =
         List.of(
-            button("Step over", "debug.step-over", "To the next statement of this function"),
-            button("Step into", "debug.step-into", "To the next statement, in any function"),
-            button("Step out", "debug.step-out", "To the next statement of the caller"));
+            button("Over", "debug.step-over", "Step over: to the next statement of this function"),
+            button("Into", "debug.step-into", "Step into: to the next statement, in any function"),
+            button("Out", "debug.step-out", "Step out: to the next statement of the caller"));
     setUpTable();
     JPanel content = new JPanel(new BorderLayout());
     content.add(buttons(), BorderLayout.NORTH);
@@ -91,6 +91,7 @@ public final class CallStackView implements View {
     row.add(resume);
     steps.forEach(row::add);
     kill.setName("thread-end");
+    kill.putClientProperty("JButton.buttonType", "toolBarButton");
     kill.setToolTipText("Ends the selected thread, and those that it started (Del)");
     kill.getAccessibleContext().setAccessibleName("End thread");
     kill.addActionListener(event -> killSelected());
@@ -108,7 +109,8 @@ public final class CallStackView implements View {
     button.setName(action.replace('.', '-'));
     String keys = KeyText.shown(workbench.actions().keysOf(action));
     button.setToolTipText(keys.isEmpty() ? tip : tip + " (" + keys + ")");
-    button.getAccessibleContext().setAccessibleName(title);
+    button.getAccessibleContext().setAccessibleName(tip);
+    button.putClientProperty("JButton.buttonType", "toolBarButton");
     button.addActionListener(event -> workbench.actions().run(action));
     return button;
   }

@@ -67,7 +67,7 @@ public final class DebugActions {
     add(
         actions,
         "break-on-errors",
-        "Stop before a program fails, or not",
+        "Stop at errors, or not",
         "",
         () -> true,
         () -> breakpoints.setOnErrors(!breakpoints.onErrors()));

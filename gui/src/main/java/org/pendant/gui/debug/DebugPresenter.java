@@ -6,15 +6,12 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.debug.StopReason;
-import org.pendant.controller.machine.Ending;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.machine.ThreadSnapshot;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.editor.Execution;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.workbench.Workbench;
-import org.pendant.language.source.ByteText;
 
 /**
  * Where the program is held, which call of it is looked at, and how it goes on. It has no Swing;
@@ -26,18 +23,16 @@ public final class DebugPresenter {
 
   private final Workbench workbench;
   private final Programs programs;
-  private final DebugLink link;
   private final BreakpointDesk breakpoints;
   private final Stepping steps;
   private final ThreadWatch running;
   private final StartedProgram started = new StartedProgram();
+  private final HeldProgram held = new HeldProgram(started);
   private final ValueTree variables;
   private final Watches watches;
   private final ValueTree watchTree;
   private final List<Runnable> listeners = new ArrayList<>();
-  private DebugState debug = DebugState.FREE;
   private ProgramState program = ProgramState.STOPPED;
-  private Optional<Scope> selected = Optional.empty();
   private long stopNumber;
   private long heldFrame;
   private boolean lingering;
@@ -53,7 +48,6 @@ public final class DebugPresenter {
   DebugPresenter(Workbench workbench, Programs programs, DebugLink link) {
     this.workbench = workbench;
     this.programs = programs;
-    this.link = link;
     breakpoints = new BreakpointDesk(link, programs, started, workbench::notify);
     steps = new Stepping(link, started::toRun, workbench::notify);
     running = new ThreadWatch(link, () -> System.nanoTime() / 1_000_000, this::tellListeners);
@@ -83,18 +77,18 @@ public final class DebugPresenter {
 
   /** Takes the newest snapshot; the same one again changes nothing. */
   public void refresh(ControllerState state) {
-    boolean same = state.debug().equals(debug) && state.program().state() == program;
+    boolean same = state.debug().equals(held.debug()) && state.program().state() == program;
     program = state.program().state();
     steps.refresh(state.debug(), program);
     if (state.debug().held()) {
       heldFrame = state.frame();
     }
     if (!same) {
-      DebugState before = debug;
-      debug = state.debug();
-      if (debug.held()) {
+      boolean before = held();
+      held.show(state.debug());
+      if (held()) {
         hold(before);
-      } else if (before.held()) {
+      } else if (before) {
         lingering = true;
       }
       tellListeners();
@@ -111,44 +105,32 @@ public final class DebugPresenter {
         || state.frame() - heldFrame > LINGER_FRAMES;
   }
 
-  private void hold(DebugState before) {
-    DebugState.Stop stop = debug.stop().orElseThrow();
+  private void hold(boolean before) {
+    DebugState.Stop stop = held.debug().stop().orElseThrow();
     lingering = false;
-    boolean fresh = stop.number() != stopNumber || !before.held();
+    boolean fresh = stop.number() != stopNumber || !before;
     if (fresh) {
       stopNumber = stop.number();
       variables.stopped();
       watchTree.stopped();
       breakpoints.reload();
     }
-    if (fresh || selected.filter(this::exists).isEmpty()) {
-      select(stop.thread(), depth(stop.thread()));
+    if (fresh || !held.selectionExists()) {
+      select(stop.thread(), held.depth(stop.thread()));
     }
   }
 
   private void letGo() {
     lingering = false;
-    selected = Optional.empty();
-    steps.follow(selected);
+    held.selectNothing();
+    steps.follow(held.selected());
     variables.clear(List.of());
     watchTree.clear(watches.idle());
   }
 
-  private boolean exists(Scope scope) {
-    return thread(scope.thread()).filter(each -> scope.depth() <= each.stack().size()).isPresent();
-  }
-
-  private Optional<ThreadSnapshot> thread(int id) {
-    return debug.threads().stream().filter(each -> each.id() == id).findFirst();
-  }
-
-  private int depth(int thread) {
-    return thread(thread).map(each -> each.stack().size()).orElse(Debugger.OUTERMOST);
-  }
-
   /** Whether a program is held. */
   public boolean held() {
-    return debug.held();
+    return held.held();
   }
 
   /** Whether there are values to show: also for a moment after a program went on. */
@@ -158,7 +140,7 @@ public final class DebugPresenter {
 
   /** Why the program is held; empty while it is not. */
   public String stopText() {
-    return debug.stop().map(stop -> StopText.of(stop, started::toNow)).orElse("");
+    return held.stopText();
   }
 
   /**
@@ -166,7 +148,7 @@ public final class DebugPresenter {
    * when {@link #lookAtThreads} was called last.
    */
   public List<ThreadSnapshot> threads() {
-    return held() ? debug.threads() : running.threads();
+    return held() ? held.threads() : running.threads();
   }
 
   /** Whether a program runs and is not held. */
@@ -186,37 +168,7 @@ public final class DebugPresenter {
 
   /** Where the program is in its text as that stands now. */
   public Execution execution(ControllerState state) {
-    Optional<DebugState.Stop> stop = debug.stop().filter(each -> state.debug().held());
-    if (stop.isEmpty()) {
-      return ended(state).orElseGet(() -> Execution.running(started.toNow(state.program().line())));
-    }
-    boolean failed = stop.get().reason() instanceof StopReason.Failed;
-    boolean there =
-        selected
-            .filter(scope -> scope.thread() == stop.get().thread())
-            .filter(scope -> scope.depth() == depth(scope.thread()))
-            .isPresent();
-    return new Execution(
-        executionLine(),
-        failed && there ? Execution.State.FAILED : Execution.State.HELD,
-        there ? StopText.atLine(stop.get()) : "");
-  }
-
-  /** A program that has failed shows where until its text is another. */
-  private Optional<Execution> ended(ControllerState state) {
-    return state
-        .program()
-        .ending()
-        .filter(ending -> started.unchanged())
-        .flatMap(
-            ending ->
-                ending instanceof Ending.Failed failed
-                    ? Optional.of(
-                        new Execution(
-                            failed.failure().line(),
-                            Execution.State.FAILED,
-                            ByteText.decoded(failed.failure().message())))
-                    : Optional.empty());
+    return held.execution(state);
   }
 
   /** Shows the line where the program is held, in whichever program that is. */
@@ -229,27 +181,20 @@ public final class DebugPresenter {
 
   /** The call that is looked at. */
   public Optional<Scope> selected() {
-    return selected;
+    return held.selected();
   }
 
   /** Looks at a call; {@code depth} is 1 for the outermost. */
   public void select(int thread, int depth) {
-    Optional<ThreadSnapshot> wanted = thread(thread);
-    if (wanted.isEmpty() || depth < 1 || depth > wanted.get().stack().size()) {
-      return;
-    }
-    ThreadSnapshot.Level level = level(wanted.get(), depth);
-    Scope scope = new Scope(thread, depth, level.function());
-    selected = Optional.of(scope);
-    steps.follow(selected);
-    variables.load(scope);
-    watchTree.load(scope);
-    showHeld();
-    tellListeners();
-  }
-
-  private static ThreadSnapshot.Level level(ThreadSnapshot thread, int depth) {
-    return thread.stack().get(thread.stack().size() - depth);
+    held.select(thread, depth)
+        .ifPresent(
+            scope -> {
+              steps.follow(held.selected());
+              variables.load(scope);
+              watchTree.load(scope);
+              showHeld();
+              tellListeners();
+            });
   }
 
   /**
@@ -257,12 +202,7 @@ public final class DebugPresenter {
    * held, and for lines of interpreter mode.
    */
   public int executionLine() {
-    return selected
-        .filter(scope -> held())
-        .flatMap(scope -> thread(scope.thread()).map(each -> level(each, scope.depth())))
-        .filter(level -> !level.source().equals("interpreter"))
-        .map(level -> started.toNow(level.line()))
-        .orElse(0);
+    return held.line();
   }
 
   /** How the program is held and goes on. */

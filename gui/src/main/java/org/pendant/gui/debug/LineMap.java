@@ -27,11 +27,17 @@ record LineMap(int before, int oldLines, int newLines, int behind) {
         && old.charAt(old.length() - 1 - end) == now.charAt(now.length() - 1 - end)) {
       end++;
     }
+    int behind = feeds(old, old.length() - end, old.length());
+    boolean whole = beginsLine(old, old.length() - end) && beginsLine(now, now.length() - end);
     return new LineMap(
         feeds(old, 0, start),
         oldLines,
         1 + feeds(now, 0, now.length()),
-        feeds(old, old.length() - end, old.length()));
+        whole ? behind + 1 : behind);
+  }
+
+  private static boolean beginsLine(String text, int offset) {
+    return offset == 0 || text.charAt(offset - 1) == '\n';
   }
 
   private static int feeds(String text, int from, int to) {

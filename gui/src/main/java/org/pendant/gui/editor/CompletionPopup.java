@@ -92,7 +92,7 @@ final class CompletionPopup {
   /** A character was typed: names and members are offered by themselves. */
   void typed(char c) {
     boolean word = Insertion.isWord(c) && !Character.isDigit(c);
-    if (!visible() && (word || c == '.')) {
+    if (!visible() && (word || c == '.') && !schedule.isLong()) {
       request(false);
     }
   }

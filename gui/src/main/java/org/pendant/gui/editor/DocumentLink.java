@@ -3,7 +3,9 @@ package org.pendant.gui.editor;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import javax.swing.text.BadLocationException;
+import org.pendant.gui.editor.text.Edit;
 import org.pendant.gui.editor.text.LineColours;
+import org.pendant.gui.editor.text.Span;
 import org.pendant.gui.session.ProgramDocument;
 
 /** Keeps a text component and the document of a program the same, whichever is changed. */
@@ -91,7 +93,8 @@ final class DocumentLink implements DocumentListener, ProgramDocument.Listener {
   public void textChanged(int offset, int removed, String added) {
     if (!passingOn) {
       passingOn = true;
-      area.replaceRange(added, offset, offset + removed);
+      Edit edit = Edit.difference(offset, area.text(new Span(offset, offset + removed)), added);
+      area.replaceRange(edit.text(), edit.span().start(), edit.span().end());
       passingOn = false;
     }
   }

@@ -15,6 +15,12 @@ import org.pendant.gui.workbench.Palette;
 /** Below the text: how many problems there are, where the caret is, how the file is written. */
 @SuppressWarnings("serial") // never written to a stream
 final class EditorStatus extends JPanel {
+  private static final String FORMAT_TIP = "How the file is written: characters and ends of lines";
+  private static final String LONG = ", long";
+  private static final String LONG_TIP =
+      "A text of more than a million characters is checked after a second without typing;"
+          + " completions come when they are asked for (Ctrl+Space), long texts are not folded";
+
   private final JButton problems = new JButton(" ");
   private final JLabel place = new JLabel(" ");
   private final JLabel format = new JLabel(" ");
@@ -35,7 +41,7 @@ final class EditorStatus extends JPanel {
     place.setName("editor-place");
     place.getAccessibleContext().setAccessibleName("Place of the caret");
     format.setName("editor-format");
-    format.setToolTipText("How the file is written: characters and ends of lines");
+    format.setToolTipText(FORMAT_TIP);
     add(problems);
     add(place, "wmin 0");
     add(format, "wmin 0");
@@ -54,9 +60,10 @@ final class EditorStatus extends JPanel {
 
   void show(ProgramEditor editor) {
     place.setText(place(editor.area()));
-    format.setText(format(editor.program()));
+    format.setText(format(editor.program()) + (editor.isLong() ? LONG : ""));
+    format.setToolTipText(editor.isLong() ? LONG_TIP : FORMAT_TIP);
     List<Problem> now = editor.analysed().map(AnalysedText::problems).orElse(counted);
-    if (now != counted || problems.getText().isBlank()) {
+    if (!now.equals(counted) || problems.getText().isBlank()) {
       counted = now;
       count(now);
     }

@@ -67,6 +67,9 @@ final class FindBar extends JPanel {
     words.getDocument().addDocumentListener(new Typed());
     List.of(matchCase, wholeWord, regex)
         .forEach(each -> each.addActionListener(event -> search(true)));
+    // These fields would take the window's key for deleting backwards.
+    key(words, "control H", () -> open(true));
+    key(replacement, "control H", () -> open(true));
     key(words, "ENTER", () -> step(true));
     key(words, "shift ENTER", () -> step(false));
     key(replacement, "ENTER", this::replace);

@@ -81,8 +81,7 @@ final class LayoutCommands {
     int last = first + lines.size() - 1;
     LineMoves.moved(area.getText(), lines, down)
         .ifPresent(
-            move ->
-                editor.moveLines(() -> make(move), line -> lineAfter(line, first, last, down)));
+            move -> editor.moveLines(() -> make(move), line -> lineAfter(line, first, last, down)));
   }
 
   private static int lineAfter(int line, int first, int last, boolean down) {
@@ -113,7 +112,8 @@ final class LayoutCommands {
     int column = area.getCaretPosition() - area.line(area.lineAt(area.getCaretPosition())).start();
     Edit edit = LineMoves.deleted(area.getText(), area.selectedLines());
     area.make(List.of(edit));
-    Span line = area.line(area.lineAt(Math.min(edit.span().start(), area.getDocument().getLength())));
+    Span line =
+        area.line(area.lineAt(Math.min(edit.span().start(), area.getDocument().getLength())));
     area.setCaretPosition(Math.min(line.start() + column, line.end()));
   }
 

@@ -67,8 +67,7 @@ final class Navigation {
   private static Stop stop(ProgramEditor editor) {
     ScriptArea area = editor.area();
     try {
-      return new Stop(
-          editor.program(), area.getDocument().createPosition(area.getCaretPosition()));
+      return new Stop(editor.program(), area.getDocument().createPosition(area.getCaretPosition()));
     } catch (BadLocationException e) {
       throw new IllegalStateException("the caret is in the text", e);
     }

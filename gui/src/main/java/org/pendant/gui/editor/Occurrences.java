@@ -73,7 +73,8 @@ final class Occurrences {
 
   /** A name that occurs once needs no mark. */
   private void mark(List<Span> found) {
-    List<Span> wanted = found.size() < 2 ? List.of() : found.subList(0, Math.min(MOST, found.size()));
+    List<Span> wanted =
+        found.size() < 2 ? List.of() : found.subList(0, Math.min(MOST, found.size()));
     if (wanted.equals(marked)) {
       return;
     }

@@ -36,7 +36,7 @@ public final class OutlineView implements View {
   private final JPanel content = new JPanel(new BorderLayout());
   private List<OutlineItem> shown = List.of();
 
-  /** The list that was compared last: comparing costs more than moving the caret. */
+  /** The very list that was looked at last; comparing it with itself costs nothing. */
   private List<OutlineItem> seen = List.of();
 
   /** The outline of what {@code editor} has in front. */
@@ -91,7 +91,7 @@ public final class OutlineView implements View {
         .analysed()
         .ifPresent(
             analysed -> {
-              if (analysed.outline() != seen && !analysed.outline().equals(shown)) {
+              if (!analysed.outline().equals(seen) && !analysed.outline().equals(shown)) {
                 boolean same = sameShape(shown, analysed.outline());
                 shown = analysed.outline();
                 if (same) {

@@ -112,7 +112,7 @@ public final class ProblemsView implements View {
 
   private void follow() {
     List<Problem> problems = editor.current().analysed().map(AnalysedText::problems).orElse(shown);
-    if ((problems == shown || problems.equals(shown)) && !summary.getText().isBlank()) {
+    if (problems.equals(shown) && !summary.getText().isBlank()) {
       return;
     }
     shown = problems;

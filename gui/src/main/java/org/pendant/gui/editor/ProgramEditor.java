@@ -64,7 +64,8 @@ final class ProgramEditor extends JPanel {
             catalogue,
             program.name(),
             program::text,
-            this::show);
+            this::show,
+            System::nanoTime);
     area = new ScriptArea(colours, schedule::current, takenKeys);
     scroll = new RTextScrollPane(area, true);
     scroll.setFoldIndicatorEnabled(true);
@@ -75,9 +76,7 @@ final class ProgramEditor extends JPanel {
     fixes = new FixMenu(area, schedule, background, marks, desk);
     signature = new SignaturePopup(area, schedule);
     completions = new CompletionPopup(area, schedule, background, signature::request);
-    names =
-        new NameCommands(
-            area, program, schedule, background, desk, () -> desk.leaving(this));
+    names = new NameCommands(area, program, schedule, background, desk, () -> desk.leaving(this));
     layout = new LayoutCommands(this, schedule, background, link, desk);
     occurrences = new Occurrences(area, schedule, background);
     area.setTips(this::tip);
@@ -143,6 +142,11 @@ final class ProgramEditor extends JPanel {
   /** Hands over what is known as soon as it is. */
   void whenAnalysed(Consumer<AnalysedText> receiver) {
     schedule.whenCurrent(receiver);
+  }
+
+  /** Whether the text is checked only after longer pauses. */
+  boolean isLong() {
+    return schedule.isLong();
   }
 
   /** Selects a place, to come back from it later. */

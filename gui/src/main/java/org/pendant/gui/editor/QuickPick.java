@@ -190,7 +190,8 @@ final class QuickPick {
 
   /** Title and detail in one row. */
   private static final class Cell implements ListCellRenderer<Item> {
-    private final JPanel row = new JPanel(new MigLayout("insets 3 8 3 8, fillx", "[][grow, right]"));
+    private final JPanel row =
+        new JPanel(new MigLayout("insets 3 8 3 8, fillx", "[][grow, right]"));
     private final JLabel title = new JLabel();
     private final JLabel detail = new JLabel();
 

@@ -4,11 +4,9 @@ import java.awt.Graphics;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
-import java.util.AbstractList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -16,19 +14,14 @@ import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
-import javax.swing.AbstractAction;
-import javax.swing.Action;
 import javax.swing.KeyStroke;
 import javax.swing.text.BadLocationException;
-import javax.swing.text.DefaultEditorKit;
 import javax.swing.text.Element;
 import org.fife.ui.rsyntaxtextarea.RSyntaxDocument;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.folding.FoldParserManager;
 import org.pendant.gui.editor.text.AnalysedText;
 import org.pendant.gui.editor.text.AutoIndent;
-import org.pendant.gui.editor.text.BlockEnd;
-import org.pendant.gui.editor.text.BracketPairs;
 import org.pendant.gui.editor.text.Edit;
 import org.pendant.gui.editor.text.LineColours;
 import org.pendant.gui.editor.text.Lines;
@@ -50,6 +43,7 @@ final class ScriptArea extends RSyntaxTextArea {
   private Function<Integer, Optional<String>> tips = offset -> Optional.empty();
   private IntConsumer typed = c -> {};
   private ExecutionBand band;
+  private ScriptTyping typing;
   private int zoom;
 
   /**
@@ -89,11 +83,7 @@ final class ScriptArea extends RSyntaxTextArea {
     setPopupMenu(null);
     setName("script-text");
     getAccessibleContext().setAccessibleName("Script");
-    getActionMap().put(DefaultEditorKit.insertBreakAction, new NewLine());
-    getActionMap()
-        .put(
-            DefaultEditorKit.deletePrevCharAction,
-            new DeleteBack(getActionMap().get(DefaultEditorKit.deletePrevCharAction)));
+    typing = new ScriptTyping(this);
     // The window has these keys for its tabs; alt and a number leaves the text.
     setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, Set.of());
     setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, Set.of());
@@ -139,6 +129,13 @@ final class ScriptArea extends RSyntaxTextArea {
 
   void setZoom(int wanted) {
     zoom = Math.clamp(wanted, SMALLEST_ZOOM, LARGEST_ZOOM);
+  }
+
+  /** Takes the marks of a search away, also along the text, which the component forgets. */
+  @Override
+  public void clearMarkAllHighlights() {
+    super.clearMarkAllHighlights();
+    firePropertyChange(MARK_ALL_OCCURRENCES_CHANGED_PROPERTY, 0, 1);
   }
 
   /** Makes all of {@code edits} as one step of undo; the caret stays at its text. */
@@ -240,73 +237,22 @@ final class ScriptArea extends RSyntaxTextArea {
 
   @Override
   public void replaceSelection(String text) {
-    if (text == null || text.length() != 1 || band == null) {
+    if (text == null || text.length() != 1 || typing == null) {
       super.replaceSelection(text);
       return;
     }
-    write(text.charAt(0));
-    alignClosingWord();
+    typing.write(text.charAt(0));
     typed.accept(text.charAt(0));
   }
 
-  /** Writes a character, and the other half of a pair. */
-  private void write(char c) {
-    String own = String.valueOf(c);
-    int start = getSelectionStart();
-    int end = getSelectionEnd();
-    String selected = text(new Span(start, end));
-    if (start < end) {
-      boolean around = BracketPairs.surrounds(c) && selected.indexOf('\n') < 0;
-      super.replaceSelection(around ? own + selected + BracketPairs.closing(c) : own);
-      if (around) {
-        setCaretPosition(start + 1);
-        moveCaretPosition(end + 1);
-      }
-      return;
-    }
-    Span line = line(lineAt(start));
-    switch (BracketPairs.typed(text(line), start - line.start(), c)) {
-      case INSERT -> super.replaceSelection(own);
-      case STEP_OVER -> setCaretPosition(start + 1);
-      case INSERT_PAIR -> {
-        super.replaceSelection(own + BracketPairs.closing(c));
-        setCaretPosition(start + 1);
-      }
-    }
+  /** Tells of a key that wrote, or of a new line. */
+  void tellTyped(char c) {
+    typed.accept(c);
   }
 
-
-  /** A line that has just become {@code end} goes back to where its block began. */
-  private void alignClosingWord() {
-    int caret = getCaretPosition();
-    Span line = line(lineAt(caret));
-    String content = text(line);
-    if (caret != line.end() || content.isBlank() || !Character.isWhitespace(content.charAt(0))) {
-      return;
-    }
-    String code = content.strip();
-    if (!code.equals("end") && !code.equals("else:") && !code.equals("elif")) {
-      return;
-    }
-    String wanted = AutoIndent.of(content, linesAbove(lineAt(caret))) + code;
-    if (!wanted.equals(content)) {
-      replaceRange(wanted, line.start(), line.end());
-    }
-  }
-
-  /** The lines over a line; each is read when it is asked for. */
-  private List<String> linesAbove(int line) {
-    return new AbstractList<>() {
-      @Override
-      public String get(int index) {
-        return text(line(index + 1));
-      }
-
-      @Override
-      public int size() {
-        return line - 1;
-      }
-    };
+  /** Puts text in place of the selection just as it is. */
+  void insertPlain(String text) {
+    super.replaceSelection(text);
   }
 
   String text(Span span) {
@@ -314,53 +260,6 @@ final class ScriptArea extends RSyntaxTextArea {
       return getText(span.start(), span.end() - span.start());
     } catch (BadLocationException e) {
       throw new IllegalArgumentException(span + " is not in the text", e);
-    }
-  }
-
-  /** Begins a line, indented; a block that has been begun gets its end. */
-  private final class NewLine extends AbstractAction {
-    @Override
-    public void actionPerformed(ActionEvent event) {
-      int start = getSelectionStart();
-      Span line = line(lineAt(start));
-      String before = text(new Span(line.start(), start));
-      String behind = text(new Span(getSelectionEnd(), line(lineAt(getSelectionEnd())).end()));
-      String deeper = "\n" + AutoIndent.behind(before);
-      boolean endless =
-          before.stripTrailing().endsWith(":")
-              && behind.isBlank()
-              && BlockEnd.missing(
-                  index -> text(line(index + 1)), getLineCount(), lineAt(start) - 1);
-      if (endless) {
-        ScriptArea.super.replaceSelection(deeper + "\n" + AutoIndent.blanks(before) + "end");
-        setCaretPosition(start + deeper.length());
-      } else {
-        ScriptArea.super.replaceSelection(deeper);
-      }
-      typed.accept('\n');
-    }
-  }
-
-  /** Deletes a character, or an empty pair of brackets. */
-  private final class DeleteBack extends AbstractAction {
-    private final Action usual;
-
-    DeleteBack(Action usual) {
-      this.usual = usual;
-    }
-
-    @Override
-    public void actionPerformed(ActionEvent event) {
-      int caret = getCaretPosition();
-      Span line = line(lineAt(caret));
-      boolean pair =
-          getSelectionStart() == getSelectionEnd()
-              && BracketPairs.isEmptyPair(text(line), caret - line.start());
-      if (pair) {
-        replaceRange("", caret - 1, caret + 1);
-      } else {
-        usual.actionPerformed(event);
-      }
     }
   }
 }

@@ -131,9 +131,7 @@ public final class ScriptEditor implements View {
 
   /** The lines of a program that have a breakpoint. */
   public SortedSet<Integer> breakpoints(ProgramDocument program) {
-    return editor(program)
-        .map(ProgramEditor::breakpoints)
-        .orElseGet(Collections::emptySortedSet);
+    return editor(program).map(ProgramEditor::breakpoints).orElseGet(Collections::emptySortedSet);
   }
 
   /** Sets or clears a breakpoint, on the next line where the program can stop. */

@@ -17,7 +17,9 @@ import org.pendant.language.service.FoldingRange;
 
 /** Tells the text component what can be folded: what the last analysis found. */
 final class ScriptFolds implements FoldParser {
-  /** The component looks through all folds for every line that it paints: a longer text has none. */
+  /**
+   * The component looks through all folds for every line that it paints: a longer text has none.
+   */
   private static final int MOST_LINES = 30_000;
 
   @Override

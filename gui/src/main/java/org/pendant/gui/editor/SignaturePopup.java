@@ -49,7 +49,7 @@ final class SignaturePopup {
   }
 
   void typed(char c) {
-    if (c == '(' || c == ',') {
+    if ((c == '(' || c == ',') && !schedule.isLong()) {
       request();
     }
   }

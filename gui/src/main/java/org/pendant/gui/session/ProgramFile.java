@@ -90,8 +90,7 @@ public record ProgramFile(Path path, String text, Charset charset, boolean carri
    * characters.
    */
   public ProgramFile copyTo(Path other, String otherText) {
-    Charset fitting =
-        charset.newEncoder().canEncode(otherText) ? charset : StandardCharsets.UTF_8;
+    Charset fitting = charset.newEncoder().canEncode(otherText) ? charset : StandardCharsets.UTF_8;
     return new ProgramFile(other, otherText, fitting, carriageReturns);
   }
 

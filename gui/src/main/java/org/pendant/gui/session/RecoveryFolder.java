@@ -89,8 +89,7 @@ public final class RecoveryFolder {
    * @param number of the program in this process; two may have the same name
    * @param file where it is to be saved; empty if it has no file yet
    */
-  public void keep(int number, Optional<Path> file, String name, String text)
-      throws IOException {
+  public void keep(int number, Optional<Path> file, String name, String text) throws IOException {
     String whole =
         String.join(
             "\n",

@@ -10,6 +10,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
 import org.pendant.controller.Reply;
 import org.pendant.controller.WallClock.Lateness;
+import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.machine.Loaded;
 import org.pendant.controller.machine.Program;
 import org.pendant.controller.state.ControllerState;
@@ -70,6 +71,7 @@ public final class Session implements AutoCloseable {
    * Starts a program from its beginning; a secondary one runs to its end beside the present one.
    */
   public CompletableFuture<Reply> run(Program program) {
+    var _ = submit(new Command.SetProgramsFolder(ProgramsFolder.of(program.source().name())));
     return submit(
         program.secondary()
             ? new Command.RunSecondary(program)

@@ -21,8 +21,6 @@ import org.pendant.gui.shell.bar.Rail;
 import org.pendant.gui.shell.bar.StatusLine;
 import org.pendant.gui.shell.dock.DockFrame;
 import org.pendant.gui.shell.dock.DockPlan;
-import org.pendant.gui.shell.find.CommandPalette;
-import org.pendant.gui.shell.find.KeyEditor;
 import org.pendant.gui.shell.look.Look;
 import org.pendant.gui.shell.prompt.PromptPanel;
 import org.pendant.gui.workbench.Action;
@@ -35,8 +33,10 @@ final class DesktopWindow {
   private static final int REFRESH_MS = 33;
   private static final int KEEP_MS = 2_000;
 
+  /** How many warnings are shown at a time; they take room from the views. */
+  private static final int WARNINGS = 3;
+
   private final Session session;
-  private final Settings settings;
   private final Look look;
   private final Programs programs;
   private final ActionTable actions;
@@ -48,13 +48,12 @@ final class DesktopWindow {
   private final Keeper keeper;
   private final DiskWatch disk;
   private final Leaving leaving;
-  private final KeyBindings keys;
   private final PromptPanel prompts;
   private final StopNotice stopNotice;
   private final WindowFrame window;
   private final Typing typing = new Typing();
   private final Notices notices = new Notices();
-  private final StatusLine status = new StatusLine(text -> notices.tell("whole-notice", text));
+  private final StatusLine status = new StatusLine(text -> notices.tell(Notices.WHOLE, text));
   private final Header header;
   private final RobotChange robot;
   private final Footer footer;
@@ -78,7 +77,6 @@ final class DesktopWindow {
       Runnable closed) {
     assert EventQueue.isDispatchThread();
     this.session = session;
-    this.settings = settings;
     this.look = look;
     this.programs = programs;
     this.closed = closed;
@@ -112,7 +110,7 @@ final class DesktopWindow {
     footer = new Footer(session, actions, runner::send);
     prompts = new PromptPanel(docks.component(), actions, runner::send);
     stopNotice = new StopNotice(notices, () -> views.showing("run"), () -> docks.show("run"));
-    keys = new KeyBindings(window.frame().getRootPane(), actions);
+    KeyBindings.bind(window.frame().getRootPane(), actions);
     build();
     follow();
   }
@@ -123,36 +121,14 @@ final class DesktopWindow {
         Action.of(
             "file.recent", "Open a recent program\u2026", "control alt O", header::openPrograms));
     actions.add(Action.of("file.quit", "Quit", "control Q", leaving::ask));
-    actions.add(
-        Action.of("robot.restart", "Switch the controller off and on", "", robot::restart));
-    actions.add(
-        Action.of("robot.choose", "Choose another robot\u2026", "", header::openRobots));
+    actions.add(Action.of("robot.restart", "Switch the controller off and on", "", robot::restart));
+    actions.add(Action.of("robot.choose", "Choose another robot\u2026", "", header::openRobots));
     programActions.addSpeed();
     WindowActions windowActions = new WindowActions(actions);
     windowActions.addViews(docks, List.copyOf(views.screens().keySet()));
     windowActions.addDocks(docks);
     windowActions.addLook(look);
-    CommandPalette palette = new CommandPalette(actions, docks.component());
-    KeyEditor keyEditor = new KeyEditor(actions, docks.component());
-    actions.add(
-        Action.of("help.palette", "Find an action\u2026", "control shift P", palette::open));
-    actions.add(Action.of("help.keys", "Change keys\u2026", "", keyEditor::open));
-    actions.add(
-        new Action(
-            "help.question",
-            "Answer the question at the top",
-            "control alt UP",
-            notices::any,
-            notices::focus),
-        () -> "There is no question");
-    actions.add(
-        new Action(
-            "help.notice",
-            "Show the last notice as a whole",
-            "",
-            () -> !status.text().isEmpty(),
-            () -> notices.tell("whole-notice", status.text())),
-        () -> "There was no notice");
+    windowActions.addHelp(docks.component(), notices, status::text);
   }
 
   private void build() {
@@ -239,15 +215,16 @@ final class DesktopWindow {
     status.tell(text);
   }
 
-  /** Tells something that must not be overlooked. */
+  /** Tells something that must not be overlooked; a few of these are enough at a time. */
   void warn(String text) {
+    views.told(text);
     warnings++;
     notices.tell("warning-" + warnings, text);
+    notices.close("warning-" + (warnings - WARNINGS));
   }
 
   private void refresh() {
     ControllerState state = session.state();
-    keys.refresh();
     header.refresh(state);
     footer.refresh(state);
     status.refresh(session.lateness(), state.debug().held());

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.gui.session.DiskChange;
@@ -18,7 +17,7 @@ final class DiskWatch {
   private final Programs programs;
   private final Notices notices;
   private final Consumer<String> tell;
-  private final Map<ProgramDocument, DiskChange> watched = new IdentityHashMap<>();
+  private final IdentityHashMap<ProgramDocument, DiskChange> watched = new IdentityHashMap<>();
   private boolean busy;
 
   /** A program and its file, as they were when the look began. */

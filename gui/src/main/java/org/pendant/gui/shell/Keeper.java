@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.gui.session.FileTrouble;
@@ -22,7 +21,7 @@ final class Keeper {
   private final RecoveryFolder recovery;
   private final Notices notices;
   private final Consumer<String> tell;
-  private final Map<ProgramDocument, Kept> kept = new IdentityHashMap<>();
+  private final IdentityHashMap<ProgramDocument, Kept> kept = new IdentityHashMap<>();
   private boolean busy;
   private boolean troubleTold;
   private int programsKept;
@@ -178,8 +177,7 @@ final class Keeper {
           kept.replaceAll((document, before) -> new Kept(before.number(), before.file(), ""));
           if (!troubleTold) {
             troubleTold = true;
-            tell.accept(
-                "Unsaved texts cannot be kept against a crash: " + failed.getMessage());
+            tell.accept("Unsaved texts cannot be kept against a crash: " + failed.getMessage());
           }
           then.run();
         });

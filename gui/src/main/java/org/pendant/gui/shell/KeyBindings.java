@@ -1,5 +1,6 @@
 package org.pendant.gui.shell;
 
+import java.awt.EventQueue;
 import java.awt.event.ActionEvent;
 import javax.swing.AbstractAction;
 import javax.swing.ActionMap;
@@ -16,17 +17,23 @@ final class KeyBindings {
   private final ActionTable actions;
   private boolean stale;
 
-  KeyBindings(JRootPane root, ActionTable actions) {
+  private KeyBindings(JRootPane root, ActionTable actions) {
     this.root = root;
     this.actions = actions;
-    actions.addListener(() -> stale = true);
-    bind();
   }
 
-  /** Binds what has changed since the last call. */
-  void refresh() {
-    if (stale) {
-      bind();
+  /** Binds the keys of {@code actions} in a window from now on. */
+  static void bind(JRootPane root, ActionTable actions) {
+    KeyBindings bindings = new KeyBindings(root, actions);
+    actions.addListener(bindings::bindSoon);
+    bindings.bind();
+  }
+
+  /** Once for all the changes that come together. */
+  private void bindSoon() {
+    if (!stale) {
+      stale = true;
+      EventQueue.invokeLater(this::bind);
     }
   }
 

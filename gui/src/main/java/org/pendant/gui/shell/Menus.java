@@ -1,8 +1,11 @@
 package org.pendant.gui.shell;
 
 import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
@@ -19,22 +22,49 @@ import org.pendant.gui.workbench.ActionTable;
 
 /** The menu bar, made from the actions: the begin of an action's id says in which menu it is. */
 final class Menus {
-  /** The menus; the last one takes the actions that no other takes. */
+  /** What goes where; the last menu takes the actions that no other takes. */
   private static final List<Group> GROUPS =
       List.of(
-          new Group("File", List.of("file")),
-          new Group("Edit", List.of("edit", "editor", "script")),
-          new Group("View", List.of("view", "dock", "look")),
-          new Group("Program", List.of("program", "debug")),
-          new Group("Robot", List.of("robot", "speed", "clock", "move", "scene")),
-          new Group("Tools", List.of()));
+          new Group("File", List.of("file"), List.of("editor.close")),
+          new Group(
+              "Edit", List.of("edit", "editor", "script"), List.of("editor.fold", "editor.unfold")),
+          new Group(
+              "Go",
+              List.of("editor.find", "editor.replace"),
+              List.of("editor.definition", "editor.references", "editor.line"),
+              List.of("editor.back", "editor.forward", "editor.next", "editor.previous"),
+              List.of("editor.open", "editor.symbol", "editor.reopen")),
+          new Group(
+              "View",
+              List.of("view"),
+              List.of("dock"),
+              List.of("look"),
+              List.of("editor.larger", "editor.smaller", "editor.usual-size")),
+          new Group("Program", List.of("program"), List.of("debug", "editor.breakpoint")),
+          new Group(
+              "Robot",
+              List.of("robot"),
+              List.of("speed"),
+              List.of("clock"),
+              List.of("move"),
+              List.of("scene")),
+          new Group("Tools", List.of("")));
+
+  /** Too many for a list: each view has a menu of its own in {@code View}. */
+  private static final String ARRANGE = "arrange.";
 
   /**
    * A menu.
    *
-   * @param prefixes of the ids of its actions
+   * @param sections of it: how the ids of their actions begin
    */
-  private record Group(String title, List<String> prefixes) {}
+  private record Group(String title, List<List<String>> sections) {
+    @SafeVarargs
+    @SuppressWarnings("varargs") // only read
+    Group(String title, List<String>... sections) {
+      this(title, List.of(sections));
+    }
+  }
 
   private final ActionTable actions;
   private final JMenuBar bar = new JMenuBar();
@@ -55,7 +85,7 @@ final class Menus {
       JMenu menu = new JMenu(group.title());
       menu.setName("menu-" + group.title().toLowerCase(Locale.ROOT));
       menu.setMnemonic(group.title().charAt(0));
-      menu.addMenuListener(new Opening(() -> fill(menu, group.prefixes())));
+      menu.addMenuListener(new Opening(() -> fill(menu, group)));
       bar.add(menu);
     }
   }
@@ -70,34 +100,68 @@ final class Menus {
     }
   }
 
-  private static String group(Action action) {
-    int dot = action.id().indexOf('.');
-    return dot < 0 ? action.id() : action.id().substring(0, dot);
+  /** How many characters of the id a begin explains, whole words only; -1 if it is another one. */
+  private static int fit(String id, String begin) {
+    boolean fits =
+        begin.isEmpty()
+            || id.equals(begin)
+            || id.startsWith(begin + ".")
+            || id.startsWith(begin + "-");
+    return fits ? begin.length() : -1;
   }
 
-  private static boolean known(String group) {
-    return GROUPS.stream().anyMatch(each -> each.prefixes().contains(group));
+  private static int fit(String id, List<String> section) {
+    return section.stream().mapToInt(begin -> fit(id, begin)).max().orElse(-1);
   }
 
-  private void fill(JMenu menu, List<String> groups) {
+  /** The section that explains the most of the id. */
+  private static List<String> sectionOf(String id) {
+    return GROUPS.stream()
+        .flatMap(group -> group.sections().stream())
+        .max(Comparator.comparingInt(section -> fit(id, section)))
+        .orElseThrow();
+  }
+
+  private void fill(JMenu menu, Group group) {
     menu.removeAll();
-    String before = "";
-    for (String wanted : groups.isEmpty() ? others() : groups) {
-      List<Action> members =
-          actions.all().stream().filter(each -> group(each).equals(wanted)).toList();
-      if (!before.isEmpty() && !members.isEmpty()) {
+    for (List<String> section : group.sections()) {
+      List<String> ids =
+          actions.all().stream()
+              .map(Action::id)
+              .filter(id -> !id.startsWith(ARRANGE) && sectionOf(id).equals(section))
+              .toList();
+      if (menu.getItemCount() > 0 && !ids.isEmpty()) {
         menu.addSeparator();
       }
-      members.forEach(each -> menu.add(ActionItem.of(actions, each.id())));
-      before = members.isEmpty() ? before : wanted;
+      ids.forEach(id -> menu.add(ActionItem.of(actions, id)));
     }
-    if (groups.contains("file")) {
+    if (group.title().equals("File")) {
       addRecent(menu);
+    }
+    if (group.title().equals("View")) {
+      menu.addSeparator();
+      menu.add(arrange());
     }
   }
 
-  private List<String> others() {
-    return actions.all().stream().map(Menus::group).filter(g -> !known(g)).distinct().toList();
+  /** Where each view may go. */
+  private JMenu arrange() {
+    JMenu all = new JMenu("Move");
+    all.setName("menu-arrange");
+    Map<String, JMenu> views = new LinkedHashMap<>();
+    for (Action each : actions.all()) {
+      if (each.id().startsWith(ARRANGE)) {
+        String view = each.id().substring(ARRANGE.length(), each.id().lastIndexOf('-'));
+        views.computeIfAbsent(view, this::arrange).add(ActionItem.of(actions, each.id()));
+      }
+    }
+    views.values().forEach(all::add);
+    return all;
+  }
+
+  private JMenu arrange(String view) {
+    String show = actions.find("view." + view).map(Action::title).orElse(view);
+    return new JMenu(show.replaceFirst("^Show ", ""));
   }
 
   private void addRecent(JMenu menu) {

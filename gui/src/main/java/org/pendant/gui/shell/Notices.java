@@ -1,6 +1,9 @@
 package org.pendant.gui.shell;
 
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.BorderLayout;
 import java.awt.Component;
+import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
 import java.awt.event.ComponentAdapter;
@@ -11,13 +14,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import javax.swing.AbstractAction;
+import javax.swing.BorderFactory;
+import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
-import net.miginfocom.swing.MigLayout;
 import org.pendant.gui.layout.WrappingRow;
 import org.pendant.gui.shell.look.Card;
 import org.pendant.gui.shell.look.Glyph;
@@ -28,6 +32,9 @@ import org.pendant.gui.workbench.Palette;
 /** Questions above the views that can wait: the window is used meanwhile. */
 @SuppressWarnings("serial") // never written to a stream
 final class Notices extends JPanel {
+  /** Name of the notice that shows what is cut off elsewhere. */
+  static final String WHOLE = "whole-notice";
+
   private final Map<String, Notice> open = new LinkedHashMap<>();
   private Component focusBefore;
 
@@ -49,8 +56,22 @@ final class Notices extends JPanel {
   }
 
   Notices() {
-    super(new MigLayout("insets 0, gap 0, wrap 1, hidemode 3", "[grow, fill, 0::]", ""));
+    super(null);
+    setLayout(new BoxLayout(this, BoxLayout.Y_AXIS));
     setName("notices");
+    addComponentListener(
+        new ComponentAdapter() {
+          @Override
+          public void componentResized(ComponentEvent event) {
+            // Texts break their lines elsewhere in another width.
+            revalidate();
+          }
+        });
+  }
+
+  /** Space around each question. */
+  private static int margin() {
+    return UIScale.scale(8);
   }
 
   /** Tells something that must not pass unseen. */
@@ -67,7 +88,11 @@ final class Notices extends JPanel {
     close(name);
     Notice notice = new Notice(name, text, choices);
     open.put(name, notice);
-    add(notice, "gap 8 8 4 4, wmin 0");
+    JPanel framed = new JPanel(new BorderLayout());
+    framed.setBorder(
+        BorderFactory.createEmptyBorder(margin() / 2, margin(), margin() / 2, margin()));
+    framed.add(notice);
+    add(framed);
     revalidate();
   }
 
@@ -78,7 +103,7 @@ final class Notices extends JPanel {
       if (focusBefore != null && focusBefore.isShowing() && within(notice)) {
         focusBefore.requestFocusInWindow();
       }
-      remove(notice);
+      remove(notice.getParent());
       revalidate();
       repaint();
     }
@@ -104,18 +129,14 @@ final class Notices extends JPanel {
     }
   }
 
-  /** One question: its choices beside the text, or below it where there is no room. */
+  /** One question. */
   private final class Notice extends Card {
-    private final WrappedText text;
-    private final JPanel buttons = new JPanel(new MigLayout("insets 0, gap 4"));
-    private final transient MigLayout layout;
-    private boolean beside = true;
+    private final JPanel buttons = new JPanel(new WrappingRow(NoticeLayout.WITHIN_ROW));
 
     Notice(String name, String words, List<Choice> choices) {
-      super(new MigLayout("insets 8 16 8 8, gap 8 0", "[][grow, fill, 0::][]", "[center][]"));
-      layout = (MigLayout) getLayout();
+      super(null);
       setName(name);
-      text = new WrappedText(words, "Question");
+      WrappedText text = new WrappedText(words, "Question");
       text.setName(name + "-text");
       buttons.setOpaque(false);
       for (Choice each : choices) {
@@ -124,45 +145,18 @@ final class Notices extends JPanel {
           onEscape(name, each);
         }
       }
-      add(new JLabel(GlyphIcon.of(Glyph.WARNING, 18, Palette::warning)), "cell 0 0");
-      add(text, "cell 1 0, growx, wmin 0");
-      add(buttons, place());
-      addComponentListener(
-          new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent event) {
-              arrange();
-            }
-          });
-    }
-
-    private String place() {
-      return beside ? "cell 2 0, wmin pref" : "cell 1 1, span 2, growx, wmin 0";
-    }
-
-    private void arrange() {
-      int words = getFontMetrics(text.getFont()).stringWidth(text.getText());
-      int least = Math.min(words, getWidth() / 3);
-      boolean fits = least + width(buttons) < getWidth() * 4 / 5;
-      if (fits != beside) {
-        beside = fits;
-        buttons.setLayout(fits ? new MigLayout("insets 0, gap 4") : new WrappingRow(4));
-        layout.setComponentConstraints(buttons, place());
-      }
-      revalidate();
-    }
-
-    private static int width(JPanel row) {
-      int width = 0;
-      for (Component each : row.getComponents()) {
-        width += each.getPreferredSize().width;
-      }
-      return width;
+      JLabel icon = new JLabel(GlyphIcon.of(Glyph.WARNING, 18, Palette::warning));
+      add(icon);
+      add(text);
+      add(buttons);
+      setLayout(
+          new NoticeLayout(icon, text, buttons, () -> Notices.this.getWidth() - 2 * margin()));
     }
 
     private void choose(String name, Choice choice) {
       close(name);
-      choice.run().run();
+      // The focus has gone back by then: what the choice opens takes it from there.
+      EventQueue.invokeLater(choice.run());
     }
 
     private JButton button(String name, String question, Choice choice) {

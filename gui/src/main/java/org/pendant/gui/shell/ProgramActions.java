@@ -121,8 +121,7 @@ final class ProgramActions {
   void addSpeed() {
     addSpeed("faster", "Programs 10 % faster", "control alt PAGE_UP", 10);
     addSpeed("slower", "Programs 10 % slower", "control alt PAGE_DOWN", -10);
-    actions.add(
-        Action.of("speed.full", "Programs at full speed", "", () -> sendSpeed(100)));
+    actions.add(Action.of("speed.full", "Programs at full speed", "", () -> sendSpeed(100)));
   }
 
   private void addSpeed(String id, String title, String keys, int percent) {

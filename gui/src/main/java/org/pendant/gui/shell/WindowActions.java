@@ -1,15 +1,19 @@
 package org.pendant.gui.shell;
 
 import java.util.List;
+import java.util.function.Supplier;
+import javax.swing.JComponent;
 import org.pendant.gui.shell.dock.DockFrame;
 import org.pendant.gui.shell.dock.Side;
+import org.pendant.gui.shell.find.CommandPalette;
+import org.pendant.gui.shell.find.KeyEditor;
 import org.pendant.gui.shell.look.Look;
 import org.pendant.gui.shell.look.Theme;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
 import org.pendant.gui.workbench.View;
 
-/** The actions for views, docks and the look. */
+/** The actions for views, docks, the look, and finding actions. */
 final class WindowActions {
   private final ActionTable actions;
 
@@ -82,5 +86,35 @@ final class WindowActions {
             "Everything in normal size",
             "control alt 0",
             () -> look.setZoomPercent(100)));
+  }
+
+  /**
+   * Finding actions, changing their keys, and what the window has told.
+   *
+   * @param under what panels may cover
+   * @param lastNotice the last thing that was told; empty if nothing was
+   */
+  void addHelp(JComponent under, Notices notices, Supplier<String> lastNotice) {
+    CommandPalette palette = new CommandPalette(actions, under);
+    KeyEditor keyEditor = new KeyEditor(actions, under);
+    actions.add(
+        Action.of("help.palette", "Find an action\u2026", "control shift P", palette::open));
+    actions.add(Action.of("help.keys", "Change keys\u2026", "", keyEditor::open));
+    actions.add(
+        new Action(
+            "help.question",
+            "Answer the question at the top",
+            "control alt UP",
+            notices::any,
+            notices::focus),
+        () -> "There is no question");
+    actions.add(
+        new Action(
+            "help.notice",
+            "Show the last notice as a whole",
+            "",
+            () -> !lastNotice.get().isEmpty(),
+            () -> notices.tell(Notices.WHOLE, lastNotice.get())),
+        () -> "There was no notice");
   }
 }

@@ -11,8 +11,9 @@ import java.util.function.Supplier;
 import javax.swing.KeyStroke;
 
 /**
- * The actions of one window. On macOS they are done with Cmd where they come with control. Keys that people have chosen are settings named {@code key.} and the
- * action's id; {@code none} there takes the key away.
+ * The actions of one window. On macOS they are done with Cmd where they come with control. Keys
+ * that people have chosen are settings named {@code key.} and the action's id; {@code none} there
+ * takes the key away.
  */
 public final class ActionTable implements Actions {
   private static final String NONE = "none";

@@ -118,8 +118,7 @@ public final class FileSettings implements Settings, AutoCloseable {
   /** Tells once: each later change would fail as well. The next one tries again. */
   private synchronized void notWritten(IOException why) {
     if (trouble.isEmpty()) {
-      trouble =
-          Optional.of("Settings cannot be written: " + why.getMessage() + "; " + UNKEPT);
+      trouble = Optional.of("Settings cannot be written: " + why.getMessage() + "; " + UNKEPT);
       told.accept(trouble.get());
     }
   }

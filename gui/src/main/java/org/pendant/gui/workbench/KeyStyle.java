@@ -47,8 +47,7 @@ enum KeyStyle {
         || NOT_WITH_COMMAND.contains(stroke.getKeyCode())) {
       return keys;
     }
-    int others =
-        stroke.getModifiers() & (InputEvent.ALT_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK);
+    int others = stroke.getModifiers() & (InputEvent.ALT_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK);
     return KeyText.keys(
         KeyStroke.getKeyStroke(stroke.getKeyCode(), others | InputEvent.META_DOWN_MASK));
   }

@@ -1,10 +1,6 @@
 package org.pendant.gui.debug;
 
-import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.concurrent.CompletableFuture;
@@ -13,26 +9,24 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Reply;
 import org.pendant.controller.machine.ProgramState;
+import org.pendant.gui.editor.Execution;
+import org.pendant.gui.preview.PreviewWorkbench;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
-import org.pendant.gui.session.Session;
-import org.pendant.gui.workbench.Actions;
 import org.pendant.gui.workbench.Settings;
-import org.pendant.gui.workbench.Workbench;
 
 /** A program, a controller that the test drives, and the presenter between them. */
-final class DebugFixture implements Workbench {
+final class DebugFixture {
   private final Controller controller = new Controller(ControllerOptions.headless());
-  private final Map<String, String> remembered = new HashMap<>();
-  private final List<String> told = new ArrayList<>();
+  private final PreviewWorkbench workbench = new PreviewWorkbench();
   private final ProgramDocument document;
+  private final Programs programs;
   private final DebugPresenter debug;
 
   DebugFixture(String... lines) {
     document = ProgramDocument.untitled("test.script", String.join("\n", lines) + "\n");
-    debug =
-        new DebugPresenter(
-            this, new Programs(document), new SessionLink(this::submit, Runnable::run));
+    programs = new Programs(document);
+    debug = new DebugPresenter(workbench, programs, new SessionLink(this::submit, Runnable::run));
   }
 
   /** Carries a command out at once, in a frame of its own. */
@@ -112,46 +106,35 @@ final class DebugFixture implements Workbench {
   }
 
   List<String> told() {
-    return told;
+    return workbench.told();
   }
 
-  @Override
-  public Session session() {
-    throw new UnsupportedOperationException("the test drives the controller");
+  /** Where the program is. */
+  Execution execution() {
+    return debug.execution(controller.state());
   }
 
-  @Override
-  public Actions actions() {
-    throw new UnsupportedOperationException("there are no actions");
+  /** What the program reads. */
+  String text() {
+    return document.text();
   }
 
-  @Override
-  public Settings settings() {
-    return new Settings() {
-      @Override
-      public Optional<String> get(String name) {
-        return Optional.ofNullable(remembered.get(name));
-      }
-
-      @Override
-      public void put(String name, String text) {
-        remembered.put(name, text);
-      }
-    };
+  /** Gives the program another text. */
+  void edit(String text) {
+    document.setText(text);
   }
 
-  @Override
-  public void show(String viewId) {
-    told.add("show " + viewId);
+  /** Closes the program; another one is in front then. */
+  void close() {
+    programs.close(document, ProgramDocument.untitled("other.script", ""));
   }
 
-  @Override
-  public void showSource(int line, int column) {
-    told.add("source " + line + ":" + column);
+  /** Whether the program is in front. */
+  boolean isInFront() {
+    return programs.current() == document;
   }
 
-  @Override
-  public void notify(String text) {
-    told.add(text);
+  Settings settings() {
+    return workbench.settings();
   }
 }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.gui.editor.Execution;
 
 final class DebugPresenterTest {
   private final DebugFixture fixture =
@@ -150,5 +151,36 @@ final class DebugPresenterTest {
     threads.frames(1);
     assertEquals(1, threads.debug().threads().size());
     assertEquals(7, threads.debug().executionLine());
+  }
+
+  @Test
+  void aFailureIsShownAtItsLineUntilTheTextIsAnother() {
+    DebugFixture failing = new DebugFixture("def program():", "  x = [1][2]", "end");
+    failing.run();
+    Execution ended = failing.execution();
+    assertEquals(2, ended.line());
+    assertEquals(Execution.State.FAILED, ended.state());
+    assertTrue(ended.note().startsWith("index is 2"), ended.note());
+    failing.edit("def program():\n  x = 1\nend\n");
+    assertEquals(Execution.NONE, failing.execution());
+  }
+
+  @Test
+  void theLineFollowsAnEditWhileTheProgramIsHeld() {
+    fixture.breakAt(7);
+    fixture.run();
+    int line = fixture.debug().executionLine();
+    fixture.edit("# a comment\n" + fixture.text());
+    assertEquals(line + 1, fixture.debug().executionLine());
+    assertEquals("Breakpoint on line " + (line + 1), fixture.debug().stopText());
+    assertEquals(Execution.State.HELD, fixture.execution().state());
+  }
+
+  @Test
+  void aStopOpensTheProgramThatWasClosed() {
+    fixture.breakAt(7);
+    fixture.close();
+    fixture.run();
+    assertTrue(fixture.isInFront());
   }
 }

@@ -1,10 +1,5 @@
 package org.pendant.gui.debug;
 
-import com.formdev.flatlaf.FlatDarkLaf;
-import com.formdev.flatlaf.FlatLaf;
-import com.formdev.flatlaf.FlatLightLaf;
-import com.formdev.flatlaf.fonts.inter.FlatInterFont;
-import com.formdev.flatlaf.fonts.jetbrains_mono.FlatJetBrainsMonoFont;
 import java.awt.EventQueue;
 import java.awt.GridLayout;
 import java.util.List;
@@ -17,6 +12,7 @@ import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.debug.Breakpoint;
 import org.pendant.controller.machine.Program;
+import org.pendant.gui.preview.PreviewLook;
 import org.pendant.gui.preview.PreviewWorkbench;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
@@ -61,11 +57,7 @@ public final class DebugPreview {
 
   private static void open(
       String[] args, Session session, ProgramDocument document, Program program) {
-    FlatInterFont.install();
-    FlatJetBrainsMonoFont.install();
-    FlatLaf.setPreferredFontFamily(FlatInterFont.FAMILY);
-    FlatLaf.setPreferredMonospacedFontFamily(FlatJetBrainsMonoFont.FAMILY);
-    FlatLaf.setup(args[0].equals("dark") ? new FlatDarkLaf() : new FlatLightLaf());
+    PreviewLook.install(args[0].equals("dark"));
     PreviewWorkbench workbench = new PreviewWorkbench(session);
     DebugPresenter debug = new DebugPresenter(workbench, new Programs(document));
     BreakpointsView breakpoints = new BreakpointsView(workbench, debug);

@@ -1,19 +1,11 @@
 package org.pendant.gui.editor;
 
-import com.formdev.flatlaf.FlatDarkLaf;
-import com.formdev.flatlaf.FlatLaf;
-import com.formdev.flatlaf.FlatLightLaf;
-import com.formdev.flatlaf.fonts.inter.FlatInterFont;
-import com.formdev.flatlaf.fonts.jetbrains_mono.FlatJetBrainsMonoFont;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
@@ -21,20 +13,16 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.gui.preview.PreviewLook;
+import org.pendant.gui.preview.PreviewWorkbench;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.Session;
 import org.pendant.gui.workbench.Action;
-import org.pendant.gui.workbench.Actions;
-import org.pendant.gui.workbench.Settings;
-import org.pendant.gui.workbench.Workbench;
 
 /** The script editor with its panels in a window of its own, for trying it by hand. */
-public final class EditorWindow implements Workbench, Actions, Settings {
-  private final Session session = Session.start(ControllerOptions.headless());
-  private final List<Action> actions = new ArrayList<>();
-  private final Map<String, String> settings = new HashMap<>();
+public final class EditorWindow extends PreviewWorkbench {
   private final JLabel status = new JLabel(" ");
   private final JTabbedPane panels = new JTabbedPane();
   private final JFrame frame = new JFrame("Script");
@@ -42,6 +30,7 @@ public final class EditorWindow implements Workbench, Actions, Settings {
   private ScriptEditor editor;
 
   private EditorWindow(ProgramDocument first) {
+    super(Session.start(ControllerOptions.headless()));
     programs = new Programs(first);
   }
 
@@ -59,21 +48,12 @@ public final class EditorWindow implements Workbench, Actions, Settings {
 
   /** Opens a window on {@code documents}, the first in front. */
   static EditorWindow open(boolean dark, List<ProgramDocument> documents) {
-    FlatInterFont.install();
-    FlatJetBrainsMonoFont.install();
-    FlatLaf.setPreferredFontFamily(FlatInterFont.FAMILY);
-    FlatLaf.setPreferredMonospacedFontFamily(FlatJetBrainsMonoFont.FAMILY);
-    look(dark);
+    PreviewLook.install(dark);
     EditorWindow window = new EditorWindow(documents.getFirst());
     window.build();
     documents.forEach(window.programs::select);
     window.programs.select(documents.getFirst());
     return window;
-  }
-
-  static void look(boolean dark) {
-    var _ = dark ? FlatDarkLaf.setup() : FlatLightLaf.setup();
-    FlatLaf.updateUI();
   }
 
   private void build() {
@@ -87,7 +67,7 @@ public final class EditorWindow implements Workbench, Actions, Settings {
     all.setResizeWeight(0.8);
     frame.add(all);
     frame.add(status, BorderLayout.SOUTH);
-    for (Action action : actions) {
+    for (Action action : actions().all()) {
       KeyStroke keys = KeyStroke.getKeyStroke(action.keys());
       frame
           .getRootPane()
@@ -114,22 +94,7 @@ public final class EditorWindow implements Workbench, Actions, Settings {
 
   void close() {
     frame.dispose();
-    session.close();
-  }
-
-  @Override
-  public Session session() {
-    return session;
-  }
-
-  @Override
-  public Actions actions() {
-    return this;
-  }
-
-  @Override
-  public Settings settings() {
-    return this;
+    session().close();
   }
 
   @Override
@@ -149,44 +114,5 @@ public final class EditorWindow implements Workbench, Actions, Settings {
   @Override
   public void notify(String text) {
     status.setText(text);
-  }
-
-  @Override
-  public void add(Action action) {
-    if (actions.stream().anyMatch(each -> each.id().equals(action.id()))) {
-      throw new IllegalArgumentException("there is an action " + action.id() + " already");
-    }
-    actions.add(action);
-  }
-
-  @Override
-  public List<Action> all() {
-    return List.copyOf(actions);
-  }
-
-  @Override
-  public void run(String id) {
-    actions.stream()
-        .filter(each -> each.id().equals(id) && each.enabled().getAsBoolean())
-        .forEach(each -> each.run().run());
-  }
-
-  @Override
-  public String keysOf(String id) {
-    return actions.stream()
-        .filter(each -> each.id().equals(id))
-        .map(Action::keys)
-        .findFirst()
-        .orElse("");
-  }
-
-  @Override
-  public Optional<String> get(String name) {
-    return Optional.ofNullable(settings.get(name));
-  }
-
-  @Override
-  public void put(String name, String text) {
-    settings.put(name, text);
   }
 }

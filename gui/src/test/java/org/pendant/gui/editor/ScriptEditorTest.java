@@ -1,18 +1,21 @@
 package org.pendant.gui.editor;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
+import java.awt.event.ActionEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.concurrent.CountDownLatch;
+import javax.swing.text.DefaultEditorKit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -81,6 +84,51 @@ final class ScriptEditorTest {
           area.setCaretPosition(area.line(3).start());
           "  if a == 1:\n    sync()\n    end".chars().forEach(this::type);
           assertEquals("  end", area.text(area.line(5)));
+        });
+  }
+
+  @Test
+  void aBlockGetsItsEnd() throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          area.setText("def f():\nend\n");
+          area.setCaretPosition(area.line(1).end());
+          enter();
+          "if a:".chars().forEach(this::type);
+          enter();
+          "sync()".chars().forEach(this::type);
+          assertEquals("def f():\n  if a:\n    sync()\n  end\nend\n", area.getText());
+          enter();
+          "end".chars().forEach(this::type);
+          enter();
+          assertEquals(
+              "def f():\n  if a:\n    sync()\n  end\n  \nend\n", area.getText(), "not two ends");
+        });
+  }
+
+  private void enter() {
+    area.getActionMap()
+        .get(DefaultEditorKit.insertBreakAction)
+        .actionPerformed(new ActionEvent(area, ActionEvent.ACTION_PERFORMED, "\n"));
+  }
+
+  @Test
+  void bracketsComeInPairsAndGoInPairs() throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          area.setText("");
+          "f(g[0]".chars().forEach(this::type);
+          assertEquals("f(g[0])", area.getText());
+          type(')');
+          assertEquals("f(g[0])", area.getText());
+          type('(');
+          area.getActionMap()
+              .get(DefaultEditorKit.deletePrevCharAction)
+              .actionPerformed(new ActionEvent(area, ActionEvent.ACTION_PERFORMED, "\b"));
+          assertEquals("f(g[0])", area.getText());
+          area.select(2, 6);
+          type('(');
+          assertEquals("f((g[0]))", area.getText());
         });
   }
 
@@ -156,5 +204,65 @@ final class ScriptEditorTest {
           assertEquals(program, window.editor().current().program());
         });
     assertEquals(List.of(true), asked);
+  }
+
+  @Test
+  void aClosedProgramIsOpenedAgainWithTheTextThatItHad()
+      throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          window
+              .editor()
+              .setBreakpointMemory(of -> new TreeSet<>(of == program ? Set.of(4) : Set.of()));
+          window.editor().close();
+          assertNotEquals(program, window.editor().current().program());
+          window.run("editor.reopen");
+          assertEquals(program, window.editor().current().program());
+          assertEquals(new TreeSet<>(Set.of(4)), window.editor().breakpoints(program));
+        });
+  }
+
+  @Test
+  void jumpsAreGoneBackAndForward() throws InterruptedException, InvocationTargetException {
+    analysed();
+    EventQueue.invokeAndWait(
+        () -> {
+          int use = area.getText().indexOf("a)");
+          area.setCaretPosition(use);
+          window.run("editor.definition");
+          assertEquals(2, window.editor().caretLine());
+          window.run("editor.back");
+          assertEquals(use, area.getCaretPosition());
+          window.run("editor.forward");
+          assertEquals(2, window.editor().caretLine());
+        });
+  }
+
+  @Test
+  void aTextThatIsReadAgainKeepsItsBreakpoints()
+      throws InterruptedException, InvocationTargetException {
+    analysed();
+    EventQueue.invokeAndWait(
+        () -> {
+          window.editor().toggleBreakpoint(program, 4);
+          program.setText("# from the disk\n" + TEXT);
+          assertEquals(new TreeSet<>(Set.of(5)), window.editor().breakpoints(program));
+        });
+  }
+
+  @Test
+  void linesAreMovedDuplicatedAndDeleted() throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          area.setCaretPosition(area.line(2).start() + 3);
+          window.run("editor.duplicate");
+          assertEquals(TEXT.replace("  a = 1\n", "  a = 1\n  a = 1\n"), area.getText());
+          assertEquals(3, window.editor().caretLine());
+          window.run("editor.delete-line");
+          assertEquals(TEXT, area.getText());
+          area.undoLastAction();
+          area.undoLastAction();
+          assertEquals(TEXT, area.getText());
+        });
   }
 }

@@ -12,8 +12,7 @@ final class SqueezeTest {
   private final JPanel clock = part();
   private final JPanel slider = part();
   private final JPanel stop = part();
-  private final Squeeze squeeze =
-      new Squeeze(row, List.of(clock::setVisible, slider::setVisible));
+  private final Squeeze squeeze = new Squeeze(row, List.of(clock::setVisible, slider::setVisible));
 
   private JPanel part() {
     JPanel part = new JPanel();

@@ -1,10 +1,5 @@
 package org.pendant.gui.preview;
 
-import com.formdev.flatlaf.FlatDarkLaf;
-import com.formdev.flatlaf.FlatLaf;
-import com.formdev.flatlaf.FlatLightLaf;
-import com.formdev.flatlaf.fonts.inter.FlatInterFont;
-import com.formdev.flatlaf.fonts.jetbrains_mono.FlatJetBrainsMonoFont;
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -45,11 +40,7 @@ public final class Preview {
   }
 
   private static void open(String[] args, Session session) {
-    FlatInterFont.install();
-    FlatJetBrainsMonoFont.install();
-    FlatLaf.setPreferredFontFamily(FlatInterFont.FAMILY);
-    FlatLaf.setPreferredMonospacedFontFamily(FlatJetBrainsMonoFont.FAMILY);
-    FlatLaf.setup(args[1].equals("dark") ? new FlatDarkLaf() : new FlatLightLaf());
+    PreviewLook.install(args[1].equals("dark"));
     View view = viewNamed(args[0]).apply(new PreviewWorkbench(session));
     JFrame frame = new JFrame(view.title());
     frame.setDefaultCloseOperation(JFrame.EXIT_ON_CLOSE);

@@ -6,66 +6,61 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.pendant.gui.session.Session;
-import org.pendant.gui.workbench.Action;
+import org.pendant.gui.workbench.ActionTable;
 import org.pendant.gui.workbench.Actions;
 import org.pendant.gui.workbench.Settings;
 import org.pendant.gui.workbench.Workbench;
 
-/** A workbench around one view; it remembers what it was told. */
-public final class PreviewWorkbench implements Workbench {
-  private final Session session;
-  private final List<Action> added = new ArrayList<>();
-  private final Map<String, String> remembered = new HashMap<>();
+/** A workbench around some views, for tests and previews; it remembers what it was told. */
+public class PreviewWorkbench implements Workbench {
+  private final Optional<Session> session;
+  private final Memory settings = new Memory();
+  private final ActionTable actions = new ActionTable(settings);
   private final List<String> told = new ArrayList<>();
+
+  /** Settings that are forgotten with the end. */
+  private static final class Memory implements Settings {
+    private final Map<String, String> remembered = new HashMap<>();
+
+    @Override
+    public Optional<String> get(String name) {
+      return Optional.ofNullable(remembered.get(name));
+    }
+
+    @Override
+    public void put(String name, String text) {
+      remembered.put(name, text);
+    }
+  }
 
   /** A workbench that forgets everything with its end. */
   public PreviewWorkbench(Session session) {
-    this.session = session;
+    this.session = Optional.of(session);
+  }
+
+  /** One without a session, for tests that drive a controller themselves. */
+  public PreviewWorkbench() {
+    session = Optional.empty();
   }
 
   @Override
   public Session session() {
-    return session;
+    return session.orElseThrow(() -> new UnsupportedOperationException("there is no session"));
   }
 
   @Override
   public Actions actions() {
-    return new Actions() {
-      @Override
-      public void add(Action action) {
-        added.add(action);
-      }
+    return actions;
+  }
 
-      @Override
-      public List<Action> all() {
-        return List.copyOf(added);
-      }
-
-      @Override
-      public void run(String id) {
-        added.stream().filter(each -> each.id().equals(id)).forEach(each -> each.run().run());
-      }
-
-      @Override
-      public String keysOf(String id) {
-        return "";
-      }
-    };
+  /** Does an action, as a key or the palette would. */
+  public void run(String action) {
+    actions.run(action);
   }
 
   @Override
   public Settings settings() {
-    return new Settings() {
-      @Override
-      public Optional<String> get(String name) {
-        return Optional.ofNullable(remembered.get(name));
-      }
-
-      @Override
-      public void put(String name, String text) {
-        remembered.put(name, text);
-      }
-    };
+    return settings;
   }
 
   @Override

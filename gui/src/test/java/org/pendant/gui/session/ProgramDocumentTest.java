@@ -108,8 +108,7 @@ final class ProgramDocumentTest {
     try (RandomAccessFile sparse = new RandomAccessFile(huge.toFile(), "rw")) {
       sparse.setLength(33L << 20);
     }
-    assertEquals(
-        huge + ": it has 33 MiB, a program may have at most 32 MiB", refusal(huge));
+    assertEquals(huge + ": it has 33 MiB, a program may have at most 32 MiB", refusal(huge));
   }
 
   @Test

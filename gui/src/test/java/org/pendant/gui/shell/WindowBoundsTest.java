@@ -32,8 +32,7 @@ final class WindowBoundsTest {
     assertEquals(
         Optional.of(new Rectangle(1504, 180, 1440, 900)),
         WindowBounds.within(new Rectangle(2000, 600, 1440, 900), screens));
-    assertEquals(
-        Optional.empty(), WindowBounds.within(new Rectangle(5000, 0, 800, 600), screens));
+    assertEquals(Optional.empty(), WindowBounds.within(new Rectangle(5000, 0, 800, 600), screens));
   }
 
   @Test

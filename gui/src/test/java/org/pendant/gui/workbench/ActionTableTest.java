@@ -103,8 +103,7 @@ final class ActionTableTest {
     assertEquals("control SPACE", KeyStyle.MAC.keys("control SPACE"));
     assertEquals("F5", KeyStyle.MAC.keys("F5"));
     assertEquals("control P", KeyStyle.PC.keys("control P"));
-    assertEquals(
-        "\u21e7\u2318P", KeyStyle.MAC.shown(KeyStroke.getKeyStroke("shift meta P")));
+    assertEquals("\u21e7\u2318P", KeyStyle.MAC.shown(KeyStroke.getKeyStroke("shift meta P")));
     assertEquals(KeyStyle.MAC, KeyStyle.of("Mac OS X"));
     assertEquals(KeyStyle.PC, KeyStyle.of("Linux"));
   }

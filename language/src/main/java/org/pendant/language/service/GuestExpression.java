@@ -110,8 +110,7 @@ public final class GuestExpression {
           }
         }
         case OPENER, ALTERNATIVE, END, STATEMENT_WORD, COLON, LABEL -> {
-          return wrong(
-              each, lexemes.text(i) + " is part of a statement, expected an expression");
+          return wrong(each, lexemes.text(i) + " is part of a statement, expected an expression");
         }
         case COMMENT -> {
           return wrong(each, "there is a comment, expected an expression alone");

@@ -10,8 +10,8 @@ import org.pendant.language.signature.Unit;
 import org.pendant.language.source.SourceRange;
 
 /**
- * Finds the unit of a number that stands alone as an argument, as a part of a pose, or as one of the
- * joint positions that a call takes.
+ * Finds the unit of a number that stands alone as an argument, as a part of a pose, or as one of
+ * the joint positions that a call takes.
  */
 final class Quantities {
   private static final List<String> POSE_PARTS = List.of("x", "y", "z", "rx", "ry", "rz");
@@ -44,8 +44,7 @@ final class Quantities {
             place ->
                 lexemes.reads(place.opener(), "[")
                     ? inList(place, range, value)
-                    : argument(start + 1)
-                        .flatMap(p -> quantity(range, value, p.unit(), p.name())));
+                    : argument(start + 1).flatMap(p -> quantity(range, value, p.unit(), p.name())));
   }
 
   private boolean isSign(int index) {

@@ -56,16 +56,13 @@ final class GuestExpressionTest {
   @Test
   void faultsOfTheTextAroundAreNotItsOwn() {
     String broken = PROGRAM.replace("weigh(1)", "unknown(1)");
-    assertTrue(
-        guest(broken, 5, "doubled > 4").problem().isEmpty());
+    assertTrue(guest(broken, 5, "doubled > 4").problem().isEmpty());
   }
 
   @Test
   void completionsAreThoseOfTheLine() {
     List<String> inside =
-        guest(PROGRAM, 5, "doub").completions(4).stream()
-            .map(Completion::label)
-            .toList();
+        guest(PROGRAM, 5, "doub").completions(4).stream().map(Completion::label).toList();
     assertEquals("doubled", inside.getFirst());
   }
 }

@@ -46,6 +46,17 @@ public final class Profile {
     return peakSpeed;
   }
 
+  /** The strongest acceleration, up or down. */
+  public double peakAcceleration() {
+    double peak = 0;
+    for (int i = 0; i < phases; i++) {
+      double endS = i + 1 < phases ? beginS[i + 1] : durationS;
+      double end = acceleration[i] + jerk[i] * (endS - beginS[i]);
+      peak = Math.max(peak, Math.max(Math.abs(acceleration[i]), Math.abs(end)));
+    }
+    return peak;
+  }
+
   /** The speed at the end. */
   public double endSpeed() {
     return endSpeed;

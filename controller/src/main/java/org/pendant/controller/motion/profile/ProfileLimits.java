@@ -18,6 +18,9 @@ public record ProfileLimits(double speed, double acceleration, double jerk) {
   /** Halvings of an interval that bring it down to a few rounding errors. */
   private static final int HALVINGS = 60;
 
+  /** Part by which a distance that was found by halving may be too short. */
+  private static final double ROUNDING = 1 + 1e-8;
+
   /** Checks the numbers. */
   public ProfileLimits {
     if (!(speed > 0 && acceleration > 0 && jerk > 0)) {
@@ -59,7 +62,7 @@ public record ProfileLimits(double speed, double acceleration, double jerk) {
     if (distance <= 0) {
       return new Profile.Builder(from).end(0, to);
     }
-    if (rampDistance(from, to) > distance * (1 + 1e-12)) {
+    if (rampDistance(from, to) > distance * ROUNDING) {
       return forced(distance, from, to);
     }
     double peak = peakSpeed(distance, from, to);

@@ -5,17 +5,33 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.pendant.language.signature.Catalogue;
 
 /**
  * Decides when the text of one editor is analysed: after a pause in typing, or at once when
- * somebody waits for it. Results of a text that has changed since are dropped, and texts that have
- * changed before their turn came are not read. Only the dispatch thread calls it.
+ * somebody waits for it. Results of a text that has changed since are dropped, texts that have
+ * changed before their turn came are not read, and long texts are read less often: reading takes
+ * time and memory from whoever types. Only the dispatch thread calls it.
  */
 public final class AnalysisSchedule {
   /** How long nobody may type before an analysis begins. */
   static final int PAUSE_MS = 150;
+
+  /** The same for a long text. */
+  static final int LONG_PAUSE_MS = 1_000;
+
+  /** A text with more characters is long: reading it takes a second and much memory. */
+  private static final int LONG = 1_000_000;
+
+  /** Between two analyses this many times as long passes as the last one took. */
+  private static final int REST_SHARE = 4;
+
+  /** However long one took, the next does not wait for more than two seconds. */
+  private static final long MOST_COUNTED_NS = 500_000_000;
+
+  private static final long NS_PER_MS = 1_000_000;
 
   private final Background background;
   private final Executor dispatch;
@@ -23,9 +39,11 @@ public final class AnalysisSchedule {
   private final String name;
   private final Supplier<String> text;
   private final Consumer<AnalysedText> shown;
+  private final LongSupplier clockNs;
   private final List<Consumer<AnalysedText>> waiting = new ArrayList<>();
   private Optional<AnalysedText> newest = Optional.empty();
   private volatile long version;
+  private volatile long restUntilNs;
   private long analysedVersion = -1;
   private long startedVersion = -1;
 
@@ -35,6 +53,7 @@ public final class AnalysisSchedule {
    * @param name what messages call the text
    * @param text the text now, asked on the dispatch thread
    * @param shown takes every result that is still of the text, on the dispatch thread
+   * @param clockNs any clock that goes on, ns
    */
   public AnalysisSchedule(
       Background background,
@@ -42,13 +61,16 @@ public final class AnalysisSchedule {
       Catalogue catalogue,
       String name,
       Supplier<String> text,
-      Consumer<AnalysedText> shown) {
+      Consumer<AnalysedText> shown,
+      LongSupplier clockNs) {
     this.background = background;
     this.dispatch = dispatch;
     this.catalogue = catalogue;
     this.name = name;
     this.text = text;
     this.shown = shown;
+    this.clockNs = clockNs;
+    restUntilNs = clockNs.getAsLong();
   }
 
   /** Says that the text is another now. */
@@ -56,7 +78,13 @@ public final class AnalysisSchedule {
     long changed = version + 1;
     version = changed;
     waiting.clear();
-    background.run(PAUSE_MS, () -> dispatch.execute(() -> startIfStill(changed)));
+    background.run(
+        isLong() ? LONG_PAUSE_MS : PAUSE_MS, () -> dispatch.execute(() -> startIfStill(changed)));
+  }
+
+  /** Whether the text is so long that nothing should be looked up while somebody types. */
+  public boolean isLong() {
+    return text.get().length() > LONG;
   }
 
   /** The newest result, if it is one of the text as it is. */
@@ -92,6 +120,11 @@ public final class AnalysisSchedule {
     if (wanted != version || startedVersion == version || analysedVersion == version) {
       return;
     }
+    long restMs = (restUntilNs - clockNs.getAsLong()) / NS_PER_MS;
+    if (restMs > 0) {
+      background.run((int) restMs, () -> dispatch.execute(() -> startIfStill(wanted)));
+      return;
+    }
     startedVersion = version;
     String now = text.get();
     background.run(
@@ -100,7 +133,10 @@ public final class AnalysisSchedule {
           if (wanted != version) {
             return; // somebody types faster than texts are read
           }
+          long begin = clockNs.getAsLong();
           AnalysedText result = AnalysedText.of(name, now, catalogue);
+          long end = clockNs.getAsLong();
+          restUntilNs = end + REST_SHARE * Math.min(end - begin, MOST_COUNTED_NS);
           dispatch.execute(() -> finished(wanted, result));
         });
   }

@@ -21,6 +21,25 @@ public record Edit(Span span, String text) {
     return replace(offset, offset, text);
   }
 
+  /**
+   * The smallest change that makes {@code now} of {@code old}, a stretch of text that begins at
+   * {@code offset}: what is the same at its ends stays as it is, with all that is tied to it.
+   */
+  public static Edit difference(int offset, String old, String now) {
+    int most = Math.min(old.length(), now.length());
+    int start = 0;
+    while (start < most && old.charAt(start) == now.charAt(start)) {
+      start++;
+    }
+    int end = 0;
+    while (end < most - start
+        && old.charAt(old.length() - 1 - end) == now.charAt(now.length() - 1 - end)) {
+      end++;
+    }
+    return replace(
+        offset + start, offset + old.length() - end, now.substring(start, now.length() - end));
+  }
+
   /** {@code edits} from the last to the first, so that each can be made without moving the next. */
   public static List<Edit> backwards(List<Edit> edits) {
     return edits.stream()

@@ -64,7 +64,8 @@ public final class ScriptFolder {
             return FileVisitResult.CONTINUE;
           }
         };
-    Files.walkFileTree(folder, EnumSet.noneOf(java.nio.file.FileVisitOption.class), DEEPEST, visitor);
+    Files.walkFileTree(
+        folder, EnumSet.noneOf(java.nio.file.FileVisitOption.class), DEEPEST, visitor);
     Collections.sort(scripts);
     return scripts;
   }

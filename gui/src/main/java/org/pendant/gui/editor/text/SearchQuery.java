@@ -24,10 +24,12 @@ public record SearchQuery(String words, boolean matchCase, boolean wholeWord, bo
   /** What is wrong with the regular expression; empty if nothing is. */
   public String complaint() {
     try {
-      var _ = pattern();
+      var _ = regex ? Pattern.compile(words) : pattern();
       return "";
     } catch (PatternSyntaxException e) {
-      return e.getDescription() + " at character " + (Math.max(0, e.getIndex()) + 1);
+      int index = Math.max(0, e.getIndex());
+      return e.getDescription()
+          + (index < words.length() ? " at character " + (index + 1) : " at the end");
     }
   }
 

@@ -187,7 +187,8 @@ public final class Footer extends JPanel {
     frameStep.refresh();
     showRun(state);
     buttons.forEach(ActionButton::refresh);
-    String content = readiness.words() + frameStep.isVisible() + ProgramControls.of(state).canResume();
+    String content =
+        readiness.words() + frameStep.isVisible() + ProgramControls.of(state).canResume();
     if (!content.equals(fitted)) {
       fitted = content;
       squeeze.fit();

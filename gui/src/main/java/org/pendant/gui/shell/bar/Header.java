@@ -58,9 +58,7 @@ public final class Header extends JPanel {
   public Header(ProgramMenu menu, Consumer<String> chooseRobot) {
     super(
         new MigLayout(
-            "insets 8 6 8 12, gap 8, hidemode 3",
-            "[grow, 90::]16[]16[][][]16[right]",
-            "[center]"));
+            "insets 8 6 8 12, gap 8, hidemode 3", "[grow, 90::]16[]16[][][]16[right]", "[center]"));
     setName("header");
     program = new ProgramButton(menu);
     robot.setName("robot");
@@ -193,8 +191,7 @@ public final class Header extends JPanel {
 
   private String safetyText(SafetyMode mode) {
     return switch (mode) {
-      case NORMAL, REDUCED, RECOVERY, FAULT, VIOLATION ->
-          words("Safety ", Words.of(mode));
+      case NORMAL, REDUCED, RECOVERY, FAULT, VIOLATION -> words("Safety ", Words.of(mode));
       default -> Words.capital(Words.of(mode));
     };
   }

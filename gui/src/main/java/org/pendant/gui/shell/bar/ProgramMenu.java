@@ -19,10 +19,7 @@ import org.pendant.gui.workbench.ActionTable;
  * @param open opens a file
  */
 public record ProgramMenu(
-    ActionTable actions,
-    Programs programs,
-    Supplier<List<Path>> recent,
-    Consumer<Path> open) {
+    ActionTable actions, Programs programs, Supplier<List<Path>> recent, Consumer<Path> open) {
   private static final List<String> FILES =
       List.of("file.new", "file.open", "file.save", "file.save-as");
 
@@ -36,8 +33,7 @@ public record ProgramMenu(
       item.addActionListener(event -> programs.select(each));
       menu.add(item);
     }
-    List<Path> others =
-        recent.get().stream().filter(each -> programs.of(each).isEmpty()).toList();
+    List<Path> others = recent.get().stream().filter(each -> programs.of(each).isEmpty()).toList();
     if (!others.isEmpty()) {
       menu.addSeparator();
       others.forEach(each -> menu.add(recentItem(each, open)));

@@ -56,8 +56,7 @@ public final class Rail extends JPanel {
    * @param show brings a view to the front
    * @param menu what else can be done with a view
    */
-  public Rail(
-      ActionTable actions, Consumer<String> show, Function<String, JPopupMenu> menu) {
+  public Rail(ActionTable actions, Consumer<String> show, Function<String, JPopupMenu> menu) {
     this.actions = actions;
     this.show = show;
     this.menu = menu;
@@ -111,8 +110,7 @@ public final class Rail extends JPanel {
     popup.setName("rail-menu");
     for (Screen each : screens.values()) {
       if (!each.button().isVisible()) {
-        JMenuItem item =
-            new JRadioButtonMenuItem(each.view().title(), each.button().isSelected());
+        JMenuItem item = new JRadioButtonMenuItem(each.view().title(), each.button().isSelected());
         item.addActionListener(event -> show.accept(each.view().id()));
         popup.add(item);
       }

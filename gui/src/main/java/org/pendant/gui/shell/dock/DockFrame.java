@@ -77,8 +77,14 @@ public final class DockFrame {
   /** Brings a view to the front, wherever it is, and gives it the focus. */
   public void show(String id) {
     reveal(id);
+    give(id);
+  }
+
+  private void give(String id) {
     View view = views.get(id);
     if (view != null) {
+      // A tab is not visible, and takes no focus, before it is laid out.
+      area.validate();
       focus.give(view);
     }
   }
@@ -108,7 +114,7 @@ public final class DockFrame {
   void move(String id, Side to, int index) {
     plan.move(id, to, index);
     fill();
-    focus.give(views.get(id));
+    give(id);
   }
 
   /** Where a view is. */
@@ -127,7 +133,7 @@ public final class DockFrame {
     plan.setCollapsed(side, collapsed);
     fill();
     if (hides) {
-      mainView().map(views::get).ifPresent(focus::give);
+      mainView().ifPresent(this::give);
     }
   }
 

@@ -1,5 +1,6 @@
 package org.pendant.gui.shell.find;
 
+import java.awt.Color;
 import java.awt.Component;
 import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
@@ -51,11 +52,6 @@ public final class CommandPalette {
     list.getAccessibleContext().setAccessibleName("Actions that match");
     list.setVisibleRowCount(12);
     list.setFocusable(false);
-    // Keys go to the field, but it is the list that they move in.
-    list.putClientProperty(
-        "FlatLaf.style",
-        "selectionInactiveBackground: $List.selectionBackground;"
-            + " selectionInactiveForeground: $List.selectionForeground");
     list.setCellRenderer(new Cell());
     panel.add(query);
     panel.add(new JScrollPane(list), "grow, push");
@@ -126,34 +122,34 @@ public final class CommandPalette {
     }
   }
 
-  /** Title, reason and key in one row. */
-  private final class Cell implements ListCellRenderer<Action> {
-    private final JPanel row = new JPanel(new MigLayout("insets 4 8 4 8", "[0:pref:]8[grow, 0::]16[right]"));
+  /** Title, reason and key in one row; a component, so that it follows the look. */
+  @SuppressWarnings("serial") // never written to a stream
+  private final class Cell extends JPanel implements ListCellRenderer<Action> {
     private final JLabel title = new JLabel();
     private final JLabel reason = new JLabel();
     private final JLabel keys = new JLabel();
 
     Cell() {
-      row.add(title);
-      row.add(reason);
-      row.add(keys);
+      super(new MigLayout("insets 4 8 4 8", "[0:pref:]8[grow, 0::]16[right]"));
+      add(title);
+      add(reason);
+      add(keys, "wmin pref");
     }
 
     @Override
     public Component getListCellRendererComponent(
         JList<? extends Action> all, Action action, int index, boolean selected, boolean focus) {
       boolean enabled = action.enabled().getAsBoolean();
-      row.setBackground(selected ? all.getSelectionBackground() : all.getBackground());
+      setBackground(selected ? all.getSelectionBackground() : all.getBackground());
+      Color words = selected ? all.getSelectionForeground() : all.getForeground();
       title.setText(action.title());
-      title.setForeground(
-          selected
-              ? all.getSelectionForeground()
-              : enabled ? all.getForeground() : Palette.quiet());
+      title.setForeground(enabled ? words : Palette.quiet());
       reason.setText(actions.reason(action.id()));
-      reason.setForeground(selected ? all.getSelectionForeground() : Palette.quiet());
+      reason.setForeground(Palette.quiet());
       keys.setText(KeyText.shown(actions.keysOf(action.id())));
-      keys.setForeground(selected ? all.getSelectionForeground() : Palette.quiet());
-      return row;
+      keys.setForeground(selected ? words : Palette.quiet());
+      getAccessibleContext().setAccessibleName(action.title());
+      return this;
     }
   }
 }

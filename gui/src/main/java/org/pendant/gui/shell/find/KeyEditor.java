@@ -62,7 +62,8 @@ public final class KeyEditor {
   }
 
   private JPanel captureRow() {
-    JPanel row = new JPanel(new MigLayout("insets 0, gap 8, hidemode 3, wrap 3", "[][180::][]push"));
+    JPanel row =
+        new JPanel(new MigLayout("insets 0, gap 8, hidemode 3, wrap 3", "[][180::][]push"));
     row.setOpaque(false);
     JLabel label = new JLabel("New key");
     label.setLabelFor(capture);
@@ -118,11 +119,6 @@ public final class KeyEditor {
     table.getAccessibleContext().setAccessibleName("Actions and their keys");
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setFillsViewportHeight(true);
-    // Keys that are typed into the field choose in it.
-    table.putClientProperty(
-        "FlatLaf.style",
-        "selectionInactiveBackground: $Table.selectionBackground;"
-            + " selectionInactiveForeground: $Table.selectionForeground");
     // Tab leaves a table that cannot be edited.
     table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
     table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);

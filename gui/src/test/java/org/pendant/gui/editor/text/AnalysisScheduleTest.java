@@ -12,6 +12,8 @@ final class AnalysisScheduleTest {
   private final List<Later> later = new ArrayList<>();
   private final List<String> shown = new ArrayList<>();
   private String text = "x = 1\n";
+  private long nowNs;
+  private long tickNs;
 
   private final AnalysisSchedule schedule =
       new AnalysisSchedule(
@@ -20,7 +22,8 @@ final class AnalysisScheduleTest {
           StandardBuiltins.create(),
           "test.script",
           () -> text,
-          analysed -> shown.add(analysed.text()));
+          analysed -> shown.add(analysed.text()),
+          () -> nowNs += tickNs);
 
   private record Later(int delayMs, Runnable work) {}
 
@@ -77,6 +80,18 @@ final class AnalysisScheduleTest {
     later.removeFirst().work.run(); // its turn comes: there is nothing to hand over
 
     assertEquals(dispatched - 1, later.size());
+  }
+
+  @Test
+  void restsAfterALongAnalysis() {
+    tickNs = 50_000_000; // an analysis looks at the clock twice: it takes 50 ms
+    schedule.whenCurrent(analysed -> {});
+    later.removeFirst().work.run();
+    type("y");
+    later.clear();
+    schedule.whenCurrent(analysed -> {});
+
+    assertEquals(150, later.getFirst().delayMs, "of the 200 ms some have passed");
   }
 
   @Test

@@ -37,4 +37,11 @@ final class EditTest {
     assertEquals(List.of(new Span(0, 1)), Lines.touched("a\nb\n", new Span(0, 2)));
     assertEquals(List.of(new Span(0, 1), new Span(2, 3)), Lines.touched("a\nb\n", new Span(1, 3)));
   }
+
+  @Test
+  void theDifferenceOfTwoTextsIsAsSmallAsItCanBe() {
+    assertEquals(Edit.replace(12, 13, "X"), Edit.difference(10, "abcd", "abXd"));
+    assertEquals(Edit.insert(12, "a"), Edit.difference(10, "aa", "aaa"));
+    assertEquals(Edit.replace(10, 14, ""), Edit.difference(10, "abcd", ""));
+  }
 }

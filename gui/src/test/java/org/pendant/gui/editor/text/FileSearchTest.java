@@ -54,7 +54,8 @@ final class FileSearchTest {
 
   @Test
   void endsWhenItIsCancelled() throws IOException {
-    FileSearch.Summary summary = search("move").run(found::add, (done, all) -> {}, () -> !found.isEmpty());
+    FileSearch.Summary summary =
+        search("move").run(found::add, (done, all) -> {}, () -> !found.isEmpty());
 
     assertEquals(List.of("a.script"), names());
     assertEquals(false, summary.complete());

@@ -51,7 +51,7 @@ final class FindStateTest {
   @Test
   void saysWhatIsWrongWithAnExpression() {
     assertEquals(
-        "Unclosed group at character 3", find("(a", false, false, true).summary(new Span(0, 0)));
+        "Unclosed group at the end", find("(a", false, false, true).summary(new Span(0, 0)));
   }
 
   @Test

@@ -37,8 +37,7 @@ final class LineMovesTest {
     LineMoves twice = LineMoves.duplicated(TEXT, lines(5, 5));
     assertEquals("one\ntwo\ntwo\nthree", Edit.apply(TEXT, List.of(twice.edit())));
     assertEquals(4, twice.shift());
-    assertEquals(
-        "one\nthree", Edit.apply(TEXT, List.of(LineMoves.deleted(TEXT, lines(5, 5)))));
+    assertEquals("one\nthree", Edit.apply(TEXT, List.of(LineMoves.deleted(TEXT, lines(5, 5)))));
     assertEquals("one\ntwo", Edit.apply(TEXT, List.of(LineMoves.deleted(TEXT, lines(9, 9)))));
     assertEquals("", Edit.apply(TEXT, List.of(LineMoves.deleted(TEXT, lines(0, 13)))));
   }

@@ -2,6 +2,7 @@ package org.pendant.gui.shell.bar;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Pace;
 import org.pendant.controller.WallClock.Lateness;
@@ -13,6 +14,15 @@ final class PaceChoiceTest {
     assertEquals(new Pace.Times(0.5), PaceChoice.faster(Pace.REAL_TIME, -1));
     assertEquals(new Pace.Times(0.1), PaceChoice.faster(new Pace.Times(0.1), -1));
     assertEquals(new Pace.Unlimited(), PaceChoice.faster(new Pace.Unlimited(), 1));
+  }
+
+  @Test
+  void thePacesAreThoseOfAPendantAndMore() {
+    assertEquals(
+        List.of(
+            "Paused", "x 0.1", "x 0.5", "Real time", "x 2", "x 5", "x 10", "As fast as possible"),
+        PaceChoice.ALL.stream().map(PaceChoice::title).toList());
+    assertEquals("x 3.5", PaceChoice.of(new Pace.Times(3.5)).title());
   }
 
   @Test

@@ -1,0 +1,155 @@
+package org.pendant.controller.builtin;
+
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.encoder.Encoder;
+import org.pendant.controller.motion.MotionControl;
+import org.pendant.controller.motion.StopJ;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+import org.pendant.models.pose.Pose;
+
+/** Moving along with conveyors (manual 15.22, 15.23, 15.50, 15.56, 15.57). */
+final class ConveyorBuiltins {
+  private static final String MODULE = "motion";
+
+  private ConveyorBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    declareTracking(builtins);
+    declareAlongPath(builtins);
+  }
+
+  private static void declareTracking(Builtins builtins) {
+    builtins
+        .declare("track_conveyor_linear")
+        .manual(MODULE, "15.57")
+        .doc(
+            "Carries the tool along with a straight conveyor, besides all moves, from where the"
+                + " belt is now. direction is a pose of which x, y and z count, in the base frame.")
+        .needs("direction", Type.POSE)
+        .needs("ticks_per_meter", Type.NUMBER)
+        .takes("encoder_index", Type.INT, Value.of(0))
+        .does(ConveyorBuiltins::trackLinear);
+    builtins
+        .declare("track_conveyor_circular")
+        .manual(MODULE, "15.56")
+        .doc(
+            "Carries the tool along with a conveyor that turns about the z axis of center, besides"
+                + " all moves, from where the belt is now; rotate_tool turns the tool with it.")
+        .needs("center", Type.POSE)
+        .needs("ticks_per_revolution", Type.NUMBER)
+        .takes("rotate_tool", Type.BOOL, Value.of(false))
+        .takes("encoder_index", Type.INT, Value.of(0))
+        .does(ConveyorBuiltins::trackCircular);
+    builtins
+        .declare("stop_conveyor_tracking")
+        .manual(MODULE, "15.50")
+        .doc(
+            "Ends conveyor tracking, slows all joints down in proportion and waits until they"
+                + " rest.")
+        .takes("a", Unit.RADIAN_PER_SECOND_SQUARED, 20)
+        .physicalTime()
+        .does(ConveyorBuiltins::stop);
+  }
+
+  private static void declareAlongPath(Builtins builtins) {
+    builtins
+        .declare("get_target_tcp_pose_along_path")
+        .manual(MODULE, "15.22")
+        .doc(
+            "Where the TCP should be in the base frame, were there no conveyor, path offset or"
+                + " force mode.")
+        .returns(Type.POSE)
+        .does(ConveyorBuiltins::poseAlongPath);
+    builtins
+        .declare("get_target_tcp_speed_along_path")
+        .manual(MODULE, "15.23")
+        .doc(
+            "How fast the TCP should move, were there no conveyor, path offset or force mode, in"
+                + " m/s and rad/s along the axes of the base frame.")
+        .returns(Type.POSE)
+        .does(ConveyorBuiltins::speedAlongPath);
+  }
+
+  private static Outcome trackLinear(Call call) throws ScriptError {
+    Pose direction = MotionArguments.pose(call, 0);
+    if (direction.x() == 0 && direction.y() == 0 && direction.z() == 0) {
+      throw call.refuse(0, "x, y or z must be another number than 0");
+    }
+    double ticksPerM = ticks(call, 1);
+    Encoder encoder = ready(call, 2);
+    call.box().conveyor().trackLinear(direction, ticksPerM, encoder);
+    return call.answer();
+  }
+
+  private static Outcome trackCircular(Call call) throws ScriptError {
+    Pose center = MotionArguments.pose(call, 0);
+    double ticksPerRevolution = ticks(call, 1);
+    boolean rotateTool = call.bool(2);
+    Encoder encoder = ready(call, 3);
+    call.box().conveyor().trackCircular(center, ticksPerRevolution, rotateTool, encoder);
+    return call.answer();
+  }
+
+  private static double ticks(Call call, int index) throws ScriptError {
+    double ticks = call.number(index);
+    if (ticks == 0 || !Double.isFinite(ticks)) {
+      throw call.refuse(index, "must be finite and not 0");
+    }
+    return ticks;
+  }
+
+  /** The encoder that argument {@code index} names, if a conveyor may be tracked by it now. */
+  private static Encoder ready(Call call, int index) throws ScriptError {
+    Encoder encoder = EncoderBuiltins.encoder(call, index);
+    ControlBox box = call.box();
+    if (box.conveyor().active()) {
+      throw call.failure(
+          "conveyor-tracked", "a conveyor is being tracked, stop_conveyor_tracking must end that");
+    }
+    if (box.pathOffset().active()) {
+      throw call.failure(
+          "path-offset", "path offset is enabled, path_offset_disable must end that first");
+    }
+    if (box.motion().guided()) {
+      throw call.failure("freedrive", "the arm is in freedrive, which must be ended first");
+    }
+    if (!encoder.enabled()) {
+      box.log()
+          .warning(
+              "conveyor tracking: encoder "
+                  + call.integer(index)
+                  + " is not enabled and counts nothing, the belt stands");
+    }
+    return encoder;
+  }
+
+  private static Outcome stop(Call call) throws ScriptError {
+    double deceleration = MotionArguments.positive(call, 0);
+    MotionControl motion = call.box().motion();
+    try {
+      motion.endOffset(call.box().conveyor());
+    } catch (ScriptError e) {
+      throw call.failure(e.code(), e.getMessage());
+    }
+    return MotionWait.stop(
+        call, "stop_conveyor_tracking", (from, speed) -> new StopJ(from, speed, deceleration));
+  }
+
+  private static Outcome poseAlongPath(Call call) {
+    ControlBox box = call.box();
+    return call.answer(
+        box.forward().tcpPose(box.motion().pathPositionRad(), box.tool().inFlange()));
+  }
+
+  private static Outcome speedAlongPath(Call call) {
+    MotionControl motion = call.box().motion();
+    return call.answer(
+        call.box().tcpTwistInBase(motion.pathPositionRad(), motion.pathSpeedRadPerS()));
+  }
+}

@@ -1,0 +1,172 @@
+package org.pendant.controller.builtin;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.motion.force.ForceAxis;
+import org.pendant.controller.motion.force.ForceTask;
+import org.pendant.controller.motion.force.FrameKind;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+import org.pendant.models.pose.Pose;
+
+/** Pressing with a force (manual 15.8, 15.10, 15.12 to 15.17, 15.43). */
+final class ForceBuiltins {
+  private static final String MODULE = "motion";
+
+  private static final double LARGEST_GAIN = 2;
+
+  private ForceBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    declareForceMode(builtins);
+    declareTuning(builtins);
+    builtins
+        .declare("screw_driving")
+        .manual(MODULE, "15.43")
+        .doc(
+            "Lets the TCP give way along its z axis until the tool presses with force f there, so"
+                + " that it follows a screw; no faster than v_limit.")
+        .needs("f", Unit.NEWTON)
+        .needs("v_limit", Unit.METRE_PER_SECOND)
+        .does(ForceBuiltins::screwDriving);
+    builtins
+        .declare("end_screw_driving")
+        .manual(MODULE, "15.10")
+        .doc("Ends screw driving or force mode: the arm comes to rest where it is.")
+        .does(ForceBuiltins::end);
+  }
+
+  private static void declareForceMode(Builtins builtins) {
+    builtins
+        .declare("force_mode")
+        .manual(MODULE, "15.12")
+        .doc(
+            "Lets the TCP give way along some axes of a frame until the tool presses with a wanted"
+                + " wrench, while moves go on. selection_vector has a 1 for each axis that gives"
+                + " way; limits are speeds along those, and the farthest from the path along the"
+                + " others. type 1 points y from the TCP at the frame's origin, 2 takes the frame"
+                + " as it is, 3 points x along the motion.")
+        .needs("task_frame", Type.POSE)
+        .needs("selection_vector", Type.LIST)
+        .needs("wrench", Type.LIST)
+        .needs("type", Type.INT)
+        .needs("limits", Type.LIST)
+        .does(ForceBuiltins::forceMode);
+    builtins
+        .declare("end_force_mode")
+        .manual(MODULE, "15.8")
+        .doc("Ends force mode or screw driving: the arm comes to rest where it is.")
+        .does(ForceBuiltins::end);
+  }
+
+  private static void declareTuning(Builtins builtins) {
+    builtins
+        .declare("force_mode_set_damping")
+        .manual(MODULE, "15.16")
+        .doc(
+            "Sets the share of its speed that the TCP loses in each frame in force mode, 0 to 1;"
+                + " 0.005 when a program starts.")
+        .needs("damping", Type.NUMBER)
+        .does(
+            call -> {
+              call.box().forceMode().setDamping(within(call, 1));
+              return call.answer();
+            });
+    builtins
+        .declare("force_mode_get_damping")
+        .manual(MODULE, "15.14")
+        .doc("The share of its speed that the TCP loses in each frame in force mode.")
+        .returns(Type.NUMBER)
+        .does(call -> call.answer(call.box().forceMode().damping()));
+    builtins
+        .declare("force_mode_set_gain_scaling")
+        .manual(MODULE, "15.17")
+        .doc(
+            "Sets how strongly the TCP answers to forces in force mode, 0 to 2; 1 when a program"
+                + " starts. Above 1 the arm may shake on hard surfaces.")
+        .needs("scaling", Type.NUMBER)
+        .does(
+            call -> {
+              call.box().forceMode().setGainScaling(within(call, LARGEST_GAIN));
+              return call.answer();
+            });
+    builtins
+        .declare("force_mode_get_gain_scaling")
+        .manual(MODULE, "15.15")
+        .doc("How strongly the TCP answers to forces in force mode.")
+        .returns(Type.NUMBER)
+        .does(call -> call.answer(call.box().forceMode().gainScaling()));
+  }
+
+  private static double within(Call call, double largest) throws ScriptError {
+    double number = call.number(0);
+    if (!(number >= 0 && number <= largest)) {
+      throw call.refuse(0, "must be 0 to " + Math.round(largest));
+    }
+    return number;
+  }
+
+  private static Outcome forceMode(Call call) throws ScriptError {
+    Pose frame = MotionArguments.pose(call, 0);
+    double[] selection = call.numbers(1, ForceTask.AXES);
+    double[] wrench = call.numbers(2, ForceTask.AXES);
+    FrameKind kind = kind(call);
+    double[] limits = call.numbers(4, ForceTask.AXES);
+    List<ForceAxis> axes = new ArrayList<>();
+    for (int i = 0; i < ForceTask.AXES; i++) {
+      if (selection[i] != 0 && selection[i] != 1) {
+        throw call.refuse(1, "each must be 0 (follows the path) or 1 (compliant)");
+      }
+      if (!Double.isFinite(wrench[i])) {
+        throw call.refuse(2, "must be finite");
+      }
+      if (!(limits[i] >= 0)) {
+        throw call.refuse(4, "none may be negative");
+      }
+      boolean compliant = selection[i] == 1;
+      // a wrench along another axis has no effect
+      axes.add(new ForceAxis(compliant, compliant ? wrench[i] : 0, limits[i]));
+    }
+    return start(call, new ForceTask(kind, frame, axes));
+  }
+
+  private static FrameKind kind(Call call) throws ScriptError {
+    return switch (call.integer(3, 1, 3)) {
+      case 1 -> FrameKind.POINT;
+      case 2 -> FrameKind.FIXED;
+      default -> FrameKind.MOTION;
+    };
+  }
+
+  private static Outcome screwDriving(Call call) throws ScriptError {
+    double forceN = call.number(0);
+    if (!Double.isFinite(forceN)) {
+      throw call.refuse(0, "must be finite");
+    }
+    return start(call, ForceTask.screwDriving(forceN, MotionArguments.positive(call, 1)));
+  }
+
+  private static Outcome start(Call call, ForceTask task) throws ScriptError {
+    ControlBox box = call.box();
+    if (box.pathOffset().active()) {
+      throw call.failure(
+          "path-offset", "path offset is enabled, path_offset_disable must end that first");
+    }
+    try {
+      box.forceMode().start(task, box.targetTcpInBase());
+    } catch (ScriptError e) {
+      throw call.failure(e.code(), e.getMessage());
+    }
+    return call.answer();
+  }
+
+  private static Outcome end(Call call) {
+    call.box().forceMode().finish();
+    return call.answer();
+  }
+}

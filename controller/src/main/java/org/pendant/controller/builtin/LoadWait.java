@@ -1,0 +1,50 @@
+package org.pendant.controller.builtin;
+
+import java.util.Optional;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Wait;
+import org.pendant.controller.toolpath.OffFrame;
+import org.pendant.controller.toolpath.nc.NcPath;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+
+/** A script thread waits for a large toolpath file. */
+final class LoadWait implements Wait {
+  private static final String FUNCTION = "mc_load_path: ";
+
+  private final ControlBox box;
+  private final OffFrame<NcPath> reading;
+  private final boolean feeds;
+
+  LoadWait(ControlBox box, OffFrame<NcPath> reading, boolean feeds) {
+    this.box = box;
+    this.reading = reading;
+    this.feeds = feeds;
+  }
+
+  @Override
+  public Optional<Value> poll(long frame) throws ScriptError {
+    if (!reading.over()) {
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(Value.of(keep(box, reading.result(), feeds)));
+    } catch (ScriptError e) {
+      throw new ScriptError(e.code(), FUNCTION + e.getMessage());
+    }
+  }
+
+  /** Keeps a file that has been read, and says what of it has no effect. */
+  static int keep(ControlBox box, NcPath path, boolean feeds) throws ScriptError {
+    int id = box.toolpaths().keep(path, feeds);
+    if (!path.ignored().isEmpty()) {
+      box.log()
+          .info(
+              FUNCTION
+                  + path.file()
+                  + " has codes without effect on a robot: "
+                  + String.join(", ", path.ignored()));
+    }
+    return id;
+  }
+}

@@ -1,0 +1,118 @@
+package org.pendant.controller.builtin;
+
+import java.util.List;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.value.PoseValue;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.StringValue;
+import org.pendant.controller.value.StructValue;
+import org.pendant.controller.value.Value;
+import org.pendant.controller.world.SceneObject;
+import org.pendant.controller.world.Vector3;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
+
+/**
+ * Where optimovej and optimovel may lead (manual 15.32). Frames are {@code base}; {@code flange} and
+ * {@code tcp} as they stand when the move begins; and the objects of the scene, which serve as the
+ * world model: a box by its pose, a sphere and a plane by the point they are given by.
+ */
+final class MoveGoal {
+  private static final List<String> MEMBERS = List.of("pose", "frame");
+
+  private final ForwardKinematics forward;
+  private final Frame frame;
+  private final Pose frameInBase;
+  private final Pose tcp;
+  private final Pose pose;
+
+  private enum Frame {
+    FIXED,
+    FLANGE,
+    TCP
+  }
+
+  private MoveGoal(ControlBox box, Frame frame, Pose frameInBase, Pose pose) {
+    forward = box.forward();
+    tcp = box.tool().inFlange();
+    this.frame = frame;
+    this.frameInBase = frameInBase;
+    this.pose = pose;
+  }
+
+  /** The goal that argument {@code index} of a call names. */
+  static MoveGoal of(Call call, int index) throws ScriptError {
+    ControlBox box = call.box();
+    return switch (call.kind(index)) {
+      case POSE -> new MoveGoal(box, Frame.FIXED, Pose.ZERO, MotionArguments.pose(call, index));
+      case LIST ->
+          new MoveGoal(
+              box,
+              Frame.FIXED,
+              Pose.ZERO,
+              box.forward()
+                  .tcpPose(
+                      MotionArguments.jointsInRange(call, index, "goal"), box.tool().inFlange()));
+      case STRUCT -> inFrame(call, index, call.struct(index));
+      case STRING -> new MoveGoal(box, Frame.FIXED, object(call, call.text(index)), Pose.ZERO);
+      case NONE, BOOL, INT, FLOAT, MATRIX, HANDLE ->
+          throw call.wrongKind(
+              index,
+              "6 joint positions, a pose, a struct of pose and frame, or the name of an object");
+    };
+  }
+
+  private static MoveGoal inFrame(Call call, int index, StructValue struct) throws ScriptError {
+    if (!struct.names().containsAll(MEMBERS)
+        || !(struct.get("pose") instanceof PoseValue pose)
+        || !(struct.get("frame") instanceof StringValue name)) {
+      throw call.wrongKind(index, "a struct with a pose named pose and a string named frame");
+    }
+    Pose given = MotionArguments.finite(call, index, pose.pose());
+    ControlBox box = call.box();
+    return switch (name.bytes()) {
+      case "base" -> new MoveGoal(box, Frame.FIXED, Pose.ZERO, given);
+      case "flange" -> new MoveGoal(box, Frame.FLANGE, Pose.ZERO, given);
+      case "tcp" -> new MoveGoal(box, Frame.TCP, Pose.ZERO, given);
+      default -> new MoveGoal(box, Frame.FIXED, object(call, name.bytes()), given);
+    };
+  }
+
+  /** The pose of an object of the scene, in the base frame. */
+  private static Pose object(Call call, String name) throws ScriptError {
+    for (SceneObject each : call.box().scene().objects()) {
+      if (each.name().equals(name)) {
+        return switch (each) {
+          case SceneObject.Box box -> box.poseInBase();
+          case SceneObject.Sphere sphere -> at(sphere.centreInBaseM());
+          case SceneObject.Plane plane -> at(plane.pointInBaseM());
+        };
+      }
+    }
+    throw call.failure(
+        "unknown-object",
+        "there is no object or frame named " + Value.of(name).text() + " in the world model");
+  }
+
+  private static Pose at(Vector3 point) {
+    return new Pose(point.x(), point.y(), point.z(), 0, 0, 0);
+  }
+
+  /**
+   * The goal of the TCP in the base frame.
+   *
+   * @param from joint positions where the move begins, rad
+   */
+  Pose inBase(Joints from) {
+    Pose reference =
+        switch (frame) {
+          case FIXED -> frameInBase;
+          case FLANGE -> forward.tcpPose(from, Pose.ZERO);
+          case TCP -> forward.tcpPose(from, tcp);
+        };
+    return Poses.trans(reference, pose);
+  }
+}

@@ -1,0 +1,114 @@
+package org.pendant.controller.builtin;
+
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.motion.Headroom;
+import org.pendant.controller.motion.Move;
+import org.pendant.controller.motion.MoveLimits;
+import org.pendant.controller.motion.Routes;
+import org.pendant.controller.value.Kind;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
+
+/** Moves as fast as a share of what the arm can do on their way (manual 15.32, 15.33). */
+final class OptimoveBuiltins {
+  private static final String MODULE = "motion";
+
+  /** More than any arm can do: what it can do decides. */
+  private static final MoveLimits FREE = new MoveLimits(1e9, 1e9, 0);
+
+  private OptimoveBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    builtins
+        .declare("optimovej")
+        .manual(MODULE, "15.32")
+        .doc(
+            "Moves all joints in proportion to a goal, with limited jerk. a and v are shares, up to"
+                + " 1, of what the joints can do on the way. The goal is joint positions, a pose, a"
+                + " struct of a pose and the name of its frame, or the name of an object.")
+        .needs("goal", Type.ANY)
+        .takes("a", Unit.NONE, 0.3)
+        .takes("v", Unit.NONE, 0.3)
+        .takes("r", Unit.METRE, 0)
+        .physicalTime()
+        .does(OptimoveBuiltins::optimovej);
+    builtins
+        .declare("optimovel")
+        .manual(MODULE, "15.33")
+        .doc(
+            "Moves the TCP along a straight line to a goal, with limited jerk. a and v are shares,"
+                + " up to 1, of what the arm can do on the way. The goal is joint positions, a pose,"
+                + " a struct of a pose and the name of its frame, or the name of an object.")
+        .needs("goal", Type.ANY)
+        .takes("a", Unit.NONE, 0.3)
+        .takes("v", Unit.NONE, 0.3)
+        .takes("r", Unit.METRE, 0)
+        .physicalTime()
+        .does(OptimoveBuiltins::optimovel);
+  }
+
+  private static Outcome optimovej(Call call) throws ScriptError {
+    ControlBox box = call.box();
+    Pose tcp = box.tool().inFlange();
+    Headroom headroom = headroom(call);
+    if (call.kind(0) == Kind.LIST) {
+      Joints goal = MotionArguments.jointsInRange(call, 0, "goal");
+      Pose waypoint = box.forward().tcpPose(goal, tcp);
+      return move(
+          call,
+          "optimovej",
+          from -> MotionBuiltins.toJoints(box, from, goal, waypoint, headroom));
+    }
+    MoveGoal goal = MoveGoal.of(call, 0);
+    return move(
+        call,
+        "optimovej",
+        from -> {
+          Pose waypoint = goal.inBase(from);
+          Joints to = MotionBuiltins.reach(box, waypoint, tcp, from);
+          return MotionBuiltins.toJoints(box, from, to, waypoint, headroom);
+        });
+  }
+
+  private static Outcome optimovel(Call call) throws ScriptError {
+    ControlBox box = call.box();
+    Pose tcp = box.tool().inFlange();
+    Headroom headroom = headroom(call);
+    MoveGoal goal = MoveGoal.of(call, 0);
+    return move(
+        call,
+        "optimovel",
+        from -> {
+          Pose waypoint = goal.inBase(from);
+          MotionBuiltins.reach(box, waypoint, tcp, from);
+          Pose start = box.forward().tcpPose(from, tcp);
+          return Routes.line(box.armDescription(), from, start, waypoint, tcp, headroom);
+        });
+  }
+
+  private static Headroom headroom(Call call) throws ScriptError {
+    double acceleration = share(call, 1);
+    double speed = share(call, 2);
+    return call.box().headroom().share(speed, acceleration, Double.POSITIVE_INFINITY);
+  }
+
+  private static double share(Call call, int index) throws ScriptError {
+    double share = call.number(index);
+    if (!(share > 0 && share <= 1)) {
+      throw call.refuse(index, "must be above 0, at most 1");
+    }
+    return share;
+  }
+
+  private static Outcome move(Call call, String function, Move.Route route) throws ScriptError {
+    double radiusM = MotionArguments.notNegative(call, 3);
+    double jerkRampS = call.box().motionSettings().smoothRampS();
+    return MotionWait.move(call, function, new Move(route, FREE, radiusM, jerkRampS));
+  }
+}

@@ -1,0 +1,116 @@
+package org.pendant.controller.builtin;
+
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.motion.ArcRoute;
+import org.pendant.controller.motion.Headroom;
+import org.pendant.controller.motion.Move;
+import org.pendant.controller.motion.MoveLimits;
+import org.pendant.controller.motion.Routes;
+import org.pendant.controller.value.Kind;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+import org.pendant.models.pose.Pose;
+
+/** Moves at an even speed of the tool (manual 15.28, 15.31). */
+final class ProcessMoveBuiltins {
+  private static final String MODULE = "motion";
+
+  private ProcessMoveBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    builtins
+        .declare("movec")
+        .manual(MODULE, "15.28")
+        .doc(
+            "Moves the TCP along a circle through one point to another and waits until it rests"
+                + " there. With mode 0 the tool turns evenly to the orientation of the goal, with"
+                + " mode 1 it keeps its orientation to the circle.")
+        .needs("pose_via", Type.POSE_OR_JOINTS)
+        .needs("pose_to", Type.POSE_OR_JOINTS)
+        .takes("a", Unit.METRE_PER_SECOND_SQUARED, 1.2)
+        .takes("v", Unit.METRE_PER_SECOND, 0.25)
+        .takes("r", Unit.METRE, 0)
+        .takes("mode", Unit.NONE, 0)
+        .physicalTime()
+        .does(ProcessMoveBuiltins::movec);
+    builtins
+        .declare("movep")
+        .manual(MODULE, "15.31")
+        .doc(
+            "Moves the TCP along a straight line at an even speed. With a blend radius the corner"
+                + " to a following movep or movec is rounded on a circle without slowing down.")
+        .needs("pose", Type.POSE_OR_JOINTS)
+        .takes("a", Unit.METRE_PER_SECOND_SQUARED, 1.2)
+        .takes("v", Unit.METRE_PER_SECOND, 0.25)
+        .takes("r", Unit.METRE, 0)
+        .physicalTime()
+        .does(ProcessMoveBuiltins::movep);
+  }
+
+  private static Outcome movep(Call call) throws ScriptError {
+    ControlBox box = call.box();
+    Pose tcp = box.tool().inFlange();
+    Pose goal = pose(call, 0, "pose");
+    MoveLimits limits = limits(call, 1);
+    Headroom headroom = box.headroom().asAsked(limits.speed());
+    return move(
+        call,
+        "movep",
+        limits,
+        3,
+        from -> {
+          MotionBuiltins.reach(box, goal, tcp, from);
+          Pose start = box.forward().tcpPose(from, tcp);
+          return Routes.line(box.armDescription(), from, start, goal, tcp, headroom);
+        });
+  }
+
+  private static Outcome movec(Call call) throws ScriptError {
+    ControlBox box = call.box();
+    Pose tcp = box.tool().inFlange();
+    Pose via = pose(call, 0, "pose_via");
+    Pose goal = pose(call, 1, "pose_to");
+    MoveLimits limits = limits(call, 2);
+    boolean fixed = call.integer(5, 0, 1) == 1;
+    Headroom headroom = box.headroom().asAsked(limits.speed());
+    ArcRoute route = new ArcRoute(box.armDescription(), via, goal, fixed, tcp, headroom);
+    return move(
+        call,
+        "movec",
+        limits,
+        4,
+        from -> {
+          if (!fixed) {
+            MotionBuiltins.reach(box, goal, tcp, from);
+          }
+          return route.from(from, box.forward().tcpPose(from, tcp));
+        });
+  }
+
+  private static MoveLimits limits(Call call, int index) throws ScriptError {
+    double acceleration = MotionArguments.positive(call, index);
+    return new MoveLimits(acceleration, MotionArguments.positive(call, index + 1), 0);
+  }
+
+  /** A pose of the TCP, or the one that joint positions give. */
+  private static Pose pose(Call call, int index, String name) throws ScriptError {
+    if (call.kind(index) == Kind.POSE) {
+      return MotionArguments.pose(call, index);
+    }
+    ControlBox box = call.box();
+    return box.forward()
+        .tcpPose(MotionArguments.jointsInRange(call, index, name), box.tool().inFlange());
+  }
+
+  private static Outcome move(
+      Call call, String function, MoveLimits limits, int radius, Move.Route route)
+      throws ScriptError {
+    double radiusM = MotionArguments.notNegative(call, radius);
+    return MotionWait.move(
+        call, function, new Move(route, limits, radiusM, 0, Move.Kind.PROCESS));
+  }
+}

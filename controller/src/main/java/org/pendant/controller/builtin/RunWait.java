@@ -1,0 +1,113 @@
+package org.pendant.controller.builtin;
+
+import java.util.Locale;
+import java.util.Optional;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Wait;
+import org.pendant.controller.motion.MotionControl;
+import org.pendant.controller.motion.MotionFailure;
+import org.pendant.controller.motion.MotionTicket;
+import org.pendant.controller.toolpath.OffFrame;
+import org.pendant.controller.toolpath.RunPlan;
+import org.pendant.controller.toolpath.Toolpaths;
+import org.pendant.controller.value.NoneValue;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+
+/**
+ * A script thread waits for a run of queued motions: until the arm rests, until the run is planned,
+ * and until it is over. Meanwhile the arm must stay near its path.
+ */
+final class RunWait implements Wait {
+  private static final Optional<Value> DONE = Optional.of(NoneValue.NONE);
+
+  private final ControlBox box;
+  private final int last;
+  private Optional<OffFrame<RunPlan>> planning = Optional.empty();
+  private Optional<RunPlan> plan = Optional.empty();
+  private Optional<MotionTicket> ticket = Optional.empty();
+
+  /**
+   * A wait.
+   *
+   * @param last the number of the last motion
+   */
+  RunWait(ControlBox box, int last) throws ScriptError {
+    this.box = box;
+    this.last = last;
+    planAtRest();
+  }
+
+  private void planAtRest() throws ScriptError {
+    MotionControl motion = box.motion();
+    if (!motion.moving()) {
+      planning =
+          Optional.of(box.toolpaths().plan(last, motion.pathPositionRad(), box.tool().inFlange()));
+    }
+  }
+
+  @Override
+  public Optional<Value> poll(long frame) throws ScriptError {
+    try {
+      Optional<Value> answer = step();
+      if (answer.isPresent()) {
+        box.toolpaths().ran(last, plan.orElseThrow());
+      }
+      return answer;
+    } catch (ScriptError e) {
+      cancel();
+      throw new ScriptError(e.code(), "mc_run_motion: " + e.getMessage());
+    }
+  }
+
+  private Optional<Value> step() throws ScriptError {
+    if (ticket.isPresent()) {
+      return follow(ticket.get());
+    }
+    if (planning.isEmpty()) {
+      planAtRest();
+      return Optional.empty();
+    }
+    if (!planning.get().over()) {
+      return Optional.empty();
+    }
+    RunPlan made = planning.get().result();
+    plan = Optional.of(made);
+    if (made.motion().isEmpty()) {
+      return DONE;
+    }
+    ticket = Optional.of(box.motion().start((from, speed) -> made.begin(from)));
+    return Optional.empty();
+  }
+
+  private Optional<Value> follow(MotionTicket running) throws ScriptError {
+    if (running.failure().isPresent()) {
+      MotionFailure failure = running.failure().get();
+      throw new ScriptError(failure.code(), failure.message());
+    }
+    if (running.finished()) {
+      return DONE;
+    }
+    double apartM =
+        box.toolpaths()
+            .divergenceM(box.forward(), box.drivenPositionRad(), box.actualPositionRad());
+    if (apartM > Toolpaths.DIVERGENCE_M) {
+      throw new ScriptError(
+          "path-divergence",
+          String.format(
+              Locale.ROOT,
+              "the tool is %.1f mm beside its path, must be within %.0f mm",
+              1000 * apartM,
+              1000 * Toolpaths.DIVERGENCE_M));
+    }
+    return Optional.empty();
+  }
+
+  @Override
+  public void cancel() {
+    ticket.ifPresent(MotionTicket::cancel);
+    if (planning.isPresent()) {
+      box.toolpaths().ended();
+    }
+  }
+}

@@ -1,0 +1,199 @@
+package org.pendant.controller.builtin;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.call.Wait;
+import org.pendant.controller.value.Kind;
+import org.pendant.controller.value.NoneValue;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.InverseKinematics;
+import org.pendant.models.pose.Pose;
+
+/** Speeds, positions and torques that programs stream (manual 15.2, 15.44, 15.48, 15.49). */
+final class ServoBuiltins {
+  private static final String MODULE = "motion";
+
+  /** Faster than any joint turns or tool moves, rad/s and m/s: more is a mistake in the units. */
+  private static final double MOST_SPEED = 20;
+
+  private static final double LEAST_LOOKAHEAD_S = 0.03;
+  private static final double MOST_LOOKAHEAD_S = 0.2;
+  private static final double LEAST_GAIN = 100;
+  private static final double MOST_GAIN = 2000;
+
+  private static final Optional<Value> DONE = Optional.of(NoneValue.NONE);
+
+  private ServoBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    declareSpeeds(builtins);
+    declareServos(builtins);
+    builtins
+        .declare("direct_torque")
+        .manual(MODULE, "15.2")
+        .doc(
+            "Drives the joints by torques, in Nm, for one frame, whatever the speed slider says."
+                + " Weight is compensated, friction too unless told otherwise, Coriolis forces are"
+                + " not. Without another call the arm comes to rest from where it is.")
+        .needs("torques", Type.JOINTS)
+        .takes("friction_comp", Type.BOOL, Value.of(true))
+        .physicalTime()
+        .does(ServoBuiltins::directTorque);
+  }
+
+  private static void declareSpeeds(Builtins builtins) {
+    builtins
+        .declare("speedj")
+        .manual(MODULE, "15.48")
+        .doc(
+            "Brings the joints to constant speeds, all at the same moment. Waits for time t, or"
+                + " without it until the speeds are reached. The arm goes on as long as no time"
+                + " passes in the program; then it slows down by a, unless something takes it"
+                + " over.")
+        .needs("qd", Type.JOINTS)
+        .needs("a", Unit.RADIAN_PER_SECOND_SQUARED)
+        .mayTake("t", Type.NUMBER, Unit.SECOND, "until target speed is reached")
+        .physicalTime()
+        .does(ServoBuiltins::speedj);
+    builtins
+        .declare("speedl")
+        .manual(MODULE, "15.49")
+        .doc(
+            "Brings the TCP to a constant velocity and angular velocity along the axes of the"
+                + " base. Waits and ends as speedj does.")
+        .needs("xd", Type.LIST)
+        .needs("a", Unit.METRE_PER_SECOND_SQUARED)
+        .mayTake("t", Type.NUMBER, Unit.SECOND, "until target speed is reached")
+        .mayTake("aRot", Type.NUMBER, Unit.RADIAN_PER_SECOND_SQUARED, "a")
+        .physicalTime()
+        .does(ServoBuiltins::speedl);
+  }
+
+  private static void declareServos(Builtins builtins) {
+    builtins
+        .declare("servoj")
+        .manual(MODULE, "15.44")
+        .doc(
+            "Lets the joints run after positions that are given again and again, and waits for time"
+                + " t. They lag by lookahead_time; gain says how hard they are drawn. a and v are"
+                + " not used. Without another call the arm comes to rest.")
+        .needs("q", Type.JOINTS)
+        .mayTake("a", Type.NUMBER, Unit.RADIAN_PER_SECOND_SQUARED, "not used")
+        .mayTake("v", Type.NUMBER, Unit.RADIAN_PER_SECOND, "not used")
+        .takes("t", Unit.SECOND, ControlBox.FRAME_S)
+        .takes("lookahead_time", Unit.SECOND, 0.1)
+        .takes("gain", Unit.NONE, 300)
+        .physicalTime()
+        .does(ServoBuiltins::servoj);
+    builtins
+        .declare("servoc")
+        .manual(MODULE, "15.44")
+        .doc(
+            "Leads the TCP to a pose on an arc that continues its present direction, and waits"
+                + " until it rests there or is within r of it. From older manuals, for old"
+                + " programs.")
+        .needs("pose", Type.POSE_OR_JOINTS)
+        .takes("a", Unit.METRE_PER_SECOND_SQUARED, 1.2)
+        .takes("v", Unit.METRE_PER_SECOND, 0.25)
+        .takes("r", Unit.METRE, 0)
+        .deprecated("movep")
+        .physicalTime()
+        .does(ServoBuiltins::servoc);
+  }
+
+  private static Outcome speedj(Call call) throws ScriptError {
+    Joints speed = Joints.of(speeds(call, "rad/s"));
+    double acceleration = MotionArguments.positive(call, 1);
+    return MotionWait.goOn(
+        call, "speedj", call.box().servoing().speedJ(speed, acceleration, returnS(call)));
+  }
+
+  private static Outcome speedl(Call call) throws ScriptError {
+    double[] twist = speeds(call, "m/s and rad/s");
+    double acceleration = MotionArguments.positive(call, 1);
+    double turning = call.given(3) ? MotionArguments.positive(call, 3) : acceleration;
+    Pose tcp = call.box().tool().inFlange();
+    return MotionWait.goOn(
+        call,
+        "speedl",
+        call.box().servoing().speedL(tcp, twist, acceleration, turning, returnS(call)));
+  }
+
+  private static double[] speeds(Call call, String unit) throws ScriptError {
+    return MotionArguments.bounded(call, 0, Joints.COUNT, MOST_SPEED, unit);
+  }
+
+  private static OptionalDouble returnS(Call call) throws ScriptError {
+    return call.given(2)
+        ? OptionalDouble.of(MotionArguments.notNegative(call, 2))
+        : OptionalDouble.empty();
+  }
+
+  private static Outcome servoj(Call call) throws ScriptError {
+    Joints goal = MotionArguments.jointsInRange(call, 0, "q");
+    unused(call, 1);
+    unused(call, 2);
+    double timeS = MotionArguments.notNegative(call, 3);
+    double lookaheadS = within(call, 4, LEAST_LOOKAHEAD_S, MOST_LOOKAHEAD_S, " s");
+    double gain = within(call, 5, LEAST_GAIN, MOST_GAIN, "");
+    return MotionWait.goOn(
+        call, "servoj", call.box().servoing().servoJ(goal, timeS, lookaheadS, gain));
+  }
+
+  /** An argument that nothing depends on is a number all the same. */
+  private static void unused(Call call, int index) throws ScriptError {
+    if (call.given(index)) {
+      call.number(index);
+    }
+  }
+
+  private static double within(Call call, int index, double least, double most, String unit)
+      throws ScriptError {
+    double number = call.number(index);
+    if (!(number >= least && number <= most)) {
+      throw call.refuse(
+          index, "must be " + Value.of(least).text() + " to " + Value.of(most).text() + unit);
+    }
+    return number;
+  }
+
+  private static Outcome servoc(Call call) throws ScriptError {
+    ControlBox box = call.box();
+    Pose tcp = box.tool().inFlange();
+    Pose goal =
+        call.kind(0) == Kind.POSE
+            ? MotionArguments.pose(call, 0)
+            : box.forward().tcpPose(MotionArguments.jointsInRange(call, 0, "pose"), tcp);
+    double acceleration = MotionArguments.positive(call, 1);
+    double speed = MotionArguments.positive(call, 2);
+    double radiusM = MotionArguments.notNegative(call, 3);
+    Pose flange = InverseKinematics.flangeOf(goal, tcp);
+    if (box.inverse().closest(flange, box.motion().positionRad()).isEmpty()) {
+      throw call.failure(
+          "no-solution", "the goal " + KinematicsBuiltins.text(goal) + " is out of reach");
+    }
+    return MotionWait.goOn(
+        call, "servoc", box.servoing().servoC(goal, tcp, acceleration, speed, radiusM));
+  }
+
+  private static Outcome directTorque(Call call) throws ScriptError {
+    Joints torqueNm = MotionArguments.joints(call, 0);
+    boolean frictionCompensated = call.bool(1);
+    try {
+      call.box().servoing().giveTorque(torqueNm, frictionCompensated);
+    } catch (ScriptError e) {
+      throw call.failure(e.code(), e.getMessage());
+    }
+    long next = call.frame() + 1;
+    Wait wait = frame -> frame >= next ? DONE : Optional.empty();
+    return wait;
+  }
+}

@@ -1,0 +1,31 @@
+package org.pendant.controller.encoder;
+
+import org.pendant.controller.io.DigitalIo;
+
+/** The encoders of a controller, owned by the frame loop. What is set up outlives a program. */
+public final class Encoders {
+  /** How many there are. */
+  public static final int COUNT = 2;
+
+  private final Encoder first = new Encoder();
+  private final Encoder second = new Encoder();
+
+  /**
+   * One of them.
+   *
+   * @param index 0 or 1
+   * @throws IllegalArgumentException for another one
+   */
+  public Encoder get(int index) {
+    if (index < 0 || index >= COUNT) {
+      throw new IllegalArgumentException("encoder is " + index + ", must be 0 or 1");
+    }
+    return index == 0 ? first : second;
+  }
+
+  /** A frame goes by; after its inputs have been applied. */
+  public void step(DigitalIo io) {
+    first.step(io);
+    second.step(io);
+  }
+}

@@ -1,0 +1,5 @@
+/**
+ * The two inputs for encoders of conveyors: pulses are decoded, tick counts wrap around and are
+ * filtered. Open {@link org.pendant.controller.encoder.Encoders} first.
+ */
+package org.pendant.controller.encoder;

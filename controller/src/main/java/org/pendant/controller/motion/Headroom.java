@@ -1,0 +1,42 @@
+package org.pendant.controller.motion;
+
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
+
+/** What is to keep a move within the means of its arm, looked at once when a path is planned. */
+@FunctionalInterface
+public interface Headroom {
+  /** Keeps nothing back. */
+  Headroom UNLIMITED = (length, points) -> PathCaps.NONE;
+
+  /** Points of a path, asked for from its begin to its end. */
+  @FunctionalInterface
+  interface Points {
+    /**
+     * A point for a rate of 1 that does not change.
+     *
+     * @param at 0 to the length of the path
+     * @param sample overwritten
+     * @return whether there is such a point, and joint speeds there
+     */
+    boolean at(double at, MotionSample sample);
+  }
+
+  /**
+   * The caps for a path.
+   *
+   * @param length of the path, in its own unit
+   */
+  PathCaps over(double length, Points points);
+
+  /** The caps for a curve of the TCP, asked by a follower of its own. */
+  default PathCaps along(
+      ArmDescription arm, ToolCurve curve, double length, Pose tcpInFlange, Joints begin) {
+    if (this == UNLIMITED) {
+      return PathCaps.NONE;
+    }
+    ToolPathFollower follower = new ToolPathFollower(arm, curve, tcpInFlange, begin);
+    return over(length, (at, sample) -> follower.sample(at, 1, 0, sample).isEmpty());
+  }
+}

@@ -1,0 +1,199 @@
+package org.pendant.controller.motion.force;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Supplier;
+import org.pendant.controller.arm.ArmSensors;
+import org.pendant.controller.motion.FrameTime;
+import org.pendant.controller.motion.PathLimiter;
+import org.pendant.controller.safety.SafetyLimits;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.JointLimits;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.Jacobian;
+import org.pendant.models.kinematics.Singularity;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Keeps what force mode asks for within what the joints can and may do: it gives way more slowly,
+ * or not at all, before a joint turns too fast, comes to the end of its range or to the end of its
+ * strength, or the arm comes to a singularity.
+ */
+final class GivingWay {
+  /** How fast joints change their speeds to give way, rad/s². */
+  private static final double ACCELERATION_RAD_PER_S2 = 15;
+
+  /** The last bit of a joint's range is not used, rad. */
+  private static final double MARGIN_RAD = 0.01;
+
+  /** Speed allowed for each rad that is left of a joint's range, 1/s. */
+  private static final double WALL_PER_S = 4;
+
+  /** Speed of the joints allowed for each 1 of a singularity's measure, rad/s. */
+  private static final double SINGULARITY_RAD_PER_S = 8;
+
+  /** A joint that cannot follow its target any better than this presses no harder, rad. */
+  private static final double FARTHEST_LEAD_RAD = 0.03;
+
+  /** Halvings in the search for a speed that is allowed. */
+  private static final int HALVINGS = 7;
+
+  private static final Singularity[] SINGULARITIES = Singularity.values();
+  private static final int N = Joints.COUNT;
+
+  private final ArmDescription arm;
+  private final PathLimiter speeds;
+  private final Supplier<SafetyLimits> limits;
+  private final ArmSensors sensors;
+  private final Jacobian jacobian;
+  private final double[] jacobian36 = new double[Jacobian.SIZE];
+  private final double[] q = new double[N];
+  private final double[] actual = new double[N];
+  private final double[] path = new double[N];
+  private final double[] wanted = new double[N];
+  private final double[] speed = new double[N];
+  private final double[] sum = new double[N];
+
+  /**
+   * For an arm that stands still.
+   *
+   * @param speeds knows how fast the arm may go
+   * @param limits the safety limits that hold now
+   * @param sensors say where the arm truly is
+   */
+  GivingWay(
+      ArmDescription arm,
+      PathLimiter speeds,
+      Supplier<SafetyLimits> limits,
+      ArmSensors sensors) {
+    this.arm = arm;
+    this.sensors = sensors;
+    this.speeds = speeds;
+    this.limits = limits;
+    jacobian = new Jacobian(arm.dh());
+  }
+
+  /** The arm stands still. */
+  void stop() {
+    Arrays.fill(speed, 0);
+  }
+
+  /** Whether the joints do not turn to give way. */
+  boolean stopped() {
+    for (double each : speed) {
+      if (each != 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Comes as near to a velocity as it may.
+   *
+   * @param position where the joints are to be, rad
+   * @param tcpInFlange the TCP that is carried
+   * @param pathTwist6 how the path moves it, m/s and rad/s along the axes of the base
+   * @param twist6 the velocity wanted besides, along the same axes; overwritten with the possible
+   *     one
+   */
+  void limit(Joints position, Pose tcpInFlange, double[] pathTwist6, double[] twist6) {
+    position.copyTo(q);
+    jacobian.at(q, tcpInFlange, jacobian36);
+    boolean regular = jacobian.solve(jacobian36, twist6, wanted);
+    if (!regular || !jacobian.solve(jacobian36, pathTwist6, path)) {
+      stop();
+      Arrays.fill(twist6, 0);
+      return;
+    }
+    accelerate();
+    double share = Math.min(singularityShare(position), Math.min(wallShare(), leadShare()));
+    scale(allowed(share));
+    Jacobian.twist(jacobian36, speed, twist6);
+  }
+
+  private void accelerate() {
+    double largest = 0;
+    for (int i = 0; i < N; i++) {
+      largest = Math.max(largest, Math.abs(wanted[i] - speed[i]));
+    }
+    double step = ACCELERATION_RAD_PER_S2 * FrameTime.FRAME_S;
+    double share = largest > step ? step / largest : 1;
+    for (int i = 0; i < N; i++) {
+      speed[i] = share == 1 ? wanted[i] : speed[i] + share * (wanted[i] - speed[i]);
+    }
+  }
+
+  private double singularityShare(Joints position) {
+    double measure = 1;
+    for (Singularity each : SINGULARITIES) {
+      measure = Math.min(measure, each.measure(arm.dh(), position));
+    }
+    double fastest = 0;
+    for (double each : speed) {
+      fastest = Math.max(fastest, Math.abs(each));
+    }
+    return Math.min(1, SINGULARITY_RAD_PER_S * measure / fastest);
+  }
+
+  private double wallShare() {
+    SafetyLimits safe = limits.get();
+    List<JointLimits> own = arm.joints();
+    double share = 1;
+    for (int i = 0; i < N; i++) {
+      double room =
+          speed[i] > 0
+              ? Math.min(own.get(i).maxRad(), safe.jointMaxRad().get(i)) - q[i]
+              : q[i] - Math.max(own.get(i).minRad(), safe.jointMinRad().get(i));
+      double most = WALL_PER_S * Math.max(0, room - MARGIN_RAD) - path[i] * Math.signum(speed[i]);
+      if (Math.abs(speed[i]) > most) {
+        share = Math.min(share, Math.max(0, most) / Math.abs(speed[i]));
+      }
+    }
+    return share;
+  }
+
+  /** A target that runs away from an arm that cannot press any harder would only be a stop. */
+  private double leadShare() {
+    sensors.copyPositionRad(actual);
+    double share = 1;
+    for (int i = 0; i < N; i++) {
+      double lead = (q[i] - actual[i]) * Math.signum(speed[i]);
+      share = Math.min(share, 2 - 2 * lead / FARTHEST_LEAD_RAD);
+    }
+    return Math.max(0, share);
+  }
+
+  /** The largest share, up to {@code most}, with which no speed of the arm is too high. */
+  private double allowed(double most) {
+    if (fits(most)) {
+      return most;
+    }
+    double low = 0;
+    double high = most;
+    for (int i = 0; i < HALVINGS; i++) {
+      double middle = (low + high) / 2;
+      if (fits(middle)) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
+  }
+
+  private boolean fits(double share) {
+    for (int i = 0; i < N; i++) {
+      sum[i] = path[i] + share * speed[i];
+    }
+    return speeds.largestScaling(q, sum) >= 1;
+  }
+
+  private void scale(double share) {
+    if (share != 1) {
+      for (int i = 0; i < N; i++) {
+        speed[i] *= share;
+      }
+    }
+  }
+}

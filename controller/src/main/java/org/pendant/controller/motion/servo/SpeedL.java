@@ -1,0 +1,58 @@
+package org.pendant.controller.motion.servo;
+
+import java.util.Optional;
+import org.pendant.controller.motion.Motion;
+import org.pendant.controller.motion.MotionFailure;
+import org.pendant.controller.motion.MotionPlan;
+import org.pendant.controller.motion.MotionSample;
+import org.pendant.controller.motion.ToolPathFollower;
+import org.pendant.models.pose.Pose;
+
+/** The velocity of the TCP changes evenly to a constant one (manual 15.49). */
+final class SpeedL implements Motion {
+  private final ToolPathFollower follower;
+  private final double returnS;
+  private final Optional<MotionPlan> ending;
+
+  /**
+   * A motion on a curve whose parameter is time.
+   *
+   * @param returnS when the program goes on, s
+   * @param ending when nothing follows then
+   */
+  SpeedL(ToolPathFollower follower, double returnS, MotionPlan ending) {
+    this.follower = follower;
+    this.returnS = returnS;
+    this.ending = Optional.of(ending);
+  }
+
+  @Override
+  public double durationS() {
+    return Servoing.ENDLESS_S;
+  }
+
+  @Override
+  public double handOverS() {
+    return returnS;
+  }
+
+  @Override
+  public Optional<MotionPlan> ending() {
+    return ending;
+  }
+
+  @Override
+  public String driver() {
+    return "speedl";
+  }
+
+  @Override
+  public Optional<MotionFailure> sample(double timeS, MotionSample sample) {
+    return follower.sample(timeS, 1, 0, sample);
+  }
+
+  @Override
+  public Optional<Pose> waypoint() {
+    return Optional.empty();
+  }
+}

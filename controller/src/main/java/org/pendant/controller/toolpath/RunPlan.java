@@ -1,0 +1,153 @@
+package org.pendant.controller.toolpath;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.DoubleSupplier;
+import org.pendant.controller.motion.Motion;
+import org.pendant.controller.motion.MotionFailure;
+import org.pendant.controller.motion.MotionSample;
+import org.pendant.controller.motion.ToolCurve;
+import org.pendant.controller.motion.ToolPathFollower;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.JointLimits;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
+
+/**
+ * A run that has been planned and looked at along all of its way, so that nothing moves that cannot
+ * be finished.
+ *
+ * @param motion empty if the tool is at the end already
+ * @param endInWork where it takes the tool, in the work frame
+ * @param from joint positions at its begin, rad
+ */
+public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
+  /** How far apart the points are that are looked at, m. */
+  private static final double LOOK_M = 0.005;
+
+  /** The slowest that a path may have to be for the sake of the joints, as part of its speed. */
+  private static final double SLOWEST = 0.02;
+
+  /**
+   * What is to be planned.
+   *
+   * @param orders to run
+   * @param firstId the number of the first
+   * @param from joint positions at the begin, rad
+   * @param activeTcp the TCP of the program, in the flange frame
+   */
+  record Task(
+      ArmDescription arm,
+      Station station,
+      boolean turnFree,
+      List<Order> orders,
+      int firstId,
+      Joints from,
+      Pose activeTcp,
+      DoubleSupplier speedFactor) {
+    Task {
+      orders = List.copyOf(orders);
+    }
+
+    /** About how many legs it has. */
+    int legs() {
+      int legs = 0;
+      for (Order order : orders) {
+        legs += order instanceof Order.Path path ? path.path().points().size() : 1;
+      }
+      return legs;
+    }
+  }
+
+  /**
+   * The motion, for an arm at rest.
+   *
+   * @param positionRad where it is
+   * @throws ScriptError when it is not where the run was planned from
+   */
+  public Motion begin(Joints positionRad) throws ScriptError {
+    if (!positionRad.equals(from)) {
+      throw new ScriptError(
+          "robot-in-use", "something else has moved the arm while the run was being planned");
+    }
+    return motion.orElseThrow();
+  }
+
+  /**
+   * Plans; takes about as long as the way is, so not for the frame loop.
+   *
+   * @throws ScriptError when some part of the way is impossible
+   */
+  static RunPlan of(Task task) throws ScriptError {
+    ArmDescription arm = task.arm();
+    Station station = task.station();
+    Pose flange = new ForwardKinematics(arm.dh()).flangePose(task.from());
+    Route route = new Route(station.toolAt(flange), task.turnFree());
+    for (int i = 0; i < task.orders().size(); i++) {
+      route.add(task.orders().get(i), task.firstId() + i);
+    }
+    if (route.legs().isEmpty()) {
+      return new RunPlan(Optional.empty(), route.end(), task.from());
+    }
+    Chain chain = Chaining.of(route.legs());
+    ToolCurve inWork =
+        task.turnFree()
+            ? new SpunCurve(chain, FreeTurn.along(arm, chain, station, task.from()))
+            : chain;
+    ToolPathFollower follower =
+        new ToolPathFollower(arm, station.curve(inWork), station.followerInFlange(), task.from());
+    Joints last = look(arm, chain, follower, task.from());
+    follower.restart(task.from());
+    Pose end = new ForwardKinematics(arm.dh()).flangePose(last);
+    Motion motion =
+        new ToolpathMotion(
+            chain,
+            new SpeedLaw(chain),
+            follower,
+            Poses.trans(end, task.activeTcp()),
+            task.speedFactor());
+    return new RunPlan(Optional.of(motion), station.toolAt(end), task.from());
+  }
+
+  /** Goes along all of the way; joint positions at its end. */
+  private static Joints look(
+      ArmDescription arm, Chain chain, ToolPathFollower follower, Joints from) throws ScriptError {
+    MotionSample sample = new MotionSample();
+    Joints before = from;
+    for (int i = 0; i < chain.pieces().size(); i++) {
+      Chain.Piece piece = chain.pieces().get(i);
+      int looks = (int) Math.ceil(piece.length() / LOOK_M);
+      for (int k = 1; k <= looks; k++) {
+        double at = chain.begin(i) + piece.length() * k / looks;
+        Optional<MotionFailure> failure = follower.sample(at, piece.speed(), 0, sample);
+        if (failure.isPresent()) {
+          throw new ScriptError(
+              failure.get().code(), piece.name() + ": " + failure.get().message());
+        }
+        refuseTooFast(arm, sample.speedRadPerS(), piece.name());
+        before = sample.positionRad();
+      }
+    }
+    return before;
+  }
+
+  private static void refuseTooFast(ArmDescription arm, Joints speedRadPerS, String name)
+      throws ScriptError {
+    List<JointLimits> limits = arm.joints();
+    for (int i = 0; i < Joints.COUNT; i++) {
+      if (Math.abs(speedRadPerS.get(i)) * SLOWEST > limits.get(i).maxSpeedRadPerS()) {
+        throw new ScriptError(
+            "singularity",
+            name
+                + ": the path passes too close to a singularity, joint "
+                + i
+                + " would turn at "
+                + Math.round(Math.abs(speedRadPerS.get(i)))
+                + " rad/s");
+      }
+    }
+  }
+}
