@@ -222,6 +222,34 @@ final class RunTest {
   }
 
   @Test
+  void aBeltTurnsAnEncoder() {
+    script(
+        "belt.script",
+        "before = encoder_get_tick_count(1, \"raw\")",
+        "sleep(0.5)",
+        "textmsg(encoder_get_tick_count(1, \"raw\") - before)",
+        "textmsg(encoder_get_tick_count(0))");
+
+    Result result = Launcher.pendant(folder, "run", "--encoder", "1=-2000", "belt.script");
+    Result third = Launcher.pendant(folder, "run", "--encoder", "2=5", "belt.script");
+    Result word = Launcher.pendant(folder, "run", "--encoder", "0=fast", "belt.script");
+    Result fast = Launcher.pendant(folder, "run", "--encoder", "0=1e7", "belt.script");
+
+    assertAll(
+        () -> assertEquals(0, result.exitCode(), result.errors()),
+        () -> assertEquals("-1000\n0\n", result.output()),
+        () -> assertEquals(2, third.exitCode()),
+        () -> assertTrue(third.errors().contains("encoder is 2, must be 0 or 1"), third.errors()),
+        () ->
+            assertTrue(
+                word.errors().contains("--encoder 0 is fast, must be a number of ticks a second"),
+                word.errors()),
+        () ->
+            assertTrue(
+                fast.errors().contains("is 1e7, must be -1000000 to 1000000"), fast.errors()));
+  }
+
+  @Test
   void seedDecidesWhatRandomAnswers() {
     script("random.script", "textmsg(random())");
 

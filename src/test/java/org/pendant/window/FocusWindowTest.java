@@ -13,7 +13,7 @@ final class FocusWindowTest {
 
   @Test
   void aStopOfTheDebuggerLeavesThePaletteOpen() {
-    holdAtSecondLine();
+    holdBeforeSleep();
     window.press("F10");
     window.awaitWords("program-state", "running");
     window.press("control shift P");
@@ -30,7 +30,7 @@ final class FocusWindowTest {
 
   @Test
   void aStopOfTheDebuggerLeavesTheFieldSomebodyTypesIn() {
-    holdAtSecondLine();
+    holdBeforeSleep();
     window.perform("Find in files");
     window.awaitFocus("search-words");
     window.press("F10");
@@ -57,7 +57,8 @@ final class FocusWindowTest {
     window.press("control S");
   }
 
-  private void holdAtSecondLine() {
+  /** The next step lasts two seconds, long enough to go elsewhere. */
+  private void holdBeforeSleep() {
     desk.program("i = 1", "sleep(2)", "i = 2", "sleep(1)");
     window.click("rail-script");
     window.click("script-text");

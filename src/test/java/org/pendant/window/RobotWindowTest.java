@@ -99,6 +99,35 @@ final class RobotWindowTest {
   }
 
   @Test
+  void speedOfProgramsFollowsKeysAndSlider() {
+    window.press("control alt PAGE_DOWN");
+    window.awaitWords("speed-value", "90 %");
+    window.click("speed-slider");
+    window.awaitFocus("speed-slider");
+    window.press("END");
+    window.awaitWords("speed-value", "100 %");
+    window.press("LEFT");
+    window.awaitWords("speed-value", "99 %");
+    window.perform("Programs at full speed");
+    window.awaitWords("speed-value", "100 %");
+  }
+
+  @Test
+  void robotTimeIsPausedAndGoesOnByFrames() {
+    window.choose("pace", "Paused");
+    window.awaitEnabled("clock-step-frame");
+    double pausedS = timeS();
+    window.await(
+        "frames go by",
+        () -> {
+          window.press("control alt F10");
+          return timeS() > pausedS;
+        });
+    window.choose("pace", "Real time");
+    window.awaitHidden("clock-step-frame");
+  }
+
+  @Test
   void coloursChangeInTheOpenWindow() {
     window.perform("Colours: Dark");
     window.await("the window is dark", () -> window.brightness("header") < 100);

@@ -93,6 +93,7 @@ final class BlendedProgramTest {
         """
         def choice():
           movel(p[0.45, -0.15, 0.45, 2.2214, -2.2214, 0])
+          textmsg("begin")
           movel(p[0.45, 0.05, 0.45, 2.2214, -2.2214, 0], r=0.05)
           textmsg(get_target_tcp_pose()[1] - 0.05)
           textmsg(is_steady())
@@ -105,14 +106,14 @@ final class BlendedProgramTest {
           textmsg(get_target_waypoint()[0])
         end
         """);
-    while (running.state().arm().targetTcpInBase().y() < -0.05) {
+    while (running.said().isEmpty() || running.state().arm().targetTcpInBase().y() < -0.05) {
       running.advance(1);
     }
-    running.done(new Command.SetInput("standard_digital_in[0]", true));
+    running.done(new Command.SetInput("digital_in[0]", true));
     running.finish();
-    double before = Double.parseDouble(running.said().getFirst());
+    double before = Double.parseDouble(running.said().get(1));
     assertEquals(-0.05, before, 0.25 * 0.002);
-    assertEquals(List.of("False", "0.05", "0.55"), running.said().subList(1, 4));
+    assertEquals(List.of("False", "0.05", "0.55"), running.said().subList(2, 5));
   }
 
   @Test
@@ -194,13 +195,13 @@ final class BlendedProgramTest {
         """
         def aborted():
           movel(p[0.45, -0.3, 0.45, 2.2214, -2.2214, 0])
+          textmsg("begin")
           movel(p[0.45, 0.3, 0.45, 2.2214, -2.2214, 0], r=0.05)
           textmsg(get_target_tcp_pose()[1] < 0)
           movel(p[0.55, -0.1, 0.45, 2.2214, -2.2214, 0])
         end
         """);
-    while (running.state().arm().targetTcpInBase().y() < -0.15
-        || running.state().arm().targetSpeedRadPerS().equals(Joints.ZERO)) {
+    while (running.said().isEmpty() || running.state().arm().targetTcpInBase().y() < -0.15) {
       running.advance(1);
     }
     running.done(new Command.AbortMove());
@@ -208,7 +209,7 @@ final class BlendedProgramTest {
       assertTrue(running.state().arm().targetTcpInBase().y() < 0, "goes on far");
       running.advance(1);
     }
-    assertEquals(List.of("True"), running.said());
+    assertEquals(List.of("begin", "True"), running.said());
     assertEquals(-0.1, running.state().arm().targetTcpInBase().y(), 1e-9);
   }
 }

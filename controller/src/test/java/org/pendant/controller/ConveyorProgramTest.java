@@ -140,11 +140,11 @@ final class ConveyorProgramTest {
 
   @Test
   void takesUpARunningBeltWithoutAJumpAndComesToRestFromIt() {
-    RunningProgram running = withBelt(5 * TICKS_PER_S);
+    RunningProgram running = withBelt(3 * TICKS_PER_S);
     running.start(
         """
         def follow():
-          movej([-0.8, -1.4, -1.7, -1.6, 1.57, 0])
+          movej([-0.6, -1.4, -1.7, -1.6, 1.57, 0])
           textmsg("tracks")
           track_conveyor_linear(p[0, 1, 0, 0, 0, 0], 50000)
           sleep(0.8)
@@ -160,6 +160,7 @@ final class ConveyorProgramTest {
     while (!running.said().contains("stops")) {
       start.see(running.state().arm());
       running.advance(1);
+      assertEquals(ProgramState.RUNNING, running.programState(), () -> "" + running.reported());
     }
     start.check();
     Smoothness stop = new Smoothness(10.001);
@@ -167,6 +168,7 @@ final class ConveyorProgramTest {
     while (!running.said().contains("rests")) {
       running.advance(1);
       stop.see(running.state().arm());
+      assertEquals(ProgramState.RUNNING, running.programState(), () -> "" + running.reported());
     }
     stop.check();
     assertEquals(Joints.ZERO, running.state().arm().targetSpeedRadPerS());
@@ -222,7 +224,7 @@ final class ConveyorProgramTest {
     running.advance(300);
     assertEquals(held, tcp(running));
     assertEquals(SafetyMode.SAFEGUARD_STOP, running.state().safety().safetyMode());
-    Smoothness goingOn = new Smoothness(20);
+    Smoothness goingOn = new Smoothness(25);
     running.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
     for (int i = 0; i < 3000 && !running.said().contains("drawn"); i++) {
       running.advance(1);
@@ -238,13 +240,13 @@ final class ConveyorProgramTest {
   void aProgramThatEndsLeavesTheBelt() {
     for (boolean stopped : new boolean[] {true, false}) {
       RunningProgram running = withBelt(TICKS_PER_S);
-      running.start(TRACK + "sleep(1)\ntextmsg(\"now\")\nsleep(" + (stopped ? 9 : 0) + ")\n");
+      running.start(TRACK + "sleep(1)\ntextmsg(\"now\")\nsleep(" + (stopped ? 9 : 0.1) + ")\n");
       until(running, "now");
-      Smoothness stop = new Smoothness(8.001);
-      stop.before = running.state().arm().targetSpeedRadPerS();
       if (stopped) {
         running.done(new Command.StopProgram());
       }
+      Smoothness stop = new Smoothness(8.001);
+      stop.before = running.state().arm().targetSpeedRadPerS();
       for (int i = 0; i < 200; i++) {
         running.advance(1);
         stop.see(running.state().arm());
@@ -256,6 +258,22 @@ final class ConveyorProgramTest {
       running.finish();
       assertTrue(running.reported().isEmpty(), () -> "" + running.reported());
     }
+  }
+
+  @Test
+  void anArmWithoutPowerIsLeftBehindByTheBelt() {
+    RunningProgram running = withBelt(TICKS_PER_S);
+    running.start(TRACK + "sleep(1)\ntextmsg(\"now\")\nsleep(9)\n");
+    until(running, "now");
+    running.done(new Command.PowerOff());
+    running.advance(500);
+    Pose rests = running.state().arm().actualTcpInBase();
+    running.done(new Command.PowerOn());
+    running.advance(500);
+    running.done(new Command.ReleaseBrakes());
+    running.advance(1500);
+    assertEquals(0, Poses.distance(rests, running.state().arm().actualTcpInBase()), 1e-3);
+    assertEquals(Joints.ZERO, running.state().arm().targetSpeedRadPerS());
   }
 
   @Test
@@ -284,6 +302,7 @@ final class ConveyorProgramTest {
           textmsg("follows")
           sleep(0.8)
           textmsg("done")
+          sleep(0.1)
         end
         """);
     until(running, "follows");
@@ -291,10 +310,59 @@ final class ConveyorProgramTest {
     int frame = 0;
     while (!running.said().contains("done")) {
       running.advance(1);
+      assertEquals(ProgramState.RUNNING, running.programState(), () -> "" + running.reported());
       frame++;
       assertEquals(before.y() + frame * 0.0002, tcp(running).y(), 1e-6, "frame " + frame);
     }
     assertTrue(running.reported().isEmpty(), () -> "" + running.reported());
+  }
+
+  @Test
+  void pulsesOfInputsMoveTheTool() {
+    RunningProgram running = new RunningProgram();
+    running.start(
+        """
+        encoder_enable_pulse_decode(0, 1, 8, 9)
+        track_conveyor_linear(p[0, 0, 1, 0, 0, 0], 1000)
+        sleep(2)
+        textmsg(encoder_get_tick_count(0, "raw"))
+        sleep(1)
+        """);
+    double before = tcp(running).z();
+    for (int period = 0; period < 5; period++) {
+      running.done(new Command.SetInput("configurable_in[0]", true));
+      running.done(new Command.SetInput("configurable_in[1]", true));
+      running.done(new Command.SetInput("configurable_in[0]", false));
+      running.done(new Command.SetInput("configurable_in[1]", false));
+    }
+    until(running, "20");
+    assertEquals(before + 0.02, tcp(running).z(), 1e-6);
+  }
+
+  @Test
+  void endingForceModeDoesNotEndTracking() {
+    RunningProgram running = withBelt(TICKS_PER_S);
+    running.start(
+        "sleep(0.5)\n"
+            + TRACK
+            + """
+            sleep(0.5)
+            force_mode(p[0, 0, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 5, 0, 0, 0], 2, [0.1, 0.1, 0.1, 1, 1, 1])
+            sleep(0.5)
+            end_force_mode()
+            sleep(0.2)
+            textmsg("ended")
+            sleep(1)
+            textmsg("done")
+            sleep(0.1)
+            """);
+    until(running, "ended");
+    Pose before = tcp(running);
+    running.advance(250);
+    Pose after = tcp(running);
+    assertEquals(0.5 * BELT_M_PER_S, after.y() - before.y(), 1e-6);
+    assertEquals(before.z(), after.z(), 1e-6);
+    until(running, "done");
   }
 
   @Test
@@ -309,8 +377,10 @@ final class ConveyorProgramTest {
             track_conveyor_circular(p[0.3, 0, 0.2, 0, 0, 0], 6000, %s)
             sleep(1)
             textmsg("follows")
+            sleep(0.1)
             movel(pose_add(get_target_tcp_pose_along_path(), p[0.03, 0, 0.05, 0, 0, 0]))
             textmsg("done")
+            sleep(0.1)
           end
           """
               .formatted(rotate ? "True" : "False"));
@@ -336,9 +406,12 @@ final class ConveyorProgramTest {
       running.advance(1);
     }
     assertTrue(
-        running.reported().stream().anyMatch(text -> text.contains("out of the arm's reach")
-            || text.contains("what carries the tool aside")
-            || text.contains("protective stop")),
+        running.reported().stream()
+            .anyMatch(
+                text ->
+                    text.contains("out of the arm's reach")
+                        || text.contains("what carries the tool aside")
+                        || text.contains("protective stop")),
         () -> "" + running.reported());
     running.advance(500);
     assertEquals(Joints.ZERO, running.state().arm().targetSpeedRadPerS());
@@ -372,8 +445,7 @@ final class ConveyorProgramTest {
     assertEquals(floor.size(), carried.size());
     double begin = carried.getFirst().y() - floor.getFirst().y();
     for (int k = 0; k < floor.size(); k++) {
-      Pose onBelt =
-          carried.get(k).with(1, carried.get(k).y() - begin - k * BELT_M_PER_S * FRAME_S);
+      Pose onBelt = carried.get(k).with(1, carried.get(k).y() - begin - k * BELT_M_PER_S * FRAME_S);
       assertTrue(Poses.distance(floor.get(k), onBelt) < 1e-6, "frame " + k);
     }
   }

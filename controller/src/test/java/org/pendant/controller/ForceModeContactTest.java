@@ -5,12 +5,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.world.Material;
+import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.ToolPoint;
+import org.pendant.controller.world.Vector3;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Transforms;
 
 /** Force mode with an arm that has mass and a table to press on. */
 final class ForceModeContactTest {
@@ -21,8 +26,17 @@ final class ForceModeContactTest {
 
   @ParameterizedTest
   @CsvSource({
-    "ur5e, 1000", "ur5e, 10000", "ur5e, 40000", "ur5e, 200000", "ur3e, 10000", "ur3e, 100000",
-    "ur10e, 40000", "ur16e, 40000", "ur20, 1000", "ur20, 40000", "ur30, 200000"
+    "ur5e, 1000",
+    "ur5e, 10000",
+    "ur5e, 40000",
+    "ur5e, 200000",
+    "ur3e, 10000",
+    "ur3e, 100000",
+    "ur10e, 40000",
+    "ur16e, 40000",
+    "ur20, 1000",
+    "ur20, 40000",
+    "ur30, 200000"
   })
   void theForceIsRightWithinTwoPercentAfterASecond(String robot, double stiffnessNPerM) {
     PressingArm pressing =
@@ -71,6 +85,64 @@ final class ForceModeContactTest {
   }
 
   @Test
+  void aTiltedToolLaysItselfFlat() {
+    List<ToolPoint> corners =
+        List.of(corner(0.05, 0.05), corner(-0.05, 0.05), corner(0.05, -0.05), corner(-0.05, -0.05));
+    ControllerOptions options = PressingArm.tableBelow("ur5e", 0.02, Material.DEFAULT);
+    Scene scene = new Scene(options.scene().objects(), Optional.empty(), corners);
+    PressingArm pressing = new PressingArm(options.withScene(scene));
+    pressing.start(
+        """
+        movel(pose_trans(get_target_tcp_pose(), p[0, 0, 0, 0.04, -0.06, 0]))
+        zero_ftsensor()
+        force_mode(p[0, 0, 0, 0, 0, 0], [0, 0, 1, 1, 1, 0], [0, 0, -20, 0, 0, 0], 2,\
+         [0.1, 0.1, 0.05, 0.3, 0.3, 0.3])
+        sleep(10)
+        """);
+    pressing.untilContact();
+    assertTrue(tiltRad(pressing) > 0.05);
+    pressing.frames(1500);
+    assertEquals(0, tiltRad(pressing), 1e-3);
+    assertEquals(20, pressing.pressN(), 0.4);
+    assertEquals(SafetyMode.NORMAL, pressing.running.state().safety().safetyMode());
+  }
+
+  private static ToolPoint corner(double x, double y) {
+    return new ToolPoint(new Vector3(x, y, 0.15), 0);
+  }
+
+  /** Angle between the tool and straight down. */
+  private static double tiltRad(PressingArm pressing) {
+    double[] tcp = new double[Transforms.SIZE];
+    Transforms.of(pressing.arm().actualTcpInBase(), tcp);
+    return Math.acos(Math.min(1, -tcp[8]));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"ur5e, 40000", "ur20, 40000", "ur20, 10000"})
+  void theToolDoesNotBounceOffTheTable(String robot, double stiffnessNPerM) {
+    PressingArm pressing =
+        PressingArm.overTable(robot, 0.01, new Material(stiffnessNPerM, 0.2, 0.3));
+    pressing.start(PRESS + "sleep(10)\n");
+    pressing.untilContact();
+    pressing.frames(
+        500,
+        () ->
+            assertTrue(
+                pressing.pressN() > 0.9 && pressing.pressN() < 45, () -> pressing.pressN() + " N"));
+  }
+
+  @Test
+  void anArmThatCannotPressAsHardAsWantedPressesAsHardAsItCan() {
+    PressingArm pressing = PressingArm.overTable("ur3e", 0.01, Material.DEFAULT);
+    pressing.start(
+        "set_tcp(p[0, 0.3, 0.15, 0, 0, 0])\n" + PRESS.replace("-20", "-100") + "sleep(10)\n");
+    pressing.frames(3000);
+    assertEquals(SafetyMode.NORMAL, pressing.running.state().safety().safetyMode());
+    assertTrue(pressing.pressN() > 20 && pressing.pressN() < 95, () -> pressing.pressN() + " N");
+  }
+
+  @Test
   void endingItKeepsTheToolWhereItIs() {
     PressingArm pressing = PressingArm.overTable(0.01);
     pressing.start(PRESS + "sleep(2)\nend_force_mode()\nsleep(1)\nstopl(1)\ntextmsg(\"on\")\n");
@@ -85,8 +157,7 @@ final class ForceModeContactTest {
 
   @Test
   void aSmallArmMayPressHarderThanACollisionIs() {
-    PressingArm pressing =
-        PressingArm.overTable("ur3e", 0.01, new Material(1e4, 0.2, 0.3));
+    PressingArm pressing = PressingArm.overTable("ur3e", 0.01, new Material(1e4, 0.2, 0.3));
     pressing.start(PRESS.replace("-20", "-40") + "sleep(10)\n");
     pressing.frames(1500);
     assertEquals(SafetyMode.NORMAL, pressing.running.state().safety().safetyMode());

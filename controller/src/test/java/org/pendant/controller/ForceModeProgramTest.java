@@ -11,6 +11,7 @@ import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
 import org.pendant.models.pose.Wrench;
 
 /** Programs in force mode, mostly with nothing to press on. */
@@ -318,8 +319,7 @@ final class ForceModeProgramTest {
     }
     Pose start = free.target();
     free.frames(1000);
-    Pose moved = org.pendant.models.pose.Poses.trans(
-        org.pendant.models.pose.Poses.inverse(start), free.target());
+    Pose moved = Poses.trans(Poses.inverse(start), free.target());
     assertEquals(0, moved.x(), 1e-6);
     assertEquals(0, moved.y(), 1e-6);
     assertTrue(moved.z() > 0.03 && moved.z() < 0.05, () -> moved.toString());

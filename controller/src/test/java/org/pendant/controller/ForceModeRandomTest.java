@@ -50,8 +50,7 @@ final class ForceModeRandomTest {
     StringBuilder text = new StringBuilder("[");
     for (int i = 0; i < 6; i++) {
       text.append(i > 0 ? ", " : "")
-          .append(
-              String.format(Locale.ROOT, "%.4f", Math.pow(10, -3 + 4 * random.nextDouble())));
+          .append(String.format(Locale.ROOT, "%.4f", Math.pow(10, -3 + 4 * random.nextDouble())));
     }
     return text.append("]").toString();
   }
@@ -163,7 +162,6 @@ final class ForceModeRandomTest {
       }
       before = now;
     }
-    System.out.println(each.seed()+" "+each.robot()+" "+running.programState()+" "+running.reported());
   }
 
   @Test
@@ -176,8 +174,7 @@ final class ForceModeRandomTest {
     for (int i = 0; i < FRAMES; i++) {
       one.advance(1);
       other.advance(1);
-      assertEquals(
-          one.state().arm().targetPositionRad(), other.state().arm().targetPositionRad());
+      assertEquals(one.state().arm().targetPositionRad(), other.state().arm().targetPositionRad());
     }
   }
 }

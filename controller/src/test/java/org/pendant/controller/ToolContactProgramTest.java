@@ -4,11 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.world.Material;
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.pose.Wrench;
 
 /** Programs that move until the tool meets something (manual 16.66, 16.67). */
 final class ToolContactProgramTest {
@@ -52,8 +55,7 @@ final class ToolContactProgramTest {
     "0.1, 10000, 'tool_contact([0, 0, -3, 1, 2, 3], 30)'"
   })
   void theHistoryLeadsBackToWhereTheContactBegan(double speed, double stiffness, String contact) {
-    PressingArm arm =
-        PressingArm.overTable("ur5e", GAP_M, new Material(stiffness, 0.2, 0.3));
+    PressingArm arm = PressingArm.overTable("ur5e", GAP_M, new Material(stiffness, 0.2, 0.3));
     double table = PressingArm.tcpAtStart("ur5e").z() - GAP_M;
     arm.start(approach(speed, contact));
     arm.running.finish();
@@ -63,6 +65,29 @@ final class ToolContactProgramTest {
     assertEquals(table, arm.running.numbers().get(0), tolerance);
     assertTrue(arm.running.numbers().get(1) >= 1);
     assertEquals(SafetyMode.NORMAL, arm.running.state().safety().safetyMode());
+  }
+
+  @Test
+  void theExampleOfTheManualGoesBackToTheSurface() {
+    PressingArm arm = PressingArm.overTable(GAP_M);
+    double table = PressingArm.tcpAtStart("ur5e").z() - GAP_M;
+    arm.start(
+        """
+        while True:
+          step_back = tool_contact()
+          if step_back <= 0:
+            speedl([0, 0, -0.100, 0, 0, 0], 0.5, t=get_steptime())
+          else:
+            q = get_actual_joint_positions_history(step_back)
+            stopl(3)
+            movel(q)
+            break
+          end
+        end
+        """);
+    arm.running.finish();
+    assertEquals(SafetyMode.NORMAL, arm.running.state().safety().safetyMode());
+    assertEquals(table, arm.target().z(), 2.2e-4);
   }
 
   @Test
@@ -95,8 +120,10 @@ final class ToolContactProgramTest {
     PressingArm arm = PressingArm.overTable(GAP_M);
     arm.start(
         approach(0.1, "tool_contact()")
-            .replace("steps = tool_contact()", "behind = tool_contact([0, 0, 1, 0, 0, 0])\n"
-                + "  textmsg(behind)\n  steps = tool_contact()"));
+            .replace(
+                "steps = tool_contact()",
+                "behind = tool_contact([0, 0, 1, 0, 0, 0])\n"
+                    + "  textmsg(behind)\n  steps = tool_contact()"));
     arm.running.finish();
     List<String> said = arm.running.said();
     assertTrue(said.subList(0, said.size() - 2).stream().allMatch("0"::equals), said::toString);
@@ -105,9 +132,7 @@ final class ToolContactProgramTest {
   @Test
   void aWrongPayloadThatHangsStillIsNoContact() {
     PressingArm arm = new PressingArm();
-    arm.running.done(
-        new Command.AttachLoad(
-            java.util.Optional.of(org.pendant.models.dynamics.Payload.of(2, 0, 0, 0.05))));
+    arm.running.done(new Command.AttachLoad(Optional.of(Payload.of(2, 0, 0, 0.05))));
     arm.frames(10_000);
     arm.start("sleep(0.1)\ntextmsg(tool_contact())\n");
     arm.running.finish();
@@ -126,8 +151,7 @@ final class ToolContactProgramTest {
         textmsg(tool_contact())
         """);
     arm.frames(100);
-    arm.running.done(
-        new Command.PushTool(new org.pendant.models.pose.Wrench(0, 0, 20, 0, 0, 0)));
+    arm.running.done(new Command.PushTool(new Wrench(0, 0, 20, 0, 0, 0)));
     arm.running.finish();
     assertEquals(List.of("True", "0"), arm.running.said());
   }

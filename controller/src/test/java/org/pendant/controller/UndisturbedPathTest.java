@@ -46,27 +46,27 @@ final class UndisturbedPathTest {
     SAFEGUARD_STOP,
     PROTECTIVE_STOP;
 
-    void happen(RunningProgram running, SplittableRandom random) {
+    void happen(RunningProgram running, SplittableRandom random, List<Joints> points) {
       switch (this) {
         case PAUSE -> {
           running.ask(new Command.PauseProgram());
-          running.advance(random.nextInt(1, 400));
+          follow(running, random.nextInt(1, 400), points);
           running.ask(new Command.ResumeProgram());
         }
         case SLIDER -> {
           running.done(new Command.SetSpeedFraction(random.nextDouble(0, 1)));
-          running.advance(random.nextInt(1, 300));
+          follow(running, random.nextInt(1, 300), points);
           running.done(new Command.SetSpeedFraction(random.nextDouble(0.1, 1)));
         }
         case SAFEGUARD_STOP -> {
           running.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
-          running.advance(random.nextInt(1, 400));
+          follow(running, random.nextInt(1, 400), points);
           running.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
         }
         case PROTECTIVE_STOP -> {
           String stop = "sec stop():\n  protective_stop()\nend\n";
           running.done(new Command.RunSecondary(running.program(stop)));
-          running.advance(UNLOCK_FRAMES);
+          follow(running, UNLOCK_FRAMES, points);
           assertEquals(SafetyMode.PROTECTIVE_STOP, running.state().safety().safetyMode());
           running.done(new Command.UnlockProtectiveStop());
           running.done(new Command.ResumeProgram());
@@ -75,14 +75,24 @@ final class UndisturbedPathTest {
     }
   }
 
-  private static List<Joints> targets(RunningProgram running) {
-    List<Joints> targets = new ArrayList<>();
-    while (running.programState() != ProgramState.STOPPED) {
+  private static void follow(RunningProgram running, int frames, List<Joints> targets) {
+    for (int i = 0; i < frames; i++) {
       running.advance(1);
       targets.add(running.state().arm().targetPositionRad());
+    }
+  }
+
+  private static List<Joints> targets(RunningProgram running) {
+    List<Joints> targets = new ArrayList<>();
+    followToEnd(running, targets);
+    return targets;
+  }
+
+  private static void followToEnd(RunningProgram running, List<Joints> targets) {
+    while (running.programState() != ProgramState.STOPPED) {
+      follow(running, 1, targets);
       assertTrue(targets.size() < 100_000, "endless");
     }
-    return targets;
   }
 
   private static RunningProgram started(int version) {
@@ -104,9 +114,11 @@ final class UndisturbedPathTest {
       int at = spread ? spread(path, each) : random.nextInt(5, path.size() - 5);
       RunningProgram disturbed = started(version);
       disturbed.advance(at);
-      disturbance.happen(disturbed, random);
+      List<Joints> points = new ArrayList<>();
+      disturbance.happen(disturbed, random, points);
+      followToEnd(disturbed, points);
       String input = disturbance + " in frame " + at + ", version " + version;
-      assertFollows(path, targets(disturbed), input);
+      assertFollows(path, points, input);
       assertFalse(disturbed.said().isEmpty(), input);
     }
   }

@@ -159,7 +159,7 @@ final class EncoderBuiltins {
     if (type == 0) {
       encoder.disable();
     } else {
-      PulseDecoder.Kind kind = PulseDecoder.Kind.values()[type - 1];
+      PulseDecoder.Kind kind = PulseDecoder.Kind.of(type);
       encoder.decode(new PulseDecoder(kind, new Signal(bank, a), new Signal(bank, b)), box.io());
     }
   }

@@ -15,7 +15,6 @@ import org.pendant.controller.motion.StopL;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.NumberList;
 import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.arm.ArmDescription;
@@ -107,9 +106,7 @@ final class MotionBuiltins {
     if (call.kind(0) == Kind.POSE) {
       Pose goal = MotionArguments.pose(call, 0);
       return move(
-          call,
-          "movej",
-          from -> toJoints(box, from, reach(box, goal, tcp, from), goal, headroom));
+          call, "movej", from -> toJoints(box, from, reach(box, goal, tcp, from), goal, headroom));
     }
     Joints goal = MotionArguments.jointsInRange(call, 0, "q");
     Pose waypoint = box.forward().tcpPose(goal, tcp);

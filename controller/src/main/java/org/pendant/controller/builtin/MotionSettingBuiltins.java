@@ -26,8 +26,8 @@ final class MotionSettingBuiltins {
         .manual(MODULE, "15.27")
         .doc(
             "Sets the motion version by which movej and movel are planned until the controller is"
-                + " switched off: 1 changes speeds by even acceleration, 2 limits the jerk and makes"
-                + " blends smaller rather than leaving moves out.")
+                + " switched off: 1 changes speeds by even acceleration, 2 limits the jerk and"
+                + " makes blends smaller rather than leaving moves out.")
         .needs("version", Type.INT)
         .does(MotionSettingBuiltins::setVersion);
     builtins

@@ -43,8 +43,8 @@ final class OptimoveBuiltins {
         .manual(MODULE, "15.33")
         .doc(
             "Moves the TCP along a straight line to a goal, with limited jerk. a and v are shares,"
-                + " up to 1, of what the arm can do on the way. The goal is joint positions, a pose,"
-                + " a struct of a pose and the name of its frame, or the name of an object.")
+                + " up to 1, of what the arm can do on the way. The goal is joint positions, a"
+                + " pose, a struct of a pose and the name of its frame, or the name of an object.")
         .needs("goal", Type.ANY)
         .takes("a", Unit.NONE, 0.3)
         .takes("v", Unit.NONE, 0.3)
@@ -61,9 +61,7 @@ final class OptimoveBuiltins {
       Joints goal = MotionArguments.jointsInRange(call, 0, "goal");
       Pose waypoint = box.forward().tcpPose(goal, tcp);
       return move(
-          call,
-          "optimovej",
-          from -> MotionBuiltins.toJoints(box, from, goal, waypoint, headroom));
+          call, "optimovej", from -> MotionBuiltins.toJoints(box, from, goal, waypoint, headroom));
     }
     MoveGoal goal = MoveGoal.of(call, 0);
     return move(

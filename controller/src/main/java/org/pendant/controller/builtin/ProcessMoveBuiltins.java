@@ -110,7 +110,6 @@ final class ProcessMoveBuiltins {
       Call call, String function, MoveLimits limits, int radius, Move.Route route)
       throws ScriptError {
     double radiusM = MotionArguments.notNegative(call, radius);
-    return MotionWait.move(
-        call, function, new Move(route, limits, radiusM, 0, Move.Kind.PROCESS));
+    return MotionWait.move(call, function, new Move(route, limits, radiusM, 0, Move.Kind.PROCESS));
   }
 }

@@ -46,8 +46,7 @@ final class ToolWrenchBuiltins {
     Pose frame = MotionArguments.pose(call, 0);
     List<Double> limits = new ArrayList<>();
     for (int i = 1; i <= Pose.SIZE; i++) {
-      limits.add(
-          call.given(i) ? MotionArguments.positive(call, i) : Double.POSITIVE_INFINITY);
+      limits.add(call.given(i) ? MotionArguments.positive(call, i) : Double.POSITIVE_INFINITY);
     }
     call.box().headroom().setToolWrenchLimit(Optional.of(new ToolWrenchLimit(frame, limits)));
     return call.answer();

@@ -10,7 +10,6 @@ import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.toolpath.Station;
 import org.pendant.controller.toolpath.Toolpaths;
 import org.pendant.controller.toolpath.nc.NcReader;
-import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
@@ -199,9 +198,6 @@ final class ToolpathBuiltins {
   }
 
   private static Outcome addPath(Call call) throws ScriptError {
-    if (call.kind(0) == Kind.STRING) {
-      throw call.wrongKind(0, "the number that mc_load_path has answered");
-    }
     int file = call.integer(0);
     Toolpaths toolpaths = toolpaths(call);
     Optional<Boolean> feeds = toolpaths.feeds(file);

@@ -20,6 +20,15 @@ public record PulseDecoder(Kind kind, Signal a, Signal b) {
     RISING_EDGE,
     FALLING_EDGE;
 
+    /**
+     * The kind with a number of the manual.
+     *
+     * @param type 1 to 4
+     */
+    public static Kind of(int type) {
+      return values()[type - 1];
+    }
+
     /** Whether ticks may be negative. */
     boolean bothWays() {
       return this == QUADRATURE;

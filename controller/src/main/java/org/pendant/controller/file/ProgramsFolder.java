@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
@@ -94,6 +95,8 @@ public record ProgramsFolder(Optional<Path> folder) {
       case NotDirectoryException _ -> "is not there: no such file in the programs folder";
       case AccessDeniedException _ -> "cannot be read: no permission";
       case InvalidPathException _ -> "is not a file name";
+      case FileSystemException refused when refused.getReason() != null ->
+          "cannot be read: " + refused.getReason();
       default -> "cannot be read: " + e.getClass().getSimpleName();
     };
   }

@@ -52,8 +52,15 @@ final class Foresight {
 
   /** They say something to the outside, which does not change what the thread does next. */
   private static final List<String> TELLING =
-      List.of("textmsg", "write_output_", "set_standard_digital_out", "set_configurable_digital_out",
-          "set_tool_digital_out", "set_digital_out", "set_standard_analog_out", "set_flag",
+      List.of(
+          "textmsg",
+          "write_output_",
+          "set_standard_digital_out",
+          "set_configurable_digital_out",
+          "set_tool_digital_out",
+          "set_digital_out",
+          "set_standard_analog_out",
+          "set_flag",
           "write_port_");
 
   private static final List<String> ASKING = List.of("get_", "is_", "read_");

@@ -74,8 +74,7 @@ final class ArcPath implements ToolWay {
   }
 
   @Override
-  public Optional<MotionFailure> sample(
-      double at, double rate, double rate2, MotionSample sample) {
+  public Optional<MotionFailure> sample(double at, double rate, double rate2, MotionSample sample) {
     double goal = Math.min(at, length);
     // joints follow the curve: a jump along it might end in another turn of a wrist
     while (Math.abs(goal - last) > 1.5 * step) {

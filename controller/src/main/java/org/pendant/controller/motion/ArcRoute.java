@@ -79,9 +79,7 @@ public record ArcRoute(
     }
     Arc arc = Arc.leaving(place(start), tangent, place(goal));
     double turnRad = arc.length() / arc.radius();
-    return fixed
-        ? following(from, start, arc, axis, turnRad)
-        : turning(from, start, arc, turnRad);
+    return fixed ? following(from, start, arc, axis, turnRad) : turning(from, start, arc, turnRad);
   }
 
   private MotionPath turning(Joints from, Pose start, Arc arc, double turnRad) {
@@ -97,8 +95,7 @@ public record ArcRoute(
     Pose oneRad = new Pose(0, 0, 0, axis[0], axis[1], axis[2]);
     StraightLine turn = new StraightLine(start, Poses.add(oneRad, start));
     ToolArc curve = new ToolArc(arc, 1, turn, arc.radius());
-    Pose whole =
-        new Pose(0, 0, 0, turnRad * axis[0], turnRad * axis[1], turnRad * axis[2]);
+    Pose whole = new Pose(0, 0, 0, turnRad * axis[0], turnRad * axis[1], turnRad * axis[2]);
     Pose turned = Poses.add(whole, start);
     Pose end = new Pose(goal.x(), goal.y(), goal.z(), turned.rx(), turned.ry(), turned.rz());
     return new ArcPath(arm, from, arc, curve, arc.length(), turnRad, end, tcpInFlange, headroom);

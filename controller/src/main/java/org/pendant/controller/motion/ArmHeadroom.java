@@ -231,8 +231,7 @@ public final class ArmHeadroom {
   private double strongestAt(int k, double rate) {
     double rate2 = Double.MAX_VALUE;
     for (int i = 0; known[k] && i < N; i++) {
-      double left =
-          Math.max(torqueLimit[i] - torqueAt(k, i, rate), LEAST_SHARE * torqueLimit[i]);
+      double left = Math.max(torqueLimit[i] - torqueAt(k, i, rate), LEAST_SHARE * torqueLimit[i]);
       rate2 = Math.min(rate2, left / Math.abs(perRate2[k][i]));
     }
     return rate2;

@@ -69,8 +69,7 @@ final class Blend {
     System.arraycopy(sample.speed, 0, speeds, 0, N);
   }
 
-  private static MotionSample sampled(MotionPath path, double at, double rate)
-      throws ScriptError {
+  private static MotionSample sampled(MotionPath path, double at, double rate) throws ScriptError {
     MotionSample sample = new MotionSample();
     Optional<MotionFailure> failure = path.sample(at, rate, 0, sample);
     if (failure.isPresent()) {
@@ -114,9 +113,7 @@ final class Blend {
               Math.abs(directionAfter[i]) * limits.acceleration());
     }
     double end =
-        move.blendRadiusM() > 0
-            ? Corner.entryRate(after, nextLeft, limits, move, outlook)
-            : 0;
+        move.blendRadiusM() > 0 ? Corner.entryRate(after, nextLeft, limits, move, outlook) : 0;
     double most = Math.min(limits.speed(), 2 * mostEntered / lastsS);
     double gentlest = gentlest(most, strongest);
     double bent = highest(gentlest, most, entry -> bend(entry, strongest) <= ROUNDING);
@@ -216,7 +213,10 @@ final class Blend {
     Hermite way = Hermite.of(from, fromSpeed, to, toSpeed, lastsS, move.smooth());
     ToolPathFollower follower =
         new ToolPathFollower(
-            ((ToolPath) before).arm(), new ToolBlend(way, corner), before.tcpInFlange(), after.begin());
+            ((ToolPath) before).arm(),
+            new ToolBlend(way, corner),
+            before.tcpInFlange(),
+            after.begin());
     return new ToolBlendMotion(follower, lastsS, after.waypoint());
   }
 

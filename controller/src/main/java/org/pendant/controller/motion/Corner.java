@@ -108,8 +108,8 @@ final class Corner {
   }
 
   /**
-   * By how much the direction changes when {@code keeps} of the rate is left after the corner, as
-   * a share of the acceleration that the blend may have.
+   * By how much the direction changes when {@code keeps} of the rate is left after the corner, as a
+   * share of the acceleration that the blend may have.
    */
   private double bend(double keeps, double onwardAcceleration) {
     double given = limits.acceleration();

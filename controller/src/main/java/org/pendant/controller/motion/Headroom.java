@@ -8,7 +8,19 @@ import org.pendant.models.pose.Pose;
 @FunctionalInterface
 public interface Headroom {
   /** Keeps nothing back. */
-  Headroom UNLIMITED = (length, points) -> PathCaps.NONE;
+  Headroom UNLIMITED =
+      new Headroom() {
+        @Override
+        public PathCaps over(double length, Points points) {
+          return PathCaps.NONE;
+        }
+
+        @Override
+        public PathCaps along(
+            ArmDescription arm, ToolCurve curve, double length, Pose tcp, Joints begin) {
+          return PathCaps.NONE;
+        }
+      };
 
   /** Points of a path, asked for from its begin to its end. */
   @FunctionalInterface
@@ -33,9 +45,6 @@ public interface Headroom {
   /** The caps for a curve of the TCP, asked by a follower of its own. */
   default PathCaps along(
       ArmDescription arm, ToolCurve curve, double length, Pose tcpInFlange, Joints begin) {
-    if (this == UNLIMITED) {
-      return PathCaps.NONE;
-    }
     ToolPathFollower follower = new ToolPathFollower(arm, curve, tcpInFlange, begin);
     return over(length, (at, sample) -> follower.sample(at, 1, 0, sample).isEmpty());
   }

@@ -24,7 +24,12 @@ final class Hermite {
    * @param smooth whether it begins and ends without acceleration
    */
   static Hermite of(
-      double[] from, double[] fromSpeed, double[] to, double[] toSpeed, double lastsS, boolean smooth) {
+      double[] from,
+      double[] fromSpeed,
+      double[] to,
+      double[] toSpeed,
+      double lastsS,
+      boolean smooth) {
     Hermite made = new Hermite(lastsS, from.length);
     for (int i = 0; i < from.length; i++) {
       double step = to[i] - from[i];

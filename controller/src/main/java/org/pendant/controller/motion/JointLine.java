@@ -87,8 +87,7 @@ final class JointLine implements MotionPath {
   }
 
   @Override
-  public Optional<MotionFailure> sample(
-      double at, double rate, double rate2, MotionSample sample) {
+  public Optional<MotionFailure> sample(double at, double rate, double rate2, MotionSample sample) {
     if (at >= length) {
       goal.copyTo(sample.position);
     } else {
@@ -161,7 +160,12 @@ final class JointLine implements MotionPath {
       double outside = i * length / steps;
       double beyond = distance(centre, end + direction * outside) - radiusM;
       if (beyond > 0) {
-        return between(inside, beneath, outside, beyond, at -> distance(centre, end + direction * at) - radiusM);
+        return between(
+            inside,
+            beneath,
+            outside,
+            beyond,
+            at -> distance(centre, end + direction * at) - radiusM);
       }
       inside = outside;
       beneath = beyond;

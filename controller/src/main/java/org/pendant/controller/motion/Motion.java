@@ -60,9 +60,9 @@ public interface Motion {
   }
 
   /**
-   * How much of its speed it wants, 0 to 1, asked in each frame: one that was planned for full speed
-   * and that is made slower as it goes, as by {@code mc_set_speed_factor}. A change is reached in a
-   * ramp.
+   * How much of its speed it wants, 0 to 1, asked in each frame: one that was planned for full
+   * speed and that is made slower as it goes, as by {@code mc_set_speed_factor}. A change is
+   * reached in a ramp.
    */
   default double speedFactor() {
     return 1;

@@ -30,6 +30,9 @@ public final class MotionControl {
   /** Frames at rest after which the arm counts as steady: 500 ms (manual 16.39). */
   private static final int STEADY_FRAMES = 250;
 
+  /** Slower than this nothing jumps when a motion begins at rest, rad/s. */
+  private static final double AT_REST_RAD_PER_S = 1e-4;
+
   private static final MotionFailure PATH_ENDED =
       new MotionFailure("path-ended", "another motion has taken the arm over");
 
@@ -174,7 +177,7 @@ public final class MotionControl {
 
   /** Gives up what moves the arm without an end, such as speedj, if it does not move it now. */
   private void settleAtRest() throws ScriptError {
-    if (!speed.equals(Joints.ZERO)) {
+    if (speed.maxAbsDifference(Joints.ZERO) > AT_REST_RAD_PER_S) {
       String driver = torqueDriven ? "direct_torque" : active.orElseThrow().driver();
       throw new ScriptError(
           "moving",

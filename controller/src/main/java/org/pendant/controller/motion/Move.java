@@ -25,6 +25,7 @@ public record Move(
     /** At an even speed of the tool, round waypoints too: movep and movec. */
     PROCESS
   }
+
   /** Acceleration that a duration may lead to on a path of joints. Our choice. */
   private static final double TIMED_RAD_PER_S2 = 40;
 
@@ -85,8 +86,7 @@ public record Move(
 
   /** The limits on a path, of which {@code restingEnds} ends are at rest. */
   ProfileLimits limits(MotionPath path, int restingEnds) {
-    return kept(
-        path, limits.over(path.length(), restingEnds, path.fastestRate(), strongest(path)));
+    return kept(path, limits.over(path.length(), restingEnds, path.fastestRate(), strongest(path)));
   }
 
   /** Limits within what the arm has for the path, slow enough for where the path bends. */
@@ -122,8 +122,7 @@ public record Move(
   /** The most that is made of a duration. */
   private ProfileLimits quickest(MotionPath path) {
     double speed = Math.min(path.fastestRate(), Double.MAX_VALUE);
-    return kept(
-        path, ProfileLimits.of(speed, Math.max(limits.acceleration(), strongest(path))));
+    return kept(path, ProfileLimits.of(speed, Math.max(limits.acceleration(), strongest(path))));
   }
 
   /** How long the whole path takes if that is more than was asked for, s; otherwise 0. */

@@ -191,17 +191,14 @@ final class ProcessCorner {
       return Double.POSITIVE_INFINITY;
     }
     double across = accelerationMPerS2 * rounded.get().radiusM();
-    double turning =
-        ToolPath.ROTATION_FACTOR * accelerationMPerS2 / rounded.get().turningPerM2();
+    double turning = ToolPath.ROTATION_FACTOR * accelerationMPerS2 / rounded.get().turningPerM2();
     return Math.sqrt(Math.min(across, turning));
   }
 
   /** The highest speed (m/s) behind the corner from which the next move can go on. */
   private double fastestOnward(ProfileLimits onward, List<Move> further) throws ScriptError {
     double end =
-        move.blendRadiusM() > 0
-            ? Corner.entryRate(after, nextLeft, onward, move, further)
-            : 0;
+        move.blendRadiusM() > 0 ? Corner.entryRate(after, nextLeft, onward, move, further) : 0;
     double free = Math.max(0, after.length() - beginsAfter - nextLeft);
     return onward.fastestBegin(free, Math.min(end, onward.speed())) * metresAfter;
   }
@@ -220,11 +217,8 @@ final class ProcessCorner {
     ProfileLimits onward = onward();
     double most = fastest(Math.min(limits.acceleration(), onward.acceleration()));
     double speed =
-        Math.min(
-            limits.speed() * metresBefore, Math.min(most, fastestOnward(onward, further)));
-    return quicker(speed, limits, onward)
-        ? speed / metresBefore
-        : limits.fastestBegin(left, 0);
+        Math.min(limits.speed() * metresBefore, Math.min(most, fastestOnward(onward, further)));
+    return quicker(speed, limits, onward) ? speed / metresBefore : limits.fastestBegin(left, 0);
   }
 
   /**

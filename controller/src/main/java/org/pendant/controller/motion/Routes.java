@@ -42,12 +42,7 @@ public final class Routes {
    * @param goal pose of the TCP at its end, in the base frame
    */
   public static MotionPath line(
-      ArmDescription arm,
-      Joints from,
-      Pose start,
-      Pose goal,
-      Pose tcpInFlange,
-      Headroom headroom) {
+      ArmDescription arm, Joints from, Pose start, Pose goal, Pose tcpInFlange, Headroom headroom) {
     return new ToolPath(arm, from, start, goal, tcpInFlange, headroom);
   }
 

@@ -95,8 +95,7 @@ final class ToolPath implements ToolWay {
   }
 
   @Override
-  public Optional<MotionFailure> sample(
-      double at, double rate, double rate2, MotionSample sample) {
+  public Optional<MotionFailure> sample(double at, double rate, double rate2, MotionSample sample) {
     if (follower.isEmpty()) {
       follower = Optional.of(new ToolPathFollower(arm, curve, tcpInFlange, begin));
     }

@@ -75,7 +75,8 @@ public final class ToolPathFollower {
    * @param atPerS2 its second derivative, per s²
    * @param sample overwritten
    */
-  public Optional<MotionFailure> sample(double at, double atPerS, double atPerS2, MotionSample sample) {
+  public Optional<MotionFailure> sample(
+      double at, double atPerS, double atPerS2, MotionSample sample) {
     curve.at(at, tcp);
     Transforms.multiply(tcp, flangeInTcp, flange);
     if (!inverse.track(flange, q)) {

@@ -20,8 +20,11 @@ final class Chaining {
   /** Above this angle a corner of a toolpath without a blend radius is meant to be sharp, rad. */
   static final double SHALLOW_RAD = Math.PI / 6;
 
-  /** What the tool's turning by one rad counts as, m. */
-  static final double RADIAN_M = 0.25;
+  /** What the tool's turning by one rad counts as where speeds and accelerations change, m. */
+  private static final double RADIAN_M = 0.25;
+
+  /** The least length of a leg for each rad that the tool turns on it, m. */
+  static final double LEAST_M_PER_RAD = 0.005;
 
   /** A change of direction below this is none. */
   private static final double NO_CORNER = 1e-9;
@@ -29,12 +32,16 @@ final class Chaining {
   private static final double NOTHING_M = 1e-12;
 
   /**
-   * Parts of the acceleration limit that a curve may take across and along the way, so that both
-   * together do not exceed it.
+   * The part of the acceleration limit that a curve may take by its bend; the change of speed takes
+   * so much that both together do not exceed it.
    */
   private static final double ACROSS = 0.8;
 
-  private static final double ALONG = 0.6;
+  /** How fast the tool may turn however slow it is, rad/s. */
+  private static final double TURNING_RAD_PER_S = 2;
+
+  /** How far the tool may be turned away in a point of a toolpath without a blend radius, rad. */
+  private static final double TOLERANCE_RAD = 2e-3;
 
   private final List<Chain.Piece> pieces = new ArrayList<>();
   private final double[] twist = new double[Pose.SIZE];
@@ -54,7 +61,7 @@ final class Chaining {
       }
       Leg next = legs.get(i + 1);
       double bend = chaining.bend(leg, next);
-      double reach = bend > NO_CORNER ? reach(leg, next, bend) : 0;
+      double reach = bend > NO_CORNER ? chaining.reach(leg, next) : 0;
       chaining.along(leg, cut, leg.length() - reach, bend > NO_CORNER && reach == 0);
       if (reach > 0) {
         chaining.round(leg, next, reach);
@@ -76,21 +83,32 @@ final class Chaining {
 
   /** The size of a change, turning counted in metres. */
   private static double size(double[] t) {
-    double linear = Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
-    double turning = Math.sqrt(t[3] * t[3] + t[4] * t[4] + t[5] * t[5]);
-    return Math.max(linear, RADIAN_M * turning);
+    return Math.max(linear(t), RADIAN_M * turning(t));
+  }
+
+  private static double linear(double[] t) {
+    return Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
+  }
+
+  private static double turning(double[] t) {
+    return Math.sqrt(t[3] * t[3] + t[4] * t[4] + t[5] * t[5]);
   }
 
   /** How far from the corner the legs may be left; 0 to stop in it. */
-  private static double reach(Leg leg, Leg next, double bend) {
+  private double reach(Leg leg, Leg next) {
     double half = 0.5 * Math.min(leg.length(), next.length());
     double radius = leg.pace().radiusM();
     if (radius > 0) {
       return Math.min(radius, half);
     }
-    boolean shallow = bend <= 2 * Math.sin(0.5 * SHALLOW_RAD);
-    // a parabola passes its corner at a quarter of reach times bend
-    return leg.pace().inner() && shallow ? Math.min(4 * TOLERANCE_M / bend, half) : 0;
+    double aside = linear(twist);
+    if (!leg.pace().inner() || aside > 2 * Math.sin(0.5 * SHALLOW_RAD)) {
+      return 0;
+    }
+    // a parabola passes its corner at a quarter of reach times the change of direction
+    double near = 4 * TOLERANCE_M / aside;
+    double level = 4 * TOLERANCE_RAD / turning(twist);
+    return Math.min(half, Math.min(near, level));
   }
 
   private void along(Leg leg, double from, double to, boolean stops) {
@@ -115,15 +133,34 @@ final class Chaining {
   private void add(
       ToolCurve curve, double from, double length, Leg.Pace pace, boolean stops, String name) {
     double bend = 0;
+    double turning = 0;
+    double back = 0;
     for (int i = 0; i <= 2; i++) {
       curve.bend(from + 0.5 * i * length, twist);
+      curve.rate(from + 0.5 * i * length, other);
       bend = Math.max(bend, size(twist));
+      turning = Math.max(turning, turning(other));
+      back = Math.max(back, alignment());
     }
-    double most = pace.accelerationMPerS2();
     boolean straight = bend < NO_CORNER;
-    double speed =
-        straight ? pace.speedMPerS() : Math.min(pace.speedMPerS(), Math.sqrt(ACROSS * most / bend));
-    pieces.add(
-        new Chain.Piece(curve, from, length, speed, straight ? most : ALONG * most, stops, name));
+    double most = pace.accelerationMPerS2();
+    double speed = Math.min(pace.speedMPerS(), turningLimit(pace) / turning);
+    double along = Math.min(most, most / RADIAN_M / turning);
+    if (!straight) {
+      speed = Math.min(speed, Math.sqrt(ACROSS * most / bend));
+      along *= Math.sqrt(1 - ACROSS * ACROSS * (1 - back * back)) - ACROSS * back;
+    }
+    pieces.add(new Chain.Piece(curve, from, length, speed, along, stops, name));
+  }
+
+  private static double turningLimit(Leg.Pace pace) {
+    return Math.max(TURNING_RAD_PER_S, pace.speedMPerS() / RADIAN_M);
+  }
+
+  /** How far the bend of a curve points along it rather than across, 0 to 1. */
+  private double alignment() {
+    double product = twist[0] * other[0] + twist[1] * other[1] + twist[2] * other[2];
+    double sizes = linear(twist) * linear(other);
+    return sizes > 0 ? Math.min(1, Math.abs(product) / sizes) : 0;
   }
 }

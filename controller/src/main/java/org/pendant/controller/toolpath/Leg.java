@@ -6,8 +6,7 @@ import org.pendant.controller.motion.ToolCurve;
  * A way from one waypoint to the next.
  *
  * @param curve in the work frame
- * @param length the parameter at its end, above 0: metres, or a quarter of the angle in rad that
- *     the tool turns where that is more
+ * @param length the parameter at its end, above 0: metres, or more where the tool mostly turns
  * @param pace how fast, and how its end may be cut
  * @param name of the motion that it belongs to, for messages
  */

@@ -2,6 +2,7 @@ package org.pendant.controller.toolpath;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.toolpath.nc.NcPoint;
 import org.pendant.controller.value.ScriptError;
@@ -76,7 +77,7 @@ final class Route {
   private void line(Pose wanted, Leg.Pace pace, String name) throws ScriptError {
     Pose to = turnFree ? unturned(wanted) : wanted;
     StraightLine line = new StraightLine(at, to);
-    double length = Math.max(line.lengthM(), Chaining.RADIAN_M * line.angleRad());
+    double length = Math.max(line.lengthM(), Chaining.LEAST_M_PER_RAD * line.angleRad());
     if (length > NOTHING_M) {
       at = to;
       add(new Leg(new StraightWay(line, length), length, pace, name));
@@ -88,7 +89,7 @@ final class Route {
     Optional<ArcWay> found = ArcWay.through(at, order.via(), to, order.withTangent());
     if (found.isPresent()) {
       ArcWay arc = found.get();
-      double length = Math.max(arc.arcM(), Chaining.RADIAN_M * arc.turnRad());
+      double length = Math.max(arc.arcM(), Chaining.LEAST_M_PER_RAD * arc.turnRad());
       add(new Leg(arc.over(length), length, order.pace(), name));
       at = arc.end();
       return;
@@ -115,7 +116,7 @@ final class Route {
   }
 
   private static String place(Pose pose) {
-    return String.format(java.util.Locale.ROOT, "[%.4f, %.4f, %.4f]", pose.x(), pose.y(), pose.z());
+    return String.format(Locale.ROOT, "[%.4f, %.4f, %.4f]", pose.x(), pose.y(), pose.z());
   }
 
   private void add(Leg leg) throws ScriptError {

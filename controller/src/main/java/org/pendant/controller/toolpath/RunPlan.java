@@ -28,6 +28,11 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
   /** How far apart the points are that are looked at, m. */
   private static final double LOOK_M = 0.005;
 
+  private static final double LOOK_RAD = 0.1;
+
+  /** A joint that turns farther from one look to the next cannot follow the path, rad. */
+  private static final double JUMP_RAD = 1.5;
+
   /** The slowest that a path may have to be for the sake of the joints, as part of its speed. */
   private static final double SLOWEST = 0.02;
 
@@ -116,10 +121,14 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
   private static Joints look(
       ArmDescription arm, Chain chain, ToolPathFollower follower, Joints from) throws ScriptError {
     MotionSample sample = new MotionSample();
+    double[] twist = new double[Pose.SIZE];
     Joints before = from;
     for (int i = 0; i < chain.pieces().size(); i++) {
       Chain.Piece piece = chain.pieces().get(i);
-      int looks = (int) Math.ceil(piece.length() / LOOK_M);
+      piece.curve().rate(piece.from(), twist);
+      double turn = Math.hypot(twist[3], Math.hypot(twist[4], twist[5]));
+      double apart = Math.min(LOOK_M, LOOK_RAD / turn);
+      int looks = (int) Math.ceil(piece.length() / apart);
       for (int k = 1; k <= looks; k++) {
         double at = chain.begin(i) + piece.length() * k / looks;
         Optional<MotionFailure> failure = follower.sample(at, piece.speed(), 0, sample);
@@ -128,10 +137,32 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
               failure.get().code(), piece.name() + ": " + failure.get().message());
         }
         refuseTooFast(arm, sample.speedRadPerS(), piece.name());
+        refuseJump(arm, before, sample.positionRad(), piece.name());
         before = sample.positionRad();
       }
     }
     return before;
+  }
+
+  private static void refuseJump(ArmDescription arm, Joints before, Joints after, String name)
+      throws ScriptError {
+    if (before.maxAbsDifference(after) <= JUMP_RAD) {
+      return;
+    }
+    for (int i = 0; i < Joints.COUNT; i++) {
+      JointLimits limit = arm.joints().get(i);
+      double q = before.get(i);
+      if (Math.min(q - limit.minRad(), limit.maxRad() - q) < 2 * LOOK_RAD) {
+        throw new ScriptError(
+            "no-solution",
+            name + ": joint " + i + " is at the end of its range, " + degrees(q) + " degrees");
+      }
+    }
+    throw new ScriptError("singularity", name + ": the path leads through a singularity");
+  }
+
+  private static long degrees(double rad) {
+    return Math.round(Math.toDegrees(rad));
   }
 
   private static void refuseTooFast(ArmDescription arm, Joints speedRadPerS, String name)

@@ -2,6 +2,7 @@ package org.pendant.controller.toolpath;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.file.ProgramsFolder;
@@ -291,7 +292,7 @@ public final class Toolpaths {
       throw new ScriptError(
           "path-divergence",
           String.format(
-              java.util.Locale.ROOT,
+              Locale.ROOT,
               "the tool is %.1f mm from where motion %d has left it, must be within %.0f mm:"
                   + " nothing else may move the arm between two runs",
               1000 * Poses.pointDistance(leftAt.get(), now),

@@ -155,7 +155,8 @@ final class EncoderTest {
       }
       frames(2000);
       double tolerance = 1e-6 + 1e-9 * Math.abs(way);
-      assertEquals(way, encoder.filteredTotal() - start, tolerance, range + ", seed " + seed);
+      assertEquals(
+          (double) way, encoder.filteredTotal() - start, tolerance, range + ", seed " + seed);
     }
   }
 

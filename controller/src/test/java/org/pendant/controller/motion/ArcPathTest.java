@@ -24,8 +24,7 @@ final class ArcPathTest {
   private final Pose home = forward.tcpPose(READY, TCP);
 
   private Pose shifted(double x, double y, double z) {
-    return new Pose(
-        home.x() + x, home.y() + y, home.z() + z, home.rx(), home.ry(), home.rz());
+    return new Pose(home.x() + x, home.y() + y, home.z() + z, home.rx(), home.ry(), home.rz());
   }
 
   private MotionPath arc(Pose via, Pose goal, boolean fixed) throws ScriptError {

@@ -17,8 +17,7 @@ import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
 
 final class ArmHeadroomTest {
-  private static final Payload LOAD =
-      new Payload(3, 0.02, 0, 0.08, 0.01, 0.01, 0.01, 0, 0, 0);
+  private static final Payload LOAD = new Payload(3, 0.02, 0, 0.08, 0.01, 0.01, 0.01, 0, 0, 0);
 
   private final MoveChain chain = new MoveChain();
   private final InverseKinematics inverse = new InverseKinematics(chain.arm);

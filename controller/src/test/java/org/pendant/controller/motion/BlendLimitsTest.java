@@ -110,8 +110,7 @@ final class BlendLimitsTest {
       if (foreseen) {
         ticket.get().outlook(chain.moves.subList(m + 1, MOVES));
       }
-      double allowed =
-          Math.max(before.limits().acceleration(), move.limits().acceleration());
+      double allowed = Math.max(before.limits().acceleration(), move.limits().acceleration());
       while (!ticket.get().finished()) {
         Joints q = control.positionRad();
         Joints qd = control.speedRadPerS();
@@ -139,9 +138,7 @@ final class BlendLimitsTest {
       assertTrue(Math.abs(speed.get(i)) <= Math.PI * (1 + 1e-9), where);
     }
     double used =
-        chain.linear
-            ? toolAcceleration(q, qd, now, speed)
-            : speed.maxAbsDifference(qd) / FRAME_S;
+        chain.linear ? toolAcceleration(q, qd, now, speed) : speed.maxAbsDifference(qd) / FRAME_S;
     assertTrue(used <= allowed * ROUNDING, where + ": " + used + " of " + allowed);
   }
 
@@ -154,7 +151,9 @@ final class BlendLimitsTest {
             square(to.x() - from.x()) + square(to.y() - from.y()) + square(to.z() - from.z()));
     double turning =
         Math.sqrt(
-            square(to.rx() - from.rx()) + square(to.ry() - from.ry()) + square(to.rz() - from.rz()));
+            square(to.rx() - from.rx())
+                + square(to.ry() - from.ry())
+                + square(to.rz() - from.rz()));
     return Math.max(linear, turning / MoveL.ROTATION_FACTOR) / FRAME_S;
   }
 

@@ -45,8 +45,7 @@ final class BlendTest {
   }
 
   private Pose shifted(double x, double y, double z) {
-    return new Pose(
-        home.x() + x, home.y() + y, home.z() + z, home.rx(), home.ry(), home.rz());
+    return new Pose(home.x() + x, home.y() + y, home.z() + z, home.rx(), home.ry(), home.rz());
   }
 
   /** Positions and speeds, frame by frame, and the frames in which the moves were handed over. */
@@ -100,8 +99,7 @@ final class BlendTest {
       Pose next = forward.tcpPose(trace.q.get(k + 1), TCP);
       slowest = Math.min(slowest, Poses.pointDistance(now, next) / FRAME_S);
       if (distance(trace.q.get(k), corner) > 0.0501) {
-        double beside =
-            Math.min(Math.abs(now.y() - home.y()), Math.abs(now.x() - home.x() - 0.2));
+        double beside = Math.min(Math.abs(now.y() - home.y()), Math.abs(now.x() - home.x() - 0.2));
         assertTrue(beside < 1e-6, "frame " + k + " is " + beside + " m beside the path");
       }
     }
@@ -148,10 +146,7 @@ final class BlendTest {
                 movel(shifted(0.2, 0.2, 0.1), 1.2, 0.25, 0, 0)));
     assertEquals(trace.handed.get(0), trace.handed.get(1));
     double nearest =
-        trace.q.stream()
-            .mapToDouble(q -> distance(q, shifted(0.2, 0.1, 0)))
-            .min()
-            .orElseThrow();
+        trace.q.stream().mapToDouble(q -> distance(q, shifted(0.2, 0.1, 0))).min().orElseThrow();
     assertTrue(nearest > 0.03, "passes at " + nearest);
     assertEquals(0, distance(trace.q.getLast(), shifted(0.2, 0.2, 0.1)), 1e-9);
   }
@@ -165,10 +160,7 @@ final class BlendTest {
                 movel(shifted(0.2, 0.1, 0), 1.2, 0.25, 0.06, 0.08),
                 movel(shifted(0.2, 0.2, 0.1), 1.2, 0.25, 0, 0.08)));
     double nearest =
-        trace.q.stream()
-            .mapToDouble(q -> distance(q, shifted(0.2, 0.1, 0)))
-            .min()
-            .orElseThrow();
+        trace.q.stream().mapToDouble(q -> distance(q, shifted(0.2, 0.1, 0))).min().orElseThrow();
     assertTrue(nearest < 0.03, "passes at " + nearest);
   }
 
@@ -186,8 +178,7 @@ final class BlendTest {
                 random.nextDouble(-0.15, 0.15),
                 random.nextDouble(-0.15, 0.15),
                 random.nextDouble(-0.15, 0.15));
-        Joints q =
-            inverse.closest(InverseKinematics.flangeOf(goal, TCP), at).orElseThrow();
+        Joints q = inverse.closest(InverseKinematics.flangeOf(goal, TCP), at).orElseThrow();
         Move move =
             random.nextBoolean()
                 ? movel(goal, random.nextDouble(0.3, 3), random.nextDouble(0.05, 0.6), r, ramp)

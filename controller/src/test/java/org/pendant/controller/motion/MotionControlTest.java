@@ -138,7 +138,8 @@ final class MotionControlTest {
       Trace trace = finish(control, control.start(movel(goal, limits)));
 
       double length = Poses.pointDistance(from, goal);
-      double along = ProfileLimits.of(limits.speed(), limits.acceleration()).over(length).durationS();
+      double along =
+          ProfileLimits.of(limits.speed(), limits.acceleration()).over(length).durationS();
       double around =
           ProfileLimits.of(
                   MoveL.ROTATION_FACTOR * limits.speed(),

@@ -42,8 +42,7 @@ final class MoveChain {
 
   /** The first pose, moved along the axes of the base. */
   Pose shifted(double x, double y, double z) {
-    return new Pose(
-        home.x() + x, home.y() + y, home.z() + z, home.rx(), home.ry(), home.rz());
+    return new Pose(home.x() + x, home.y() + y, home.z() + z, home.rx(), home.ry(), home.rz());
   }
 
   Move movel(Pose goal, double a, double v, double r, double ramp) {
@@ -68,11 +67,7 @@ final class MoveChain {
   Move movec(Pose via, Pose goal, double a, double v, double r, boolean fixed) {
     ArcRoute route = new ArcRoute(arm, via, goal, fixed, TCP, headroom.asAsked(v));
     return new Move(
-        from -> route.from(from, tcp(from)),
-        new MoveLimits(a, v, 0),
-        r,
-        0,
-        Move.Kind.PROCESS);
+        from -> route.from(from, tcp(from)), new MoveLimits(a, v, 0), r, 0, Move.Kind.PROCESS);
   }
 
   Move optimovej(Joints goal, double a, double v, double r) {
@@ -141,10 +136,8 @@ final class MoveChain {
         double before = trace.qd().get(k - 1).get(i);
         double now = trace.qd().get(k).get(i);
         String where = input + ", frame " + k + ", joint " + i;
-        assertTrue(
-            Math.abs(now - before) <= mostRadPerS2 * frameS, where + ": " + (now - before));
-        assertEquals(
-            (before + now) / 2 * frameS, moved, mostRadPerS2 * frameS * frameS, where);
+        assertTrue(Math.abs(now - before) <= mostRadPerS2 * frameS, where + ": " + (now - before));
+        assertEquals((before + now) / 2 * frameS, moved, mostRadPerS2 * frameS * frameS, where);
         double limit = arm.joints().get(i).maxSpeedRadPerS();
         assertTrue(Math.abs(now) <= limit * (1 + 1e-9), where + ": " + now);
       }

@@ -119,8 +119,7 @@ final class ProcessMoveTest {
             .min()
             .orElseThrow();
     assertEquals(0, nearest, 1e-9);
-    double end =
-        Poses.pointDistance(chain.tcp(trace.q().getLast()), chain.shifted(0.15, 0.1, 0));
+    double end = Poses.pointDistance(chain.tcp(trace.q().getLast()), chain.shifted(0.15, 0.1, 0));
     assertEquals(0, end, 1e-9);
   }
 
@@ -134,8 +133,7 @@ final class ProcessMoveTest {
   @Test
   void makesSpheresThatOverlapSmallerRatherThanLeavingAMoveOut() throws ScriptError {
     MoveChain.Trace trace =
-        chain.run(
-            List.of(to(0.1, 0, 0.1, 0.05), to(0.1, 0.06, 0.1, 0.05), to(0.2, 0.06, 0.1, 0)));
+        chain.run(List.of(to(0.1, 0, 0.1, 0.05), to(0.1, 0.06, 0.1, 0.05), to(0.2, 0.06, 0.1, 0)));
     double nearest =
         trace.q().stream()
             .mapToDouble(q -> Poses.pointDistance(chain.tcp(q), chain.shifted(0.1, 0.06, 0)))

@@ -43,6 +43,17 @@ final class ProtectiveStopTest {
   }
 
   @Test
+  void aToolThatPressesInForceModeIsNoCollisionButItsArmMustFollow() {
+    bench.pressing(true).at(SafetyBench.START);
+    bench.readings.setExternalTorque(1, 140);
+    assertEquals(-1, bench.stepsUntilAction(40));
+    bench.readings.setExternalTorque(1, 0);
+    deviating(2, 0.051);
+    assertTrue(bench.stepsUntilAction(50) > 0);
+    assertEquals(153, bench.stop().code());
+  }
+
+  @Test
   void aGuidedArmIsStoppedBeforeTheEndOfAJoint() {
     bench.guided(true).at(SafetyBench.START.with(0, 6.2)).step();
     bench.target(SafetyBench.START.with(0, 6.25), SafetyBench.speed(0, 3));

@@ -104,15 +104,20 @@ final class CompletionPopup {
    *     complete
    */
   void request(boolean asked) {
-    schedule.whenCurrent(
-        analysed -> {
-          int caret = area.getCaretPosition();
-          background.run(
-              0,
-              () -> {
-                List<Completion> found = analysed.completions(caret);
-                EventQueue.invokeLater(() -> offer(analysed, caret, found, asked));
-              });
+    if (asked) {
+      schedule.whenCurrent(analysed -> find(analysed, true));
+    } else {
+      schedule.whenDue(analysed -> find(analysed, false));
+    }
+  }
+
+  private void find(AnalysedText analysed, boolean asked) {
+    int caret = area.getCaretPosition();
+    background.run(
+        0,
+        () -> {
+          List<Completion> found = analysed.completions(caret);
+          EventQueue.invokeLater(() -> offer(analysed, caret, found, asked));
         });
   }
 

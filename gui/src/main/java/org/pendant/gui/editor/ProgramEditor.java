@@ -220,16 +220,32 @@ final class ProgramEditor extends JPanel {
       desk.breakpointsChanged(this);
       return;
     }
+    boolean early = analysed().isEmpty();
+    if (early) {
+      // At once, for whoever runs the program with the next key; it moves when the text is read.
+      marks.addBreakpoint(line);
+      desk.breakpointsChanged(this);
+    }
     schedule.whenCurrent(
         analysed -> {
-          SortedSet<Integer> possible = analysed.analysis().breakpointLines().tailSet(line);
-          if (possible.isEmpty()) {
-            desk.tell("No breakpoint: nothing runs on line " + line + " or below it");
-            return;
+          // It may have been cleared again meanwhile.
+          if (!early || marks.breakpoints().contains(line)) {
+            place(line, analysed.analysis().breakpointLines().tailSet(line));
           }
-          marks.addBreakpoint(possible.first());
-          desk.breakpointsChanged(this);
         });
+  }
+
+  private void place(int line, SortedSet<Integer> possible) {
+    if (possible.isEmpty()) {
+      marks.removeBreakpoint(line);
+      desk.tell("No breakpoint: nothing runs on line " + line + " or below it");
+    } else if (possible.first() != line) {
+      marks.removeBreakpoint(line);
+      marks.addBreakpoint(possible.first());
+    } else {
+      marks.addBreakpoint(line);
+    }
+    desk.breakpointsChanged(this);
   }
 
   /** Forgets the program; the editor is not used again. */

@@ -50,7 +50,7 @@ final class SignaturePopup {
 
   void typed(char c) {
     if ((c == '(' || c == ',') && !schedule.isLong()) {
-      request();
+      schedule.whenDue(this::show);
     }
   }
 

@@ -265,4 +265,19 @@ final class ScriptEditorTest {
           assertEquals(TEXT, area.getText());
         });
   }
+
+  @Test
+  void aBreakpointIsThereAtOnceAndMovesWhenTheTextIsRead()
+      throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          area.replaceRange("# ", 0, 0);
+          area.replaceRange("", 0, 2);
+          window.editor().toggleBreakpoint(program, 3);
+          assertEquals(new TreeSet<>(Set.of(3)), window.editor().breakpoints(program));
+        });
+    analysed();
+    EventQueue.invokeAndWait(
+        () -> assertEquals(new TreeSet<>(Set.of(4)), window.editor().breakpoints(program)));
+  }
 }

@@ -75,9 +75,8 @@ public final class ForceMode implements PathOffset {
   public ForceMode(Setup setup) {
     motion = setup.motion();
     felt = new FeltWrench(setup.pushed(), setup.flangeWrenchInBase());
-    givingWay = 
-        new GivingWay(
-            setup.arm(), setup.speeds(), setup.limits(), setup.pushed().sensors());
+    givingWay =
+        new GivingWay(setup.arm(), setup.speeds(), setup.limits(), setup.pushed().sensors());
     Transforms.of(tcpInFlange, tool12);
     motion.addOffset(this);
   }
@@ -264,7 +263,7 @@ public final class ForceMode implements PathOffset {
     } else {
       Arrays.fill(next, 0);
     }
-    givingWay.limit(motion.positionRad(), tcpInFlange, pathTwist, next);
+    givingWay.limit(motion.positionRad(), tcpInFlange, pathTwist, twist, next);
     System.arraycopy(next, 0, twist, 0, N);
     carried.advance(twist);
     System.arraycopy(onPath12, 0, tcpInBase, 0, Transforms.SIZE);
@@ -291,7 +290,9 @@ public final class ForceMode implements PathOffset {
   private double turned(double[] tcp12, int row, int other) {
     double sum = 0;
     for (int i = 0; i < 3; i++) {
-      sum += tcp12[3 * row + i] * onPath12[3 * other + i] - tcp12[3 * other + i] * onPath12[3 * row + i];
+      sum +=
+          tcp12[3 * row + i] * onPath12[3 * other + i]
+              - tcp12[3 * other + i] * onPath12[3 * row + i];
     }
     return sum / 2;
   }
@@ -299,7 +300,6 @@ public final class ForceMode implements PathOffset {
   @Override
   public void rest() {
     Arrays.fill(twist, 0);
-    givingWay.stop();
     felt.forget();
   }
 

@@ -42,7 +42,6 @@ public record ForceTask(FrameKind kind, Pose taskFrame, List<ForceAxis> axes) {
    */
   public static ForceTask screwDriving(double forceN, double speedMPerS) {
     ForceAxis z = new ForceAxis(true, forceN, speedMPerS);
-    return new ForceTask(
-        FrameKind.TOOL, Pose.ZERO, List.of(RIGID, RIGID, z, RIGID, RIGID, RIGID));
+    return new ForceTask(FrameKind.TOOL, Pose.ZERO, List.of(RIGID, RIGID, z, RIGID, RIGID, RIGID));
   }
 }

@@ -62,30 +62,12 @@ final class GivingWay {
    * @param sensors say where the arm truly is
    */
   GivingWay(
-      ArmDescription arm,
-      PathLimiter speeds,
-      Supplier<SafetyLimits> limits,
-      ArmSensors sensors) {
+      ArmDescription arm, PathLimiter speeds, Supplier<SafetyLimits> limits, ArmSensors sensors) {
     this.arm = arm;
     this.sensors = sensors;
     this.speeds = speeds;
     this.limits = limits;
     jacobian = new Jacobian(arm.dh());
-  }
-
-  /** The arm stands still. */
-  void stop() {
-    Arrays.fill(speed, 0);
-  }
-
-  /** Whether the joints do not turn to give way. */
-  boolean stopped() {
-    for (double each : speed) {
-      if (each != 0) {
-        return false;
-      }
-    }
-    return true;
   }
 
   /**
@@ -94,34 +76,40 @@ final class GivingWay {
    * @param position where the joints are to be, rad
    * @param tcpInFlange the TCP that is carried
    * @param pathTwist6 how the path moves it, m/s and rad/s along the axes of the base
-   * @param twist6 the velocity wanted besides, along the same axes; overwritten with the possible
-   *     one
+   * @param twist6 its velocity besides so far, along the same axes
+   * @param next6 the velocity wanted instead; overwritten with the possible one
    */
-  void limit(Joints position, Pose tcpInFlange, double[] pathTwist6, double[] twist6) {
+  void limit(
+      Joints position, Pose tcpInFlange, double[] pathTwist6, double[] twist6, double[] next6) {
     position.copyTo(q);
     jacobian.at(q, tcpInFlange, jacobian36);
-    boolean regular = jacobian.solve(jacobian36, twist6, wanted);
-    if (!regular || !jacobian.solve(jacobian36, pathTwist6, path)) {
-      stop();
-      Arrays.fill(twist6, 0);
+    boolean regular =
+        jacobian.solve(jacobian36, twist6, speed)
+            && jacobian.solve(jacobian36, next6, wanted)
+            && jacobian.solve(jacobian36, pathTwist6, path);
+    if (!regular) {
+      Arrays.fill(next6, 0);
       return;
     }
-    accelerate();
+    double answered = accelerationShare();
+    for (int i = 0; i < N; i++) {
+      speed[i] += answered * (wanted[i] - speed[i]);
+    }
     double share = Math.min(singularityShare(position), Math.min(wallShare(), leadShare()));
-    scale(allowed(share));
-    Jacobian.twist(jacobian36, speed, twist6);
+    double kept = allowed(share);
+    // the share of joint speeds is that of the velocity: no other axis begins to move
+    for (int i = 0; i < N; i++) {
+      next6[i] = kept * (answered == 1 ? next6[i] : twist6[i] + answered * (next6[i] - twist6[i]));
+    }
   }
 
-  private void accelerate() {
+  private double accelerationShare() {
     double largest = 0;
     for (int i = 0; i < N; i++) {
       largest = Math.max(largest, Math.abs(wanted[i] - speed[i]));
     }
     double step = ACCELERATION_RAD_PER_S2 * FrameTime.FRAME_S;
-    double share = largest > step ? step / largest : 1;
-    for (int i = 0; i < N; i++) {
-      speed[i] = share == 1 ? wanted[i] : speed[i] + share * (wanted[i] - speed[i]);
-    }
+    return largest > step ? step / largest : 1;
   }
 
   private double singularityShare(Joints position) {
@@ -187,13 +175,5 @@ final class GivingWay {
       sum[i] = path[i] + share * speed[i];
     }
     return speeds.largestScaling(q, sum) >= 1;
-  }
-
-  private void scale(double share) {
-    if (share != 1) {
-      for (int i = 0; i < N; i++) {
-        speed[i] *= share;
-      }
-    }
   }
 }

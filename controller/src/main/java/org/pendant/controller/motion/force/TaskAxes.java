@@ -56,12 +56,16 @@ final class TaskAxes {
     double yx = dx / length;
     double yy = dy / length;
     double yz = dz / length;
-    if (!pointX(yx, yy, yz, yy * given[8] - yz * given[5], yz * given[2] - yx * given[8],
+    if (!pointX(
+        yx,
+        yy,
+        yz,
+        yy * given[8] - yz * given[5],
+        yz * given[2] - yx * given[8],
         yx * given[5] - yy * given[2])) {
       // y is along the given z: what is left of the given x serves as well
       double along = yx * given[0] + yy * given[3] + yz * given[6];
-      pointX(
-          yx, yy, yz, given[0] - along * yx, given[3] - along * yy, given[6] - along * yz);
+      pointX(yx, yy, yz, given[0] - along * yx, given[3] - along * yy, given[6] - along * yz);
     }
   }
 
@@ -113,9 +117,13 @@ final class TaskAxes {
     return known;
   }
 
-  /** What twelve, six or three numbers have along axis {@code axis} (0 to 2), from {@code at} on. */
+  /**
+   * What twelve, six or three numbers have along axis {@code axis} (0 to 2), from {@code at} on.
+   */
   double along(int axis, double[] vector, int at) {
-    return axes[axis] * vector[at] + axes[3 + axis] * vector[at + 1] + axes[6 + axis] * vector[at + 2];
+    return axes[axis] * vector[at]
+        + axes[3 + axis] * vector[at + 1]
+        + axes[6 + axis] * vector[at + 2];
   }
 
   /** Adds {@code amount} along axis {@code axis} (0 to 2) to three numbers from {@code at} on. */

@@ -55,8 +55,7 @@ final class Follower {
   /** The speed from which frames of even slowing down end without a gap. */
   private static double approach(double gap, double acceleration) {
     double steps = 2 * gap / (acceleration * FRAME_S * FRAME_S);
-    double slowing = acceleration * FRAME_S * (Math.sqrt(0.25 + steps) - 0.5);
-    return Math.min(slowing, gap / FRAME_S);
+    return acceleration * FRAME_S * (Math.sqrt(0.25 + steps) - 0.5);
   }
 
   /** Where it is. */

@@ -132,8 +132,7 @@ public final class Profile {
         acceleration[phases] = beginAcceleration;
         jerk[phases] = evenJerk;
         phases++;
-        covered +=
-            lengthS * (now + lengthS * (beginAcceleration / 2 + lengthS * (evenJerk / 6)));
+        covered += lengthS * (now + lengthS * (beginAcceleration / 2 + lengthS * (evenJerk / 6)));
         now += lengthS * (beginAcceleration + lengthS * (evenJerk / 2));
         timeS += lengthS;
         peak = Math.max(peak, now);

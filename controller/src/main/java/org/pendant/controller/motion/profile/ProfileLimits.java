@@ -3,11 +3,11 @@ package org.pendant.controller.motion.profile;
 /**
  * What a profile may not exceed, and the profiles that come as near to that as they can.
  *
- * <p>A change of speed by d takes the time {@code d / a} with even acceleration. With limited jerk j
- * it takes {@code d / a + a / j} if the acceleration a is reached, which it is when {@code d j >=
+ * <p>A change of speed by d takes the time {@code d / a} with even acceleration. With limited jerk
+ * j it takes {@code d / a + a / j} if the acceleration a is reached, which it is when {@code d j >=
  * a²}, and {@code 2 sqrt(d / j)} otherwise; either way it covers the mean of both speeds times its
- * duration. (L. Biagiotti and C. Melchiorri, "Trajectory Planning for Automatic Machines and Robots",
- * Springer 2008, sections 3.2 and 3.4.) At both ends of a profile with limited jerk the
+ * duration. (L. Biagiotti and C. Melchiorri, "Trajectory Planning for Automatic Machines and
+ * Robots", Springer 2008, sections 3.2 and 3.4.) At both ends of a profile with limited jerk the
  * acceleration is 0.
  *
  * @param speed per s, above 0
@@ -97,9 +97,7 @@ public record ProfileLimits(double speed, double acceleration, double jerk) {
     if (quickest >= durationS) {
       double slower = quickest / durationS;
       return new ProfileLimits(
-              Double.MAX_VALUE,
-              acceleration * slower * slower,
-              jerk * slower * slower * slower)
+              Double.MAX_VALUE, acceleration * slower * slower, jerk * slower * slower * slower)
           .between(distance, from, to);
     }
     double low = distance / durationS;

@@ -116,7 +116,12 @@ final class ProfileLimitsTest {
 
   /** Distance is the integral of speed, speed that of acceleration, and limits hold. */
   private static void check(
-      Profile profile, ProfileLimits limits, double distance, double from, double to, String input) {
+      Profile profile,
+      ProfileLimits limits,
+      double distance,
+      double from,
+      double to,
+      String input) {
     double end = profile.durationS();
     assertEquals(0, profile.position(0), 0, input);
     assertEquals(distance, profile.position(end), 0, input);
@@ -129,8 +134,7 @@ final class ProfileLimitsTest {
       double next = begin + step;
       double covered = profile.position(next) - profile.position(begin);
       assertTrue(covered >= -1e-12, input);
-      assertEquals(
-          step * profile.speed(begin + step / 2), covered, a * step * step + 1e-9, input);
+      assertEquals(step * profile.speed(begin + step / 2), covered, a * step * step + 1e-9, input);
       double faster = profile.speed(next) - profile.speed(begin);
       assertTrue(Math.abs(faster) <= a * step * (1 + 1e-6) + 1e-9, input);
       assertTrue(profile.speed(next) <= Math.max(from, limits.speed()) * (1 + 1e-9), input);

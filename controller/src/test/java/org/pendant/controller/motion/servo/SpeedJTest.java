@@ -7,8 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.motion.MotionPlan;
 import org.pendant.controller.motion.MotionTicket;
+import org.pendant.controller.motion.PathLimiter;
 import org.pendant.controller.motion.StopJ;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.Joints;
@@ -112,6 +114,31 @@ class SpeedJTest {
     }
     assertTrue(Math.abs(rig.control.speedRadPerS().q1()) <= 0.2 + 1e-9);
     assertTrue(Math.abs(rig.control.speedRadPerS().q1()) > 0.15);
+  }
+
+  @Test
+  void aLimitIsNoDebtThatHasToBePaidBack() throws ScriptError {
+    PathLimiter slow = (q, qd) -> 0.2 / Joints.of(qd).maxAbsDifference(Joints.ZERO);
+    MotionControl limited = new MotionControl(rig.arm, Rig.READY, slow);
+    for (int i = 0; i < 1000; i++) {
+      frames(limited, speed(Joints.ZERO.with(0, 3), 2, 0.002));
+    }
+    assertEquals(0.2, limited.speedRadPerS().q0(), 1e-3);
+    int frames = 0;
+    while (limited.speedRadPerS().q0() > 1e-9) {
+      frames += frames(limited, speed(Joints.ZERO, 2, 0.002));
+    }
+    assertEquals(50, frames, 2, "0.2 rad/s by 2 rad/s²");
+  }
+
+  private static int frames(MotionControl control, MotionPlan plan) throws ScriptError {
+    MotionTicket ticket = control.goOn(plan);
+    int frames = 0;
+    while (!ticket.finished()) {
+      control.step();
+      frames++;
+    }
+    return frames;
   }
 
   @Test

@@ -103,6 +103,12 @@ public final class AnalysisSchedule {
       return;
     }
     waiting.add(receiver);
+    start();
+  }
+
+  /** The same for what nobody has asked for: long texts rest between two readings. */
+  public void whenDue(Consumer<AnalysedText> receiver) {
+    whenRested(receiver);
     startIfStill(version);
   }
 
@@ -123,9 +129,17 @@ public final class AnalysisSchedule {
     long restMs = (restUntilNs - clockNs.getAsLong()) / NS_PER_MS;
     if (restMs > 0) {
       background.run((int) restMs, () -> dispatch.execute(() -> startIfStill(wanted)));
+    } else {
+      start();
+    }
+  }
+
+  private void start() {
+    if (startedVersion == version) {
       return;
     }
-    startedVersion = version;
+    long wanted = version;
+    startedVersion = wanted;
     String now = text.get();
     background.run(
         0,

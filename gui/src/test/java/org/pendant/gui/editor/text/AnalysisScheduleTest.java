@@ -89,9 +89,12 @@ final class AnalysisScheduleTest {
     later.removeFirst().work.run();
     type("y");
     later.clear();
-    schedule.whenCurrent(analysed -> {});
+    schedule.whenDue(analysed -> {});
 
     assertEquals(150, later.getFirst().delayMs, "of the 200 ms some have passed");
+    later.clear();
+    schedule.whenCurrent(analysed -> {});
+    assertEquals(0, later.getFirst().delayMs, "whoever asks does not wait");
   }
 
   @Test
