@@ -45,7 +45,7 @@ final class ArrangeWindowTest {
     window.awaitShown("scene");
     window.click("dock-collapse-right");
     window.awaitHidden("scene");
-    window.press("control alt RIGHT");
+    window.press("control B");
     window.awaitShown("scene");
   }
 

@@ -120,7 +120,7 @@ final class RobotWindowTest {
     window.await(
         "frames go by",
         () -> {
-          window.press("control alt F10");
+          window.press("control shift F6");
           return timeS() > pausedS;
         });
     window.choose("pace", "Real time");

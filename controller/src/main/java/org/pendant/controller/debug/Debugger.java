@@ -86,9 +86,17 @@ public final class Debugger {
     go(Optional.empty());
   }
 
+  /** The step of a thread that stopped where it stands is over what it stands before. */
+  private void standBefore(int thread) {
+    if (stops.state().stop().orElseThrow().thread() == thread) {
+      probe.standBefore(thread);
+    }
+  }
+
   /** Lets the program go on until {@code thread} comes to its next statement in any function. */
   public void stepInto(int thread) {
     refuseUnlessSteppable();
+    standBefore(thread);
     probe.mark(thread);
     go(Optional.of(new Step.Into(thread)));
   }
@@ -99,6 +107,7 @@ public final class Debugger {
    */
   public void stepOver(int thread) {
     refuseUnlessSteppable();
+    standBefore(thread);
     go(Optional.of(new Step.Over(thread, probe.mark(thread))));
   }
 
@@ -108,6 +117,7 @@ public final class Debugger {
    */
   public void stepOut(int thread) {
     refuseUnlessSteppable();
+    standBefore(thread);
     go(Optional.of(new Step.Out(thread, probe.mark(thread))));
   }
 

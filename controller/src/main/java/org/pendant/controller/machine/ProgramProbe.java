@@ -152,6 +152,17 @@ public final class ProgramProbe {
     return thread(thread).depth;
   }
 
+  /**
+   * A thread that stands before a statement of its own accord, at the begin of a program say,
+   * counts as stopped there: its next step is over that statement, not to it.
+   */
+  public void standBefore(int thread) {
+    ScriptThread found = thread(thread);
+    if (found.state == ScriptThread.State.RUNNABLE && statementStart(thread).isPresent()) {
+      found.trapped = true;
+    }
+  }
+
   /** Which calls {@code thread} is in. */
   public StackMark mark(int thread) {
     return StackMark.of(thread(thread));

@@ -38,6 +38,16 @@ class SteppingTest {
   }
 
   @Test
+  void theFirstStepOfAProgramHeldAtItsBeginIsOverItsFirstStatement() {
+    fixture.start(CALLS);
+    debugger.pause();
+    assertEquals(6, fixture.line());
+    fixture.over();
+    assertEquals(7, fixture.line());
+    assertEquals("6", fixture.value("a"));
+  }
+
+  @Test
   void steppingIntoACallStopsAtItsFirstStatement() {
     debugger.set(Breakpoint.at(6));
     fixture.start(CALLS).go().into();

@@ -118,8 +118,7 @@ final class DesktopWindow {
   private void addActions(ProgramActions programActions) {
     programActions.addFiles(files, programs);
     actions.add(
-        Action.of(
-            "file.recent", "Open a recent program\u2026", "control alt O", header::openPrograms));
+        Action.of("file.recent", "Open a recent program\u2026", "control E", header::openPrograms));
     actions.add(Action.of("file.quit", "Quit", "control Q", leaving::ask));
     actions.add(Action.of("robot.restart", "Switch the controller off and on", "", robot::restart));
     actions.add(Action.of("robot.choose", "Choose another robot\u2026", "", header::openRobots));

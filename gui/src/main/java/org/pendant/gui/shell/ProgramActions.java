@@ -93,7 +93,7 @@ final class ProgramActions {
         new Action(
             "clock.step-frame",
             "Step robot time by one frame (2 ms)",
-            "control alt F10",
+            "control shift F6",
             () -> session.pace() instanceof Pace.Paused,
             session::stepFrame),
         () -> "Pause robot time first");

@@ -37,9 +37,9 @@ final class WindowActions {
     for (Side side : List.of(Side.LEFT, Side.RIGHT, Side.BOTTOM)) {
       String key =
           switch (side) {
-            case LEFT -> "control alt LEFT";
-            case RIGHT -> "control alt RIGHT";
-            case BOTTOM, MAIN -> "control alt DOWN";
+            case LEFT -> "control shift B";
+            case RIGHT -> "control B";
+            case BOTTOM, MAIN -> "control J";
           };
       actions.add(
           Action.of(
@@ -104,7 +104,7 @@ final class WindowActions {
         new Action(
             "help.question",
             "Answer the question at the top",
-            "control alt UP",
+            "control shift E",
             notices::any,
             notices::focus),
         () -> "There is no question");
