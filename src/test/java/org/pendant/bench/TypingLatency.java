@@ -251,7 +251,7 @@ final class TypingLatency {
   }
 
   private static double ms(long ns) {
-    return ns / NS_PER_US / 1e3;
+    return (double) ns / NS_PER_US / 1e3;
   }
 
   /** The event queue, with a clock. */
