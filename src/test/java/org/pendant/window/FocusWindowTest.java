@@ -1,7 +1,5 @@
 package org.pendant.window;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
@@ -23,7 +21,7 @@ final class FocusWindowTest {
     window.settle();
     window.awaitFocus("palette-query");
     window.type(" lo");
-    assertEquals("show lo", window.words("palette-query"));
+    window.awaitWords("palette-query", "show lo");
     window.press("ESCAPE");
     window.awaitHidden("palette-query");
   }

@@ -45,7 +45,7 @@ public final class StatusLine extends JPanel {
     whole.addActionListener(event -> showWhole.accept(text()));
     add(told, "growx, wmin 0");
     add(whole);
-    add(punctual, "cell 3 0, wmin 0");
+    add(punctual, "cell 3 0, wmin pref");
     addComponentListener(
         new ComponentAdapter() {
           @Override
