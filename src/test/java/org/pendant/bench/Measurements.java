@@ -17,6 +17,7 @@ import org.openjdk.jmh.runner.options.ChainedOptionsBuilder;
 import org.openjdk.jmh.runner.options.CommandLineOptions;
 import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.TimeValue;
+import org.pendant.window.SteadyRate;
 
 /**
  * Runs the benchmarks as docs/benchmarks.md lists them and prints its tables: medians, in Markdown.
@@ -37,11 +38,16 @@ final class Measurements {
 
   /**
    * Without arguments all benchmarks run; {@code quick} makes them short, to see whether they work.
-   * {@code typing} types in a window instead. Any other arguments are those of JMH.
+   * {@code typing} types in a window instead, {@code rate} works with one. Any other arguments are
+   * those of JMH.
    */
   public static void main(String[] arguments) throws Exception {
     if (arguments.length > 0 && arguments[0].equals("typing")) {
       TypingLatency.main(Arrays.copyOfRange(arguments, 1, arguments.length));
+      return;
+    }
+    if (arguments.length > 0 && arguments[0].equals("rate")) {
+      SteadyRate.main(new String[0]);
       return;
     }
     boolean quick = arguments.length == 1 && arguments[0].equals("quick");
