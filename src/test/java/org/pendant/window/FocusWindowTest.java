@@ -50,7 +50,8 @@ final class FocusWindowTest {
     window.awaitFocus("prompt");
     window.press("control A");
     window.type("2\n");
-    // At once, while the focus is on its way; only two keys of one millisecond are not told apart.
+    // Java cannot tell keys of one millisecond apart; this question takes a little longer.
+    window.words("script-editor");
     window.type("x");
     window.awaitWords("script-text", "one = 1\nxtwo = 2");
     window.press("control Z");
