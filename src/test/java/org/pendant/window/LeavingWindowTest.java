@@ -109,6 +109,7 @@ final class LeavingWindowTest {
     try (OpenWindow window = OpenWindow.open(display, folder)) {
       openProgram(window, file);
       window.click("rail-script");
+      window.awaitShown("script-text");
       // Before the first look nobody knows the file's age.
       window.await(
           "it is read again",
