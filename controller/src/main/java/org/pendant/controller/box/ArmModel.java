@@ -50,6 +50,11 @@ public final class ArmModel {
     return baseAcceleration[axis];
   }
 
+  /** What the resting arm feels along an axis of the base, its motion included, m/s². */
+  public double feltAccelerationMPerS2(int axis) {
+    return gravity[axis] + baseAcceleration[axis];
+  }
+
   void setGravity(double x, double y, double z) {
     gravity[0] = x;
     gravity[1] = y;

@@ -252,9 +252,9 @@ public final class ControlBox {
   public ArmHeadroom headroom() {
     headroom.setPayload(model.payload());
     headroom.setGravity(
-        model.gravityMPerS2(0) + model.baseAccelerationMPerS2(0),
-        model.gravityMPerS2(1) + model.baseAccelerationMPerS2(1),
-        model.gravityMPerS2(2) + model.baseAccelerationMPerS2(2));
+        model.feltAccelerationMPerS2(0),
+        model.feltAccelerationMPerS2(1),
+        model.feltAccelerationMPerS2(2));
     return headroom;
   }
 
@@ -426,9 +426,9 @@ public final class ControlBox {
 
   private void mount() {
     arm.setMounting(
-        model.gravityMPerS2(0) + model.baseAccelerationMPerS2(0),
-        model.gravityMPerS2(1) + model.baseAccelerationMPerS2(1),
-        model.gravityMPerS2(2) + model.baseAccelerationMPerS2(2));
+        model.feltAccelerationMPerS2(0),
+        model.feltAccelerationMPerS2(1),
+        model.feltAccelerationMPerS2(2));
     arm.modelChanged();
     wrenchKnown = false;
   }

@@ -157,9 +157,9 @@ final class PayloadBuiltins {
         PayloadEstimate.of(
             PayloadArguments.flangesInBase(call, 0),
             PayloadArguments.wrenches(call, 1),
-            model.gravityMPerS2(0) + model.baseAccelerationMPerS2(0),
-            model.gravityMPerS2(1) + model.baseAccelerationMPerS2(1),
-            model.gravityMPerS2(2) + model.baseAccelerationMPerS2(2));
+            model.feltAccelerationMPerS2(0),
+            model.feltAccelerationMPerS2(1),
+            model.feltAccelerationMPerS2(2));
     return switch (estimate) {
       case PayloadEstimate.Refused refused -> throw call.failure("no-estimate", refused.reason());
       case PayloadEstimate.Found found -> call.answer(struct(found.payload()));

@@ -244,6 +244,9 @@ public final class Machine {
 
   /** A move that has just begun and will blend is told which move comes next. */
   private void lookAhead(ProgramRun running) {
+    if (!box.motion().wantsOutlook()) {
+      return;
+    }
     for (ScriptThread thread : running.threads()) {
       if (thread.state == ScriptThread.State.WAITING && thread.wait.wantsOutlook()) {
         thread.wait.outlook(foresight.after(running, thread));

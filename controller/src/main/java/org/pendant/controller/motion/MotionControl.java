@@ -47,10 +47,7 @@ public final class MotionControl {
   private final OffsetTarget offsets;
 
   /** Where the path is; the target too unless {@link #offsets} are engaged. */
-  private Joints position;
-
-  private Joints speed = Joints.ZERO;
-  private Joints acceleration = Joints.ZERO;
+  private final PathPoint path;
 
   private Optional<Motion> active = Optional.empty();
   private Optional<MotionTicket> owner = Optional.empty();
@@ -98,7 +95,7 @@ public final class MotionControl {
     this.limiter = limiter;
     jointSpeeds = new JointSpeedCheck(arm);
     offsets = new OffsetTarget(arm, jointSpeeds);
-    position = positionRad;
+    path = new PathPoint(positionRad);
   }
 
   /**
@@ -116,7 +113,7 @@ public final class MotionControl {
     if (active.isPresent()) {
       pending = Optional.of(new Pending(plan, ticket));
     } else {
-      begin(plan.from(position, Joints.ZERO), Optional.of(ticket), false);
+      begin(plan.from(path.position(), Joints.ZERO), Optional.of(ticket), false);
     }
     return ticket;
   }
@@ -177,13 +174,13 @@ public final class MotionControl {
 
   /** Gives up what moves the arm without an end, such as speedj, if it does not move it now. */
   private void settleAtRest() throws ScriptError {
-    if (speed.maxAbsDifference(Joints.ZERO) > AT_REST_RAD_PER_S) {
+    if (path.speed().maxAbsDifference(Joints.ZERO) > AT_REST_RAD_PER_S) {
       String driver = torqueDriven ? "direct_torque" : active.orElseThrow().driver();
       throw new ScriptError(
           "moving",
           driver
               + " has left the arm moving, its fastest joint at "
-              + Value.of(speed.maxAbsDifference(Joints.ZERO)).text()
+              + Value.of(path.speed().maxAbsDifference(Joints.ZERO)).text()
               + " rad/s, must be at rest before a move; stopj or stopl brings it to rest");
     }
     torqueDriven = false;
@@ -191,7 +188,7 @@ public final class MotionControl {
   }
 
   private Planning fromRest(Move move) {
-    Joints from = position;
+    Joints from = path.position();
     return outlook -> Optional.of(MovePlanner.fromRest(move, from, outlook));
   }
 
@@ -201,6 +198,11 @@ public final class MotionControl {
     double leavingS =
         leaving.handOverS() - (present.handOverS() - motionFrames * FrameTime.FRAME_S);
     return outlook -> MovePlanner.blended(leaving, leavingS, move, outlook);
+  }
+
+  /** Whether a move has just begun that may be planned anew, knowing what follows it. */
+  public boolean wantsOutlook() {
+    return unforeseen.isPresent();
   }
 
   boolean wantsOutlook(MotionTicket ticket) {
@@ -226,7 +228,7 @@ public final class MotionControl {
   public MotionTicket takeOver(MotionPlan plan) throws ScriptError {
     refuseSecondOwner();
     MotionTicket ticket = new MotionTicket(this);
-    begin(plan.from(position, speed), Optional.of(ticket), true);
+    begin(plan.from(path.position(), path.speed()), Optional.of(ticket), true);
     return ticket;
   }
 
@@ -240,26 +242,14 @@ public final class MotionControl {
     refuseSecondOwner();
     boolean unscaled = torqueDriven || time.stopping();
     double scaling =
-        speed.equals(Joints.ZERO)
-            ? time.wanted()
-            : time.goingOn(unscaled, jointSpeeds.share(speed));
-    Joints own = scaling > 0 && scaling != 1 ? inOwnTime(scaling) : speed;
-    Motion motion = plan.from(position, own);
+        path.moves() ? time.goingOn(unscaled, jointSpeeds.share(path.speed())) : time.wanted();
+    Joints own = scaling > 0 && scaling != 1 ? path.speedInOwnTime(scaling) : path.speed();
+    Motion motion = plan.from(path.position(), own);
     MotionTicket ticket = new MotionTicket(this);
     begin(motion, Optional.of(ticket));
     own.copyTo(sample.speed);
     time.goOnAt(scaling);
     return ticket;
-  }
-
-  private Joints inOwnTime(double scaling) {
-    return new Joints(
-        speed.q0() / scaling,
-        speed.q1() / scaling,
-        speed.q2() / scaling,
-        speed.q3() / scaling,
-        speed.q4() / scaling,
-        speed.q5() / scaling);
   }
 
   private void refuseSecondOwner() throws ScriptError {
@@ -335,24 +325,25 @@ public final class MotionControl {
   /** No torques have come for this frame: the joints stop, as soon as a stop demands. */
   private void endTorques() {
     torqueDriven = false;
-    if (!speed.equals(Joints.ZERO)) {
-      begin(new StopJ(position, speed, time.rampRadPerS2()), Optional.empty(), true);
+    if (path.moves()) {
+      begin(new StopJ(path.position(), path.speed(), time.rampRadPerS2()), Optional.empty(), true);
     }
   }
 
   /** The target is where the arm is that is guided, or driven by torques. */
   public void guide(Joints positionRad, Joints speedRadPerS) {
-    position = positionRad;
-    speed = speedRadPerS;
-    acceleration = Joints.ZERO;
+    path.set(positionRad, speedRadPerS, Joints.ZERO);
   }
 
   /** The arm is no longer guided: the target comes to rest from where the arm is. */
   public void endGuidance() {
     if (guided) {
       guided = false;
-      if (!speed.equals(Joints.ZERO)) {
-        begin(new StopJ(position, speed, SCALING_ACCELERATION_RAD_PER_S2), Optional.empty(), true);
+      if (path.moves()) {
+        begin(
+            new StopJ(path.position(), path.speed(), SCALING_ACCELERATION_RAD_PER_S2),
+            Optional.empty(),
+            true);
       }
     }
   }
@@ -387,8 +378,7 @@ public final class MotionControl {
     if (active.isPresent()) {
       follow(active.get());
     } else {
-      speed = Joints.ZERO;
-      acceleration = Joints.ZERO;
+      path.rest();
     }
     carryAside();
     framesAtRest =
@@ -405,7 +395,7 @@ public final class MotionControl {
     Optional<MotionPlan> ending = active.flatMap(Motion::ending);
     if (ending.isPresent()) {
       try {
-        begin(ending.get().from(position, speed), Optional.empty(), true);
+        begin(ending.get().from(path.position(), path.speed()), Optional.empty(), true);
       } catch (ScriptError e) {
         stopBeside(new MotionFailure(e.code(), e.getMessage()));
       }
@@ -413,7 +403,7 @@ public final class MotionControl {
   }
 
   private void carryAside() {
-    Optional<MotionFailure> failure = offsets.step(position, speed);
+    Optional<MotionFailure> failure = offsets.step(path.position(), path.speed());
     if (failure.isPresent()) {
       takeTargetForPath();
       offsets.end();
@@ -450,9 +440,9 @@ public final class MotionControl {
     refuseSecondOwner();
     ending.end();
     if (offsets.engaged()) {
-      Optional<OffsetTarget.Rebased> path = offsets.rebased(position);
-      if (path.isPresent()) {
-        takeTarget(path.get().positionRad(), path.get().speedRadPerS());
+      Optional<OffsetTarget.Rebased> rebased = offsets.rebased(path.position());
+      if (rebased.isPresent()) {
+        takeTarget(rebased.get().positionRad(), rebased.get().speedRadPerS());
       } else {
         takeTargetForPath();
         offsets.end();
@@ -464,7 +454,10 @@ public final class MotionControl {
   public void endOffsets() {
     if (offsets.engaged()) {
       takeTargetForPath();
-      begin(new StopJ(position, speed, SCALING_ACCELERATION_RAD_PER_S2), Optional.empty(), true);
+      begin(
+          new StopJ(path.position(), path.speed(), SCALING_ACCELERATION_RAD_PER_S2),
+          Optional.empty(),
+          true);
     }
     offsets.end();
   }
@@ -478,15 +471,13 @@ public final class MotionControl {
     Joints targetAcceleration = accelerationRadPerS2();
     owner.ifPresent(ticket -> ticket.fail(PATH_ENDED));
     forget();
-    position = target;
-    speed = targetSpeed;
-    acceleration = targetAcceleration;
+    path.set(target, targetSpeed, targetAcceleration);
   }
 
   private void beginPending(Pending next) {
     pending = Optional.empty();
     try {
-      Motion motion = next.plan.from(position, Joints.ZERO);
+      Motion motion = next.plan.from(path.position(), Joints.ZERO);
       next.ticket.stretchedTo(motion.stretchedS());
       begin(motion, Optional.of(next.ticket), false);
     } catch (ScriptError e) {
@@ -499,7 +490,7 @@ public final class MotionControl {
     double framesBefore = motionFrames;
     time.setFactor(motion.speedFactor());
     time.step(sample.fastestRadPerS());
-    position.copyTo(previous);
+    path.position().copyTo(previous);
     Optional<MotionFailure> failure = sampleAfter(motion, framesBefore, before);
     if (failure.isEmpty() && !time.stopping() && time.scaling() > 0) {
       double largest = limiter.largestScaling(sample.position, sample.speed);
@@ -517,7 +508,7 @@ public final class MotionControl {
       stopBeside(onTheWay(failure.get(), motion));
       return;
     }
-    publish((time.scaling() - before) / FrameTime.FRAME_S);
+    path.follow(sample, time.scaling(), (time.scaling() - before) / FrameTime.FRAME_S);
     if (atEnd(motion) || (time.scaling() == 0 && time.releasing())) {
       owner.ifPresent(MotionTicket::finish);
       forget();
@@ -568,32 +559,6 @@ public final class MotionControl {
     return motionFrames >= motion.durationS() / FrameTime.FRAME_S - FrameTime.ROUNDING;
   }
 
-  private void publish(double scalingPerS) {
-    position = Joints.of(sample.position);
-    double scaling = time.scaling();
-    double squared = scaling * scaling;
-    double[] v = sample.speed;
-    double[] a = sample.acceleration;
-    speed = scaled(scaling, v, 0, v);
-    acceleration = scaled(squared, a, scalingPerS, v);
-  }
-
-  private static Joints scaled(double f, double[] x, double g, double[] y) {
-    Joints sum =
-        new Joints(
-            f * x[0] + g * y[0],
-            f * x[1] + g * y[1],
-            f * x[2] + g * y[2],
-            f * x[3] + g * y[3],
-            f * x[4] + g * y[4],
-            f * x[5] + g * y[5]);
-    return isZero(sum) ? Joints.ZERO : sum;
-  }
-
-  private static boolean isZero(Joints q) {
-    return q.q0() == 0 && q.q1() == 0 && q.q2() == 0 && q.q3() == 0 && q.q4() == 0 && q.q5() == 0;
-  }
-
   private void forget() {
     active = Optional.empty();
     owner = Optional.empty();
@@ -621,11 +586,14 @@ public final class MotionControl {
     pending.ifPresent(next -> next.ticket.fail(failure));
     pending = Optional.empty();
     forget();
-    if (speed.equals(Joints.ZERO)) {
-      acceleration = Joints.ZERO;
+    if (!path.moves()) {
+      path.rest();
       return;
     }
-    begin(new StopJ(position, speed, FAULT_DECELERATION_RAD_PER_S2), Optional.empty(), true);
+    begin(
+        new StopJ(path.position(), path.speed(), FAULT_DECELERATION_RAD_PER_S2),
+        Optional.empty(),
+        true);
   }
 
   /** Lets the arm come to rest on its path and forgets the motion. */
@@ -703,9 +671,7 @@ public final class MotionControl {
     torqueGiven = false;
     forget();
     offsets.end();
-    position = positionRad;
-    speed = Joints.ZERO;
-    acceleration = Joints.ZERO;
+    path.restAt(positionRad);
   }
 
   /**
@@ -731,7 +697,7 @@ public final class MotionControl {
     if (moving() || carried()) {
       throw new ScriptError("robot-in-use", "the arm is moving, must be at rest");
     }
-    position = positionRad;
+    path.restAt(positionRad);
   }
 
   /** A new program starts: what stopped the last one is over. */
@@ -789,26 +755,26 @@ public final class MotionControl {
 
   /** Target positions, rad. */
   public Joints positionRad() {
-    return offsets.engaged() ? offsets.position() : position;
+    return offsets.engaged() ? offsets.position() : path.position();
   }
 
   /** Where the path is, without what offsets add, rad. */
   public Joints pathPositionRad() {
-    return position;
+    return path.position();
   }
 
   /** How fast the joints would turn without what offsets add, rad/s. */
   public Joints pathSpeedRadPerS() {
-    return speed;
+    return path.speed();
   }
 
   /** Target speeds, rad/s. */
   public Joints speedRadPerS() {
-    return offsets.engaged() ? offsets.speed() : speed;
+    return offsets.engaged() ? offsets.speed() : path.speed();
   }
 
   /** Target accelerations, rad/s². */
   public Joints accelerationRadPerS2() {
-    return offsets.engaged() ? offsets.acceleration() : acceleration;
+    return offsets.engaged() ? offsets.acceleration() : path.acceleration();
   }
 }

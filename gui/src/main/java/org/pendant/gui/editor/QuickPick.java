@@ -22,7 +22,7 @@ import javax.swing.ListCellRenderer;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.gui.shell.find.FuzzyMatch;
+import org.pendant.gui.workbench.FuzzyMatch;
 import org.pendant.gui.workbench.Palette;
 
 /** Finds one of many things by a few letters of its name: ENTER takes it, ESCAPE leaves. */

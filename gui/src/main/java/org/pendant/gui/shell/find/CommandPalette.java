@@ -21,6 +21,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.gui.shell.look.Overlay;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
+import org.pendant.gui.workbench.FuzzyMatch;
 import org.pendant.gui.workbench.KeyText;
 import org.pendant.gui.workbench.Palette;
 

@@ -1,4 +1,4 @@
-package org.pendant.gui.shell.find;
+package org.pendant.gui.workbench;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

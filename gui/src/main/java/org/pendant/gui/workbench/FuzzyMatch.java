@@ -1,4 +1,4 @@
-package org.pendant.gui.shell.find;
+package org.pendant.gui.workbench;
 
 import java.util.Comparator;
 import java.util.List;
