@@ -16,6 +16,7 @@ import org.pendant.controller.machine.ProgramLoader;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.StateFeed;
 import org.pendant.controller.value.Value;
 import org.pendant.controller.variables.VariableTracer;
 import org.pendant.language.source.Source;
@@ -113,6 +114,11 @@ public final class Controller {
   /** The newest snapshot; any thread. */
   public ControllerState state() {
     return frame.state();
+  }
+
+  /** Every snapshot in turn, for who must not miss a frame; any thread. */
+  public StateFeed feed() {
+    return frame.feed();
   }
 
   /** Log lines after number {@code number} that are still kept, oldest first; any thread. */

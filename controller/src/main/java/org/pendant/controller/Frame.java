@@ -16,6 +16,7 @@ import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.SafetyStatus;
+import org.pendant.controller.state.StateFeed;
 import org.pendant.controller.variables.VariableSampler;
 import org.pendant.controller.variables.VariableTracer;
 import org.pendant.language.source.SourceRange;
@@ -44,6 +45,7 @@ final class Frame {
 
   private boolean stoppedUnexpectedly;
 
+  private final StateFeed feed = new StateFeed();
   private volatile ControllerState state;
 
   Frame(
@@ -61,6 +63,7 @@ final class Frame {
     this.tracer = tracer;
     sampler = new VariableSampler(machine);
     state = snapshot();
+    feed.publish(state);
   }
 
   void advance() {
@@ -83,6 +86,11 @@ final class Frame {
   /** The newest snapshot; any thread. */
   ControllerState state() {
     return state;
+  }
+
+  /** Every snapshot in turn; any thread. */
+  StateFeed feed() {
+    return feed;
   }
 
   private void applyCommands() {
@@ -207,6 +215,7 @@ final class Frame {
   private void publish() {
     state = snapshot();
     desk.reply();
+    feed.publish(state);
   }
 
   /** Makes the motion do what the program's state asks for. */
@@ -335,6 +344,7 @@ final class Frame {
         box.log().takeNew(),
         box.popups().takeNew(),
         box.questions().takeNew(),
+        machine.takeEvents(),
         box.log().newest());
   }
 

@@ -1,6 +1,8 @@
 package org.pendant.controller.machine;
 
+import java.util.ArrayList;
 import java.util.Collections;
+import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import org.pendant.controller.box.ControlBox;
@@ -38,6 +40,7 @@ public final class Machine {
   private Optional<ScriptFailure> failure = Optional.empty();
   private Optional<LogEntry.Place> failurePlace = Optional.empty();
   private Optional<ProgramRun> underWayBeside = Optional.empty();
+  private List<ProgramEvent> events = new ArrayList<>();
 
   public Machine(Builtins builtins, ControlBox box) {
     this(builtins, box, Translation.WHEN_HOT);
@@ -73,6 +76,7 @@ public final class Machine {
     pausing = false;
     arriving = false;
     state = ProgramState.RUNNING;
+    events.add(new ProgramEvent.Started(programName));
     sentry.programStarted();
   }
 
@@ -82,6 +86,12 @@ public final class Machine {
    * @return why it failed, empty when it did not; the primary program goes on in any case
    */
   public Optional<ScriptFailure> runSecondary(Program program) {
+    Optional<ScriptFailure> why = runBeside(program);
+    why.ifPresent(each -> events.add(new ProgramEvent.SecondaryFailed(program.name(), each)));
+    return why;
+  }
+
+  private Optional<ScriptFailure> runBeside(Program program) {
     ProgramRun secondary =
         new ProgramRun(
             program,
@@ -178,7 +188,18 @@ public final class Machine {
     pausing = false;
     arriving = false;
     ending = Optional.of(how);
+    events.add(new ProgramEvent.Ended(programName, how));
     sentry.programEnded();
+  }
+
+  /** What happened to programs since the last call, in order. */
+  public List<ProgramEvent> takeEvents() {
+    if (events.isEmpty()) {
+      return List.of();
+    }
+    List<ProgramEvent> taken = List.copyOf(events);
+    events = new ArrayList<>();
+    return taken;
   }
 
   /** Whether a debugger holds the program: neither scripts nor time go on. */

@@ -5,6 +5,7 @@ import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.freedrive.FreedriveState;
 import org.pendant.controller.io.DigitalLevels;
 import org.pendant.controller.io.SignalState;
+import org.pendant.controller.machine.ProgramEvent;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
@@ -31,6 +32,7 @@ import org.pendant.controller.variables.VariableSamples;
  * @param newEntries log lines of this frame
  * @param newPopups popups shown in this frame, those already answered included
  * @param newQuestions asked in this frame, those already answered included
+ * @param newProgramEvents programs that started and ended in this frame, in order
  * @param newestEntry number of the newest log line, 0 for none
  */
 public record ControllerState(
@@ -51,6 +53,7 @@ public record ControllerState(
     List<LogEntry> newEntries,
     List<Popup> newPopups,
     List<Question> newQuestions,
+    List<ProgramEvent> newProgramEvents,
     long newestEntry) {
   /** Copies the lists. */
   public ControllerState {
@@ -59,5 +62,6 @@ public record ControllerState(
     newEntries = List.copyOf(newEntries);
     newPopups = List.copyOf(newPopups);
     newQuestions = List.copyOf(newQuestions);
+    newProgramEvents = List.copyOf(newProgramEvents);
   }
 }

@@ -1,0 +1,68 @@
+package org.pendant.protocols.net;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.StateFeed;
+
+/**
+ * Hands every frame to the servers, in one thread of its own, so that no server has to wait for the
+ * frame loop and the frame loop for no server.
+ */
+public final class FrameFan implements AutoCloseable {
+  private final StateFeed.Follower frames;
+  private final PeerLog log;
+  private final List<Consumer<ControllerState>> listeners = new CopyOnWriteArrayList<>();
+  private final Thread thread;
+
+  /** Follows {@code feed} until closed. */
+  public FrameFan(StateFeed feed, PeerLog log) {
+    frames = feed.follow();
+    this.log = log;
+    thread = Thread.ofPlatform().daemon().name("frames for servers").start(this::run);
+  }
+
+  /**
+   * Has {@code listener} see every frame.
+   *
+   * @param listener must not wait: it delays the other servers
+   */
+  public void add(Consumer<ControllerState> listener) {
+    listeners.add(listener);
+  }
+
+  /** Ends {@link #add}. */
+  public void remove(Consumer<ControllerState> listener) {
+    listeners.remove(listener);
+  }
+
+  private void run() {
+    try {
+      ControllerState state = frames.take();
+      while (!frames.closed()) {
+        hand(state);
+        state = frames.take();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void hand(ControllerState state) {
+    for (Consumer<ControllerState> listener : listeners) {
+      try {
+        listener.accept(state);
+      } catch (RuntimeException e) {
+        log.write(Level.ERROR, "a server failed in frame " + state.frame() + ": " + e);
+      }
+    }
+  }
+
+  @Override
+  public void close() {
+    frames.close();
+    thread.interrupt();
+  }
+}

@@ -1,0 +1,53 @@
+package org.pendant.protocols.net;
+
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BiConsumer;
+import java.util.function.LongSupplier;
+import org.pendant.controller.message.LogEntry.Level;
+
+/**
+ * The controller's log as servers use it: at most {@link #PER_SECOND} lines a second, so that a
+ * hostile peer cannot push everything else out. Any thread.
+ */
+public final class PeerLog {
+  /** Lines that are written in a second; of more only the number. */
+  public static final int PER_SECOND = 10;
+
+  private static final long SECOND_NS = 1_000_000_000L;
+
+  private final BiConsumer<Level, String> log;
+  private final LongSupplier nanoTime;
+  private final AtomicLong leftOut = new AtomicLong();
+  private long secondBeganNs;
+  private int written;
+
+  /** Writes to {@code log}, which must not wait. */
+  public PeerLog(BiConsumer<Level, String> log) {
+    this(log, System::nanoTime);
+  }
+
+  PeerLog(BiConsumer<Level, String> log, LongSupplier nanoTime) {
+    this.log = log;
+    this.nanoTime = nanoTime;
+    secondBeganNs = nanoTime.getAsLong();
+  }
+
+  /** Writes a line, or counts it where there are too many. */
+  public synchronized void write(Level level, String text) {
+    long nowNs = nanoTime.getAsLong();
+    if (nowNs - secondBeganNs >= SECOND_NS) {
+      secondBeganNs = nowNs;
+      written = 0;
+      long more = leftOut.getAndSet(0);
+      if (more > 0) {
+        log.accept(Level.WARNING, more + " more messages about connections were left out");
+      }
+    }
+    if (written < PER_SECOND) {
+      written++;
+      log.accept(level, text);
+    } else {
+      leftOut.incrementAndGet();
+    }
+  }
+}

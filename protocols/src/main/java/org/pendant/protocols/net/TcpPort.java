@@ -1,0 +1,144 @@
+package org.pendant.protocols.net;
+
+import java.io.IOException;
+import java.net.BindException;
+import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.pendant.controller.message.LogEntry.Level;
+
+/** A TCP port at which one protocol is spoken. Each peer has threads of its own. */
+public final class TcpPort implements AutoCloseable {
+  private final Listening listening;
+  private final Protocol protocol;
+  private final PeerLog log;
+  private final ServerSocketChannel server;
+  private final Set<Connection> connections = ConcurrentHashMap.newKeySet();
+
+  private TcpPort(Listening listening, Protocol protocol, PeerLog log, ServerSocketChannel server) {
+    this.listening = listening;
+    this.protocol = protocol;
+    this.log = log;
+    this.server = server;
+  }
+
+  /**
+   * Begins to listen.
+   *
+   * @throws IOException if the port cannot be had; the message names protocol, address and port
+   */
+  public static TcpPort open(Listening listening, Protocol protocol, PeerLog log)
+      throws IOException {
+    ServerSocketChannel server = ServerSocketChannel.open();
+    try {
+      server.setOption(StandardSocketOptions.SO_REUSEADDR, true);
+      server.bind(
+          new InetSocketAddress(listening.host(), listening.port()), listening.mostConnections());
+    } catch (BindException e) {
+      server.close();
+      throw new BindException(
+          listening.name()
+              + ": port "
+              + listening.port()
+              + " of "
+              + listening.host().getHostAddress()
+              + " cannot be had: "
+              + e.getMessage());
+    }
+    TcpPort port = new TcpPort(listening, protocol, log, server);
+    Thread.ofVirtual().name(listening.name() + " port").start(port::accept);
+    return port;
+  }
+
+  /** The number it listens at. */
+  public int number() {
+    return server.socket().getLocalPort();
+  }
+
+  /** Its name, for messages. */
+  public String name() {
+    return listening.name();
+  }
+
+  /** The peers that are connected now. */
+  public List<Connection> connections() {
+    return List.copyOf(connections);
+  }
+
+  private void accept() {
+    while (server.isOpen()) {
+      try {
+        greet(server.accept());
+      } catch (IOException e) {
+        if (server.isOpen()) {
+          log.write(Level.WARNING, listening.name() + ": a connection failed: " + e.getMessage());
+        }
+      }
+    }
+  }
+
+  private void greet(SocketChannel channel) throws IOException {
+    InetSocketAddress peer = (InetSocketAddress) channel.getRemoteAddress();
+    String name =
+        listening.name() + " client " + peer.getAddress().getHostAddress() + ":" + peer.getPort();
+    if (connections.size() >= listening.mostConnections()) {
+      channel.close();
+      log.write(
+          Level.WARNING,
+          name + " was refused: " + listening.mostConnections() + " are connected already");
+      return;
+    }
+    channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
+    Connection connection = new Connection(name, peer, channel);
+    connections.add(connection);
+    Thread.ofVirtual().name(name + " sending").start(() -> write(connection));
+    Thread.ofVirtual().name(name).start(() -> converse(connection));
+  }
+
+  private void write(Connection connection) {
+    try {
+      connection.write();
+    } finally {
+      connections.remove(connection);
+    }
+  }
+
+  private void converse(Connection connection) {
+    try {
+      Session session = protocol.connected(connection);
+      try {
+        connection.read(session);
+        // who has closed only its sending side still gets its answers
+        connection.closeAfterSending();
+      } catch (ProtocolException e) {
+        log.write(Level.WARNING, connection.name() + " was disconnected: " + e.getMessage());
+        connection.closeAfterSending();
+      } finally {
+        session.closed();
+      }
+    } catch (RuntimeException e) {
+      log.write(Level.ERROR, connection.name() + ": internal error: " + e);
+      connection.close();
+    }
+  }
+
+  /** Ends all connections; new ones are accepted. */
+  public void disconnectAll() {
+    connections.forEach(Connection::close);
+  }
+
+  /** Ends listening and all connections. */
+  @Override
+  public void close() {
+    try {
+      server.close();
+    } catch (IOException e) {
+      log.write(Level.WARNING, listening.name() + ": " + e.getMessage());
+    }
+    disconnectAll();
+  }
+}
