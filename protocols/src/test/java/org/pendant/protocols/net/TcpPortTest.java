@@ -1,0 +1,174 @@
+package org.pendant.protocols.net;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class TcpPortTest {
+  private static final int GIVE_UP_MS = 20_000;
+  private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
+
+  private final BlockingQueue<String> logged = new LinkedBlockingQueue<>();
+  private final BlockingQueue<Connection> connected = new LinkedBlockingQueue<>();
+  private final CountDownLatch closed = new CountDownLatch(1);
+  private final TcpPort port = open(2);
+
+  /** Says hello, sends back what comes, and breaks off at a zero. */
+  private Session echo(Connection connection) {
+    connected.add(connection);
+    connection.send(bytes("hello "));
+    return new Session() {
+      @Override
+      public void received(ByteBuffer bytes) throws ProtocolException {
+        byte[] text = new byte[bytes.remaining()];
+        bytes.get(text);
+        for (byte each : text) {
+          if (each == 0) {
+            throw new ProtocolException("a zero was found, must be text");
+          }
+        }
+        connection.send(text);
+      }
+
+      @Override
+      public void closed() {
+        closed.countDown();
+      }
+    };
+  }
+
+  private TcpPort open(int mostConnections) {
+    try {
+      return TcpPort.open(
+          new Listening("Echo", LOOPBACK, 0, mostConnections),
+          this::echo,
+          new PeerLog((level, text) -> logged.add(text)));
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private Socket connect() throws IOException {
+    Socket socket = new Socket(LOOPBACK, port.number());
+    socket.setSoTimeout(GIVE_UP_MS);
+    return socket;
+  }
+
+  private static byte[] bytes(String text) {
+    return text.getBytes(StandardCharsets.ISO_8859_1);
+  }
+
+  @AfterEach
+  void close() {
+    port.close();
+  }
+
+  @Test
+  void greetsAndAnswers() throws Exception {
+    try (Socket socket = connect()) {
+      socket.getOutputStream().write(bytes("you"));
+      assertArrayEquals(bytes("hello you"), socket.getInputStream().readNBytes(9));
+    }
+  }
+
+  @Test
+  void answersAPeerThatHasClosedItsSendingSide() throws Exception {
+    try (Socket socket = connect()) {
+      socket.getOutputStream().write(bytes("you"));
+      socket.shutdownOutput();
+      assertArrayEquals(bytes("hello you"), socket.getInputStream().readAllBytes());
+      assertTrue(closed.await(GIVE_UP_MS, TimeUnit.MILLISECONDS));
+    }
+  }
+
+  @Test
+  void disconnectsAPeerThatBreaksTheProtocolAndSaysSo() throws Exception {
+    try (Socket socket = connect()) {
+      socket.getOutputStream().write(0);
+      assertArrayEquals(bytes("hello "), socket.getInputStream().readAllBytes());
+      String line = logged.poll(GIVE_UP_MS, TimeUnit.MILLISECONDS);
+      assertEquals(
+          "Echo client 127.0.0.1:"
+              + socket.getLocalPort()
+              + " was disconnected: a zero was found, must be text",
+          line);
+    }
+  }
+
+  @Test
+  void takesOnlySoManyConnections() throws Exception {
+    try (Socket one = connect();
+        Socket two = connect()) {
+      assertArrayEquals(bytes("hello "), one.getInputStream().readNBytes(6));
+      assertArrayEquals(bytes("hello "), two.getInputStream().readNBytes(6));
+      try (Socket three = connect()) {
+        assertEquals(-1, three.getInputStream().read());
+        assertTrue(
+            logged
+                .poll(GIVE_UP_MS, TimeUnit.MILLISECONDS)
+                .endsWith("was refused: 2 are connected already"));
+      }
+      one.getOutputStream().write(bytes("!"));
+      assertEquals('!', one.getInputStream().read());
+    }
+  }
+
+  @Test
+  void aPeerThatReadsNothingMissesStreamsAndIsDisconnectedAfterAMegabyte() throws Exception {
+    try (Socket socket = connect()) {
+      Connection connection = connected.poll(GIVE_UP_MS, TimeUnit.MILLISECONDS);
+      byte[] message = new byte[1 << 16];
+      while (connection.dropped() == 0) {
+        connection.stream(message);
+      }
+      assertTrue(connection.open());
+      for (int i = 0; connection.open(); i++) {
+        assertTrue(i < 1000, "must have been disconnected");
+        connection.send(message);
+      }
+      assertTrue(closed.await(GIVE_UP_MS, TimeUnit.MILLISECONDS));
+      assertTrue(socket.isConnected());
+    }
+  }
+
+  @Test
+  void aPortThatIsTakenIsNamed() {
+    IOException refused =
+        assertThrows(
+            IOException.class,
+            () ->
+                TcpPort.open(
+                    new Listening("Other", LOOPBACK, port.number()),
+                    this::echo,
+                    new PeerLog((level, text) -> {})));
+    assertTrue(
+        refused
+            .getMessage()
+            .startsWith("Other: port " + port.number() + " of 127.0.0.1 cannot be had"),
+        refused.getMessage());
+  }
+
+  @Test
+  void closingEndsAllConnections() throws Exception {
+    try (Socket socket = connect()) {
+      socket.getInputStream().readNBytes(6);
+      port.close();
+      assertEquals(-1, socket.getInputStream().read());
+      assertEquals(List.of(), List.copyOf(logged));
+    }
+  }
+}
