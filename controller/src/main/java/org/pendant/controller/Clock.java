@@ -1,5 +1,7 @@
 package org.pendant.controller;
 
+import java.util.function.BooleanSupplier;
+
 /** Paces the frames. */
 public sealed interface Clock permits SteerableClock, VirtualClock, WallClock {
   /**
@@ -7,5 +9,16 @@ public sealed interface Clock permits SteerableClock, VirtualClock, WallClock {
    *
    * @throws InterruptedException if the thread is interrupted meanwhile
    */
-  void awaitFrame() throws InterruptedException;
+  default void awaitFrame() throws InterruptedException {
+    awaitFrame(() -> false);
+  }
+
+  /**
+   * As {@link #awaitFrame()}, but robot time goes no faster than the wall clock while somebody
+   * outside is waited for, who knows no other time.
+   *
+   * @param waitsForOutside asked only where it matters
+   * @throws InterruptedException if the thread is interrupted meanwhile
+   */
+  void awaitFrame(BooleanSupplier waitsForOutside) throws InterruptedException;
 }

@@ -2,10 +2,13 @@ package org.pendant.controller;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.ToolCentre;
 import org.pendant.controller.debug.Debugger;
+import org.pendant.controller.eip.AssemblyData;
+import org.pendant.controller.eip.AssemblyPair;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
@@ -13,9 +16,12 @@ import org.pendant.controller.io.InputOwners;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.jog.Jogging;
+import org.pendant.controller.machine.InterpretedLine;
 import org.pendant.controller.machine.Program;
 import org.pendant.controller.message.Answer;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.rtde.InputRecipe;
+import org.pendant.controller.rtde.InputUpdate;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.variables.VariablePath;
 import org.pendant.controller.variables.VariableTracer;
@@ -30,6 +36,17 @@ public sealed interface Command {
   /** Starts a program; refused while another one runs or is paused. */
   record StartProgram(Program program) implements Command {}
 
+  /**
+   * Starts a program that somebody sent to a port: the one that runs or is paused ends, and the new
+   * one starts in the same frame. An arm that still moves goes on evenly when the program begins
+   * with speeds, servos or a stop; moves wait until it has come to rest on the old path.
+   *
+   * <p>Refused during any stop of the safety functions, in recovery, and when the controller has
+   * been shut down; what ran goes on then. Without power the program starts all the same, and fails
+   * at its first motion.
+   */
+  record ReplaceProgram(Program program) implements Command {}
+
   /** From now on programs may read files in a folder. */
   record SetProgramsFolder(ProgramsFolder folder) implements Command {}
 
@@ -42,7 +59,10 @@ public sealed interface Command {
   /** Goes on after a pause; a popup that caused it closes. */
   record ResumeProgram() implements Command {}
 
-  /** Runs a secondary program beside the primary one, to its end (manual 12). */
+  /**
+   * Runs a secondary program beside the primary one, to its end (manual 12). Refused as {@link
+   * ReplaceProgram} is.
+   */
   record RunSecondary(Program program) implements Command {}
 
   /**
@@ -73,6 +93,24 @@ public sealed interface Command {
   }
 
   /**
+   * Writes what a package of an RTDE client asks for, all of it or, when somebody else has taken
+   * one of its inputs, nothing; refused with the owner's name then. Also counts for watchdogs.
+   *
+   * @param writer the name under which {@link ClaimInputs} has taken the inputs
+   */
+  record WriteInputs(String writer, InputUpdate update) implements Command {}
+
+  /**
+   * Takes the inputs of a recipe, so that nobody else may write them: all of them or, when one is
+   * taken, none. {@link ReleaseSignals} gives them back.
+   *
+   * @param owner such as an RTDE client
+   * @param answer is told in the frame loop which inputs are taken by somebody else, by their names
+   */
+  record ClaimInputs(String owner, InputRecipe recipe, Consumer<Set<String>> answer)
+      implements Command {}
+
+  /**
    * Takes a signal, so that nobody else may write it; refused with the owner's name when it is
    * taken.
    *
@@ -80,6 +118,18 @@ public sealed interface Command {
    * @param signal see {@link InputOwners}
    */
   record ClaimSignal(String owner, String signal) implements Command {}
+
+  /**
+   * Makes the assemblies of an EtherNet/IP connection (manual 21.1.1); refused when one of them
+   * exists with another size or in another pair.
+   */
+  record ConfigureAssemblies(AssemblyPair pair) implements Command {}
+
+  /**
+   * An EtherNet/IP scanner has written an assembly; refused when there is no such instance or it
+   * has another size.
+   */
+  record ReceiveAssembly(int instance, AssemblyData data) implements Command {}
 
   /** Gives back all signals that {@code owner} has taken. */
   record ReleaseSignals(String owner) implements Command {}
@@ -94,11 +144,18 @@ public sealed interface Command {
   record RunEncoder(int index, double ticksPerS) implements Command {}
 
   /**
-   * Moves the speed slider.
+   * Moves the speed slider; refused with the owner's name while somebody else has taken it.
    *
+   * @param writer who asks, as in {@link WriteSignals}; it is taken as {@link
+   *     InputOwners#SPEED_SLIDER}
    * @param fraction 0 to 1
    */
-  record SetSpeedFraction(double fraction) implements Command {}
+  record SetSpeedFraction(String writer, double fraction) implements Command {
+    /** A change by hand. */
+    public SetSpeedFraction(double fraction) {
+      this(InputOwners.BY_HAND, fraction);
+    }
+  }
 
   /** Closes a popup; a program that it paused goes on. */
   record AnswerPopup(long number) implements Command {}
@@ -115,15 +172,38 @@ public sealed interface Command {
   /**
    * Hands a line of statements to interpreter mode (manual 13).
    *
-   * @param line bytes, one {@code char} a byte, without the line end
+   * <p>While a line before it may still clear what was interpreted, it waits for its reply.
    */
-  record Interpret(String line) implements Command {}
+  record Interpret(InterpretedLine line) implements Command {
+    /**
+     * Reads the line.
+     *
+     * @param line bytes, one {@code char} a byte, without the line end
+     */
+    public Interpret(String line) {
+      this(InterpretedLine.read(line));
+    }
+  }
 
   /** Drops the interpreted lines that have not begun (manual 13.6). */
   record SkipInterpreted() implements Command {}
 
   /** Ends the move that the main thread waits for early (manual 13.5). */
   record AbortMove() implements Command {}
+
+  /** Asks what interpreter mode is at; the answer is a {@link Reply.InterpreterState}. */
+  record AskInterpreter() implements Command {}
+
+  /** Switches arm and controller off; whoever drives the frames sees it in the snapshot. */
+  record ShutDown() implements Command {}
+
+  /**
+   * Shows a window that holds up nothing, for somebody outside.
+   *
+   * @param title bytes, one {@code char} a byte
+   * @param text bytes, one {@code char} a byte
+   */
+  record ShowPopup(String title, String text) implements Command {}
 
   /** Powers the arm on; it rests on its brakes then. */
   record PowerOn() implements Command {}
@@ -147,6 +227,11 @@ public sealed interface Command {
 
   /** Locks the brakes again after {@link StartBackdrive}. */
   record EndBackdrive() implements Command {}
+
+  /**
+   * Chooses manual mode or leaves it: the safeguard stop of automatic mode does not count in it.
+   */
+  record SetManualMode(boolean manual) implements Command {}
 
   /** Demands a safety function, or no longer does. */
   record SetSafetyInput(SafetyInput input, boolean active) implements Command {}

@@ -1,20 +1,29 @@
 package org.pendant.controller;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.stream.Collectors;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.io.InputOwners;
 import org.pendant.controller.io.SignalWrite;
+import org.pendant.controller.machine.Interpreter;
 import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.Program;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.machine.ScriptFailure;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.Popup;
+import org.pendant.controller.rtde.InputField;
+import org.pendant.controller.rtde.InputRecipe;
+import org.pendant.controller.rtde.InputUpdate;
 import org.pendant.controller.variables.VariableTracer;
 import org.pendant.models.dynamics.Payload;
 
@@ -35,6 +44,7 @@ final class CommandDesk {
   private final VariableTracer tracer;
   private final BlockingQueue<Submitted> arrived = new ArrayBlockingQueue<>(CAPACITY);
   private final List<Submitted> secondaries = new ArrayList<>();
+  private final Deque<Submitted> lines = new ArrayDeque<>();
   private final List<Answered> answered = new ArrayList<>();
 
   private record Answered(Submitted command, Reply reply) {}
@@ -64,13 +74,45 @@ final class CommandDesk {
    * @param afterEach runs after each command: the next one may end what this one has begun
    */
   void drain(Runnable afterEach) {
+    interpretWaiting();
     for (Submitted next = arrived.poll(); next != null; next = arrived.poll()) {
       if (next.command() instanceof Command.RunSecondary) {
         secondaries.add(next);
+      } else if (next.command() instanceof Command.Interpret && mustWait()) {
+        letWait(next);
       } else {
+        if (next.command() instanceof Command.ReplaceProgram && uploadRefusal().isEmpty()) {
+          machine.stop();
+          afterEach.run();
+        }
         answered.add(new Answered(next, carryOut(next.command())));
         afterEach.run();
       }
+    }
+  }
+
+  /** Whether a line for interpreter mode cannot be checked yet, or others are before it. */
+  private boolean mustWait() {
+    return !lines.isEmpty() || machine.interpreter().clearing();
+  }
+
+  private void letWait(Submitted line) {
+    if (lines.size() < Interpreter.MAX_QUEUED) {
+      lines.add(line);
+    } else {
+      answered.add(
+          new Answered(
+              line,
+              new Reply.Interpreted(
+                  new Interpreter.Reply.Discarded(
+                      "more than " + Interpreter.MAX_QUEUED + " statements are waiting"))));
+    }
+  }
+
+  private void interpretWaiting() {
+    while (!lines.isEmpty() && !machine.interpreter().clearing()) {
+      Submitted next = lines.remove();
+      answered.add(new Answered(next, carryOut(next.command())));
     }
   }
 
@@ -96,6 +138,7 @@ final class CommandDesk {
     try {
       return switch (command) {
         case Command.StartProgram start -> start(start.program());
+        case Command.ReplaceProgram replace -> replace(replace.program());
         case Command.SetProgramsFolder set -> done(() -> box.setProgramsFolder(set.folder()));
         case Command.StopProgram stop -> done(machine::stop);
         case Command.PauseProgram pause -> pause();
@@ -103,14 +146,19 @@ final class CommandDesk {
         case Command.RunSecondary secondary -> runSecondary(secondary.program());
         case Command.SetInput set -> done(() -> box.io().setInput(set.name(), set.level()));
         case Command.WriteSignals write -> granted(write(write.writer(), write.writes()));
+        case Command.WriteInputs write -> granted(write(write.writer(), write.update()));
+        case Command.ClaimInputs claim ->
+            done(() -> claim.answer().accept(claim(claim.owner(), claim.recipe())));
         case Command.ClaimSignal claim ->
             granted(box.signals().owners().claim(claim.signal(), claim.owner()));
         case Command.ReleaseSignals release ->
             done(() -> box.signals().owners().release(release.owner()));
+        case Command.ConfigureAssemblies made -> granted(box.assemblies().configure(made.pair()));
+        case Command.ReceiveAssembly got ->
+            granted(box.assemblies().received(got.instance(), got.data(), box.timeS()));
         case Command.RunEncoder run ->
             done(() -> box.encoders().get(run.index()).run(run.ticksPerS()));
-        case Command.SetSpeedFraction set ->
-            done(() -> box.motion().setSpeedFraction(set.fraction()));
+        case Command.SetSpeedFraction set -> granted(setSpeed(set.writer(), set.fraction()));
         case Command.AnswerPopup answer -> answer(answer.number());
         case Command.AnswerQuestion given ->
             done(() -> box.questions().answer(given.number(), given.answer()));
@@ -118,6 +166,15 @@ final class CommandDesk {
         case Command.Interpret line ->
             new Reply.Interpreted(machine.interpreter().submit(line.line()));
         case Command.SkipInterpreted skip -> done(machine.interpreter()::skip);
+        case Command.AskInterpreter ask ->
+            new Reply.InterpreterState(machine.interpreter().status());
+        case Command.ShutDown off -> done(box::shutDown);
+        case Command.ShowPopup show ->
+            done(
+                () ->
+                    box.popups()
+                        .show(
+                            box.timeS(), show.title(), show.text(), Popup.Severity.MESSAGE, false));
         case Command.AbortMove abort ->
             machine.abortMove() ? DONE : new Reply.Refused("no move is under way");
         case Command.PowerOn on -> granted(box.safety().powerOn());
@@ -127,6 +184,7 @@ final class CommandDesk {
         case Command.RestartSafety restart -> granted(box.safety().restartSafety());
         case Command.StartBackdrive start -> granted(box.safety().startBackdrive());
         case Command.EndBackdrive end -> granted(box.safety().endBackdrive());
+        case Command.SetManualMode set -> done(() -> box.safety().setManualMode(set.manual()));
         case Command.SetSafetyInput set ->
             done(() -> box.safety().setInput(set.input(), set.active()));
         case Command.PushTool push -> done(() -> box.world().apply(push.wrenchAtTcpInBase()));
@@ -191,6 +249,35 @@ final class CommandDesk {
     return Optional.empty();
   }
 
+  /** Takes all inputs of a recipe, unless somebody else has some of them, which are answered. */
+  private Set<String> claim(String owner, InputRecipe recipe) {
+    InputOwners owners = box.signals().owners();
+    Set<String> inUse =
+        recipe.fields().stream()
+            .filter(
+                field -> !field.claims().stream().allMatch(each -> owners.mayWrite(each, owner)))
+            .map(InputField::name)
+            .collect(Collectors.toUnmodifiableSet());
+    if (inUse.isEmpty()) {
+      recipe.claims().forEach(each -> owners.claim(each, owner));
+    }
+    return inUse;
+  }
+
+  private Optional<String> write(String writer, InputUpdate update) {
+    InputOwners owners = box.signals().owners();
+    for (String claim : update.recipe().claims()) {
+      if (!owners.mayWrite(claim, writer)) {
+        return owners.refusal(claim, writer);
+      }
+    }
+    update.writes().forEach(box.signals()::write);
+    update.speedFraction().ifPresent(box.motion()::setSpeedFraction);
+    update.externalWrench().ifPresent(box.externalForceSensor()::read);
+    box.inputWatchdogs().received(update.recipe().names(), box.timeS());
+    return Optional.empty();
+  }
+
   private Reply powerOff() {
     machine.stop();
     return granted(box.safety().powerOff());
@@ -208,10 +295,38 @@ final class CommandDesk {
     if (machine.state() != ProgramState.STOPPED) {
       return new Reply.Refused("program " + machine.programName() + " runs already");
     }
+    begin(program);
+    return DONE;
+  }
+
+  private void begin(Program program) {
     hand.giveUp();
     box.programStarted();
     machine.start(program);
-    return DONE;
+  }
+
+  /** Why no program from outside may start now; empty if one may. */
+  private Optional<String> uploadRefusal() {
+    return box.isShutDown()
+        ? Optional.of("the controller has been shut down")
+        : box.safety().uploadRefusal();
+  }
+
+  /** The program before it has been stopped already, unless this one is refused. */
+  private Reply replace(Program program) {
+    Optional<String> refusal = uploadRefusal();
+    if (refusal.isEmpty()) {
+      begin(program);
+    }
+    return granted(refusal);
+  }
+
+  private Optional<String> setSpeed(String writer, double fraction) {
+    Optional<String> refusal = box.signals().owners().refusal(InputOwners.SPEED_SLIDER, writer);
+    if (refusal.isEmpty()) {
+      box.motion().setSpeedFraction(fraction);
+    }
+    return refusal;
   }
 
   private Reply pause() {
@@ -252,6 +367,10 @@ final class CommandDesk {
   }
 
   private Reply runSecondary(Program program) {
+    Optional<String> refusal = uploadRefusal();
+    if (refusal.isPresent()) {
+      return new Reply.Refused(refusal.get());
+    }
     Optional<ScriptFailure> failure = machine.runSecondary(program);
     failure.ifPresent(
         why ->

@@ -10,6 +10,7 @@ import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.debug.Debugger;
+import org.pendant.controller.machine.InterpreterJournal;
 import org.pendant.controller.machine.Loaded;
 import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.ProgramLoader;
@@ -111,6 +112,14 @@ public final class Controller {
     return false;
   }
 
+  /**
+   * Whether a script thread waits for somebody outside, who lives by the wall clock, or Modbus
+   * devices are asked again and again. Only for the thread that drives the frames.
+   */
+  public boolean waitsForOutside() {
+    return machine.waitsForOutside() || box.modbus().active();
+  }
+
   /** The newest snapshot; any thread. */
   public ControllerState state() {
     return frame.state();
@@ -124,6 +133,11 @@ public final class Controller {
   /** Log lines after number {@code number} that are still kept, oldest first; any thread. */
   public List<LogEntry> logSince(long number) {
     return box.log().since(number);
+  }
+
+  /** What has happened in interpreter mode; any thread. */
+  public InterpreterJournal interpreterJournal() {
+    return machine.interpreter().journal();
   }
 
   /**

@@ -10,6 +10,8 @@ import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.message.Operator;
+import org.pendant.controller.outside.Doors;
+import org.pendant.controller.safety.PowerTimes;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
@@ -36,8 +38,10 @@ public final class ControllerOptions {
   private Scene scene = Scene.EMPTY;
   private Optional<SafetyConfiguration> safety = Optional.empty();
   private boolean poweredOn = true;
+  private PowerTimes powerTimes = PowerTimes.STANDARD;
   private Optional<InstantSource> systemTime = Optional.empty();
   private ProgramsFolder programsFolder = ProgramsFolder.NONE;
+  private Doors outside = Doors.NONE;
 
   private ControllerOptions() {}
 
@@ -63,8 +67,10 @@ public final class ControllerOptions {
     copy.scene = scene;
     copy.safety = safety;
     copy.poweredOn = poweredOn;
+    copy.powerTimes = powerTimes;
     copy.systemTime = systemTime;
     copy.programsFolder = programsFolder;
+    copy.outside = outside;
     change.accept(copy);
     return copy;
   }
@@ -136,6 +142,11 @@ public final class ControllerOptions {
     return changed(copy -> copy.poweredOn = on);
   }
 
+  /** With other times for changes of power. */
+  public ControllerOptions withPowerTimes(PowerTimes times) {
+    return changed(copy -> copy.powerTimes = times);
+  }
+
   /**
    * With the date of {@code source}; without one it starts at a fixed instant and goes with the
    * frames, so that runs repeat exactly.
@@ -147,6 +158,11 @@ public final class ControllerOptions {
   /** With a folder from which programs may read files; without one they can read none. */
   public ControllerOptions withProgramsFolder(ProgramsFolder folder) {
     return changed(copy -> copy.programsFolder = folder);
+  }
+
+  /** With ways to other computers; without any, programs that want there fail. */
+  public ControllerOptions withOutside(Doors doors) {
+    return changed(copy -> copy.outside = doors);
   }
 
   /** Id of the arm. */
@@ -188,7 +204,9 @@ public final class ControllerOptions {
         scene,
         safety(),
         poweredOn,
+        powerTimes,
         systemTime,
-        programsFolder);
+        programsFolder,
+        outside);
   }
 }

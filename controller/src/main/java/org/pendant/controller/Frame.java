@@ -4,25 +4,35 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.debug.Debugger;
+import org.pendant.controller.eip.AssemblyWatchdog;
+import org.pendant.controller.io.InputWatchdogs;
 import org.pendant.controller.machine.Ending;
 import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.machine.ScriptFailure;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.motion.MotionControl;
+import org.pendant.controller.rtde.PublishedState;
 import org.pendant.controller.safety.FrameFacts;
+import org.pendant.controller.state.ArmGeometry;
 import org.pendant.controller.state.ArmReadings;
 import org.pendant.controller.state.ArmState;
+import org.pendant.controller.state.ControlMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
+import org.pendant.controller.state.RuntimeState;
 import org.pendant.controller.state.SafetyStatus;
 import org.pendant.controller.state.StateFeed;
+import org.pendant.controller.value.Value;
 import org.pendant.controller.variables.VariableSampler;
 import org.pendant.controller.variables.VariableTracer;
 import org.pendant.language.source.SourceRange;
+import org.pendant.models.arm.Joints;
 
 /** What happens in one frame of 2 ms, in its order. One thread at a time calls {@link #advance}. */
 final class Frame {
+  private static final double NS = 1e-9;
+
   private final ControlBox box;
   private final Machine machine;
   private final CommandDesk desk;
@@ -32,6 +42,7 @@ final class Frame {
   private final VariableTracer tracer;
 
   private final StopWitness witness = new StopWitness();
+  private final RuntimeWitness runtime = new RuntimeWitness();
   private ProgramState followed = ProgramState.STOPPED;
   private ProgramStatus program = ProgramStatus.NONE;
   private Optional<Ending> internalEnding = Optional.empty();
@@ -44,6 +55,9 @@ final class Frame {
   private boolean heldBySafety;
 
   private boolean stoppedUnexpectedly;
+
+  /** When this frame began by the computer's clock; in virtual time nothing depends on it. */
+  private long beganNs = System.nanoTime();
 
   private final StateFeed feed = new StateFeed();
   private volatile ControllerState state;
@@ -64,9 +78,11 @@ final class Frame {
     sampler = new VariableSampler(machine);
     state = snapshot();
     feed.publish(state);
+    box.setPublished(new PublishedState(this::state));
   }
 
   void advance() {
+    beganNs = box.inRealTime() ? System.nanoTime() : 0;
     if (!held) {
       box.beginFrame();
     }
@@ -94,9 +110,63 @@ final class Frame {
   }
 
   private void applyCommands() {
+    box.modbus().step(box.timeS());
+    box.toolLine().step();
     desk.drain(this::followProgram);
+    followWatchdogs();
+    followAssemblies();
     box.signals().runState().power(box.drivePower());
     followProgram();
+  }
+
+  /** Inputs that were not written in time hold or end the program. */
+  private void followWatchdogs() {
+    boolean running = machine.state() == ProgramState.RUNNING;
+    for (InputWatchdogs.Violation late : box.inputWatchdogs().step(running, box.timeS())) {
+      String what =
+          "RTDE input "
+              + late.input()
+              + " must be written at least at "
+              + Value.of(late.leastHz()).text()
+              + " Hz and was not: the program ";
+      switch (late.action()) {
+        case IGNORE -> box.log().warning(what + "goes on");
+        case PAUSE -> {
+          box.log().error(what + "pauses");
+          machine.pause();
+        }
+        case STOP -> {
+          box.log().error(what + "ends");
+          machine.stop();
+        }
+      }
+    }
+  }
+
+  /** Assemblies that no scanner has written in time stop the arm and hold or end the program. */
+  private void followAssemblies() {
+    boolean running = machine.state() == ProgramState.RUNNING;
+    for (AssemblyWatchdog.Violation late : box.assemblies().step(running, box.timeS())) {
+      String what =
+          "EtherNet/IP instance "
+              + late.instance()
+              + " must be written at least at "
+              + Value.of(late.leastHz()).text()
+              + " Hz and was not: ";
+      switch (late.action()) {
+        case IGNORE -> box.log().warning(what + "the program goes on");
+        case PAUSE -> {
+          box.log().error(what + "protective stop, the program pauses");
+          box.safety().protectiveStop();
+          machine.pause();
+        }
+        case STOP -> {
+          box.log().error(what + "protective stop, the program ends");
+          box.safety().protectiveStop();
+          machine.stop();
+        }
+      }
+    }
   }
 
   /** Whether a debugger holds the scripts in the middle of this frame. */
@@ -239,6 +309,7 @@ final class Frame {
         box.motion().pause();
       }
       case STOPPED -> {
+        box.programStopped();
         box.freedrive().end();
         box.motion().abort();
         box.motion().endOffsets();
@@ -326,16 +397,23 @@ final class Frame {
   }
 
   private ControllerState snapshot() {
+    ArmState arm = armState();
+    ArmReadings readings = ArmReadings.of(box);
     return new ControllerState(
         box.frame(),
         box.timeS(),
-        armState(),
-        ArmReadings.of(box),
+        box.inRealTime() ? NS * (System.nanoTime() - beganNs) : 0,
+        arm,
+        readings,
+        new ArmGeometry(arm, readings),
         SafetyStatus.of(box, witness.place()),
-        programStatus(),
+        programStatus(arm),
         debugger.state(),
         box.io().levels(),
         box.signals().state(),
+        box.modbus().state(),
+        box.assemblies().image(),
+        box.encoders().counts(),
         box.freedrive().state(box.actualPositionRad()),
         sampler.read(),
         tracer.read(),
@@ -357,7 +435,9 @@ final class Frame {
         box.actualPositionRad(),
         box.arm().speedRadPerS(),
         box.tool(),
+        box.armDescription(),
         box.forward(),
+        controlMode(),
         motion.moving(),
         motion.steady(),
         motion.speedFraction(),
@@ -365,16 +445,29 @@ final class Frame {
         motion.fault());
   }
 
+  private ControlMode controlMode() {
+    if (box.freedrive().active()) {
+      return ControlMode.TEACH;
+    }
+    if (box.motion().torqueDriven()) {
+      return ControlMode.TORQUE;
+    }
+    return box.forceMode().active() ? ControlMode.FORCE : ControlMode.POSITION;
+  }
+
   /** The last status again while nothing has changed: most frames wait. */
-  private ProgramStatus programStatus() {
+  private ProgramStatus programStatus(ArmState arm) {
     ProgramState now = machine.state();
     int line = machine.line();
     Optional<Ending> ending = internalEnding.isPresent() ? internalEnding : machine.ending();
+    boolean moves = !arm.targetSpeedRadPerS().equals(Joints.ZERO);
+    RuntimeState doing = runtime.look(now, machine.pausing(), moves, arm.speedScaling());
     if (now != program.state()
+        || doing != program.runtime()
         || line != program.line()
         || !ending.equals(program.ending())
         || !machine.programName().equals(program.name())) {
-      program = new ProgramStatus(now, machine.programName(), line, ending);
+      program = new ProgramStatus(now, doing, machine.programName(), line, ending);
     }
     return program;
   }

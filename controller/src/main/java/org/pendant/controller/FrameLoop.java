@@ -40,7 +40,7 @@ public final class FrameLoop implements AutoCloseable {
   private void run() {
     try {
       while (!closing) {
-        clock.awaitFrame();
+        clock.awaitFrame(controller::waitsForOutside);
         controller.advance();
         afterEach.run();
         if (controller.state().debug().held()) {

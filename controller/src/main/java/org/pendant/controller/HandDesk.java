@@ -40,7 +40,8 @@ final class HandDesk {
     jogging.step();
     guiding.step();
     guiding.followInput(
-        box.signals().freedriveDemanded(), () -> programRefusal("an input asks for freedrive"));
+        box.signals().freedriveDemanded() || box.modbus().freedriveDemanded(),
+        () -> programRefusal("an input asks for freedrive"));
   }
 
   Optional<String> guide(FreeAxes axes, FreedriveFrame frame) {

@@ -1,6 +1,7 @@
 package org.pendant.controller;
 
 import org.pendant.controller.machine.Interpreter;
+import org.pendant.controller.machine.InterpreterStatus;
 
 /** The answer to a {@link Command}, given at the end of the frame that carried it out. */
 public sealed interface Reply {
@@ -14,6 +15,9 @@ public sealed interface Reply {
    * @param reason what, the value, what was expected
    */
   record Refused(String reason) implements Reply {}
+
+  /** What interpreter mode is at. */
+  record InterpreterState(InterpreterStatus status) implements Reply {}
 
   /** What interpreter mode says to a line. */
   record Interpreted(Interpreter.Reply reply) implements Reply {}

@@ -2,6 +2,7 @@ package org.pendant.controller;
 
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
 import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
 import org.pendant.controller.motion.FrameTime;
@@ -62,9 +63,9 @@ public final class SteerableClock implements Clock {
   }
 
   @Override
-  public void awaitFrame() throws InterruptedException {
+  public void awaitFrame(BooleanSupplier waitsForOutside) throws InterruptedException {
     waiting = Thread.currentThread();
-    while (!frameIsDue()) {
+    while (!frameIsDue(waitsForOutside)) {
       if (Thread.interrupted()) {
         throw new InterruptedException();
       }
@@ -74,8 +75,11 @@ public final class SteerableClock implements Clock {
   }
 
   /** Whether the next frame may begin; if not, some time has passed. */
-  private boolean frameIsDue() {
+  private boolean frameIsDue(BooleanSupplier waitsForOutside) {
     Pace wanted = pace;
+    if (fasterThanReal(wanted) && waitsForOutside.getAsBoolean()) {
+      wanted = Pace.REAL_TIME;
+    }
     if (!wanted.equals(followed)) {
       followed = wanted;
       deadlines.startAfresh();
@@ -84,6 +88,14 @@ public final class SteerableClock implements Clock {
       case Pace.Unlimited unlimited -> !Thread.currentThread().isInterrupted();
       case Pace.Paused paused -> grantedWhilePaused();
       case Pace.Times times -> dueAt(times.factor());
+    };
+  }
+
+  private static boolean fasterThanReal(Pace wanted) {
+    return switch (wanted) {
+      case Pace.Unlimited unlimited -> true;
+      case Pace.Paused paused -> false;
+      case Pace.Times times -> times.factor() > 1;
     };
   }
 

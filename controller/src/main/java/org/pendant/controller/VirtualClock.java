@@ -1,11 +1,54 @@
 package org.pendant.controller;
 
-/** The next frame is due at once: as fast as the processor goes. */
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
+import org.pendant.controller.motion.FrameTime;
+
+/**
+ * The next frame is due at once: as fast as the processor goes. While somebody outside is waited
+ * for, frames are due every 2 ms of real time: a timeout would otherwise be over before anybody can
+ * answer.
+ */
 public final class VirtualClock implements Clock {
+  private static final long FRAME_NS = Math.round(FrameTime.FRAME_S * 1e9);
+
+  private final Deadlines deadlines = new Deadlines();
+  private final LongSupplier nanoTime;
+  private boolean paced;
+
+  /** As fast as the processor goes. */
+  public VirtualClock() {
+    this(System::nanoTime);
+  }
+
+  VirtualClock(LongSupplier nanoTime) {
+    this.nanoTime = nanoTime;
+  }
+
   @Override
-  public void awaitFrame() throws InterruptedException {
-    if (Thread.interrupted()) {
+  public void awaitFrame(BooleanSupplier waitsForOutside) throws InterruptedException {
+    boolean wasPaced = paced;
+    paced = waitsForOutside.getAsBoolean();
+    if (paced) {
+      if (!wasPaced) {
+        deadlines.startAfresh();
+      }
+      awaitDeadline();
+    } else if (Thread.interrupted()) {
       throw new InterruptedException();
     }
+  }
+
+  private void awaitDeadline() throws InterruptedException {
+    long nowNs = nanoTime.getAsLong();
+    for (long waitNs = deadlines.waitNs(nowNs); waitNs > 0; waitNs = deadlines.waitNs(nowNs)) {
+      LockSupport.parkNanos(waitNs);
+      if (Thread.interrupted()) {
+        throw new InterruptedException();
+      }
+      nowNs = nanoTime.getAsLong();
+    }
+    deadlines.begin(nowNs, FRAME_NS);
   }
 }

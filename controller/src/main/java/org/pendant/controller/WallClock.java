@@ -1,6 +1,7 @@
 package org.pendant.controller;
 
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import org.pendant.controller.motion.FrameTime;
 
@@ -9,6 +10,8 @@ import org.pendant.controller.motion.FrameTime;
  * caught up without a wait, unless the delay is so long (a computer that slept) that it is dropped.
  */
 public final class WallClock implements Clock {
+  private static final long REAL_FRAME_NS = Math.round(FrameTime.FRAME_S * 1e9);
+
   private final long frameNs;
   private final LongSupplier nanoTime;
   private final Deadlines deadlines = new Deadlines();
@@ -42,7 +45,7 @@ public final class WallClock implements Clock {
   }
 
   @Override
-  public void awaitFrame() throws InterruptedException {
+  public void awaitFrame(BooleanSupplier waitsForOutside) throws InterruptedException {
     long nowNs = nanoTime.getAsLong();
     for (long waitNs = deadlines.waitNs(nowNs); waitNs > 0; waitNs = deadlines.waitNs(nowNs)) {
       LockSupport.parkNanos(waitNs);
@@ -51,7 +54,8 @@ public final class WallClock implements Clock {
       }
       nowNs = nanoTime.getAsLong();
     }
-    deadlines.begin(nowNs, frameNs);
+    boolean slowed = frameNs < REAL_FRAME_NS && waitsForOutside.getAsBoolean();
+    deadlines.begin(nowNs, slowed ? REAL_FRAME_NS : frameNs);
   }
 
   /** How punctual the frames were so far; any thread. */

@@ -144,9 +144,37 @@ final class DirectTorqueTest {
     assertTrue(
         running.reported().stream().anyMatch(line -> line.startsWith("C150A3")),
         () -> running.reported().toString());
+    assertRestsBeforeTheLimit();
+  }
+
+  /** The safety limit is three degrees behind the end of the joint's range. */
+  private void assertRestsBeforeTheLimit() {
     running.advance(200);
-    assertTrue(arm().actualPositionRad().q3() > -2 * Math.PI - Math.toRadians(5));
+    double end = arm().actualPositionRad().q3();
+    assertTrue(end > -2 * Math.PI - Math.toRadians(3), "rests at " + Math.toDegrees(end));
     assertEquals(Joints.ZERO, arm().targetSpeedRadPerS());
+  }
+
+  @Test
+  void aJointThatSpeedsUpAtTheEndOfItsRangeIsStoppedAsWell() {
+    running.start(
+        """
+        def torque():
+          while True:
+            torque = -28
+            if get_actual_joint_positions()[3] > -6.1:
+              speeds = get_actual_joint_speeds()
+              torque = 10 * (-1.5 - speeds[3])
+            end
+            direct_torque([0, 0, 0, torque, 0, 0])
+          end
+        end
+        """);
+    for (int i = 0; i < 5000 && running.programState() == ProgramState.RUNNING; i++) {
+      running.advance(1);
+    }
+    assertEquals(SafetyMode.PROTECTIVE_STOP, running.state().safety().safetyMode());
+    assertRestsBeforeTheLimit();
   }
 
   @Test

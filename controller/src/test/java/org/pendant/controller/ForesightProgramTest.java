@@ -323,4 +323,36 @@ final class ForesightProgramTest {
     }
     assertTrue(atRest < 3, atRest + " frames at rest");
   }
+
+  @Test
+  void interpretedMovesThatWaitAreForeseen() {
+    RunningProgram running = new RunningProgram();
+    running.start("def p():\n  interpreter_mode()\nend\n");
+    running.advance(5);
+    List<String> lines = new ArrayList<>();
+    lines.add("movel(p[0.45, -0.15, 0.45, 2.2214, -2.2214, 0])");
+    lines.add("textmsg(\"begin\")");
+    lines.add("def go(y):\nmovel(p[0.45, y, 0.45, 2.2214, -2.2214, 0], r=0.001)\nend");
+    lines.add("step = 0.01");
+    for (int i = -14; i < 15; i++) {
+      lines.add("go(step * " + i + ")");
+    }
+    lines.add("movel(p[0.45, 0.15, 0.45, 2.2214, -2.2214, 0])");
+    lines.add("textmsg(\"end\")");
+    for (String line : lines) {
+      assertFalse(
+          running.ask(new Command.Interpret(line)) instanceof Reply.Refused, "refused " + line);
+    }
+    double slowest = Double.POSITIVE_INFINITY;
+    while (!running.said().contains("end")) {
+      Pose before = running.state().arm().targetTcpInBase();
+      running.advance(1);
+      Pose now = running.state().arm().targetTcpInBase();
+      if (running.said().contains("begin") && Math.abs(now.y()) < 0.09) {
+        slowest = Math.min(slowest, Poses.pointDistance(before, now) / 0.002);
+      }
+    }
+    assertTrue(slowest > CRUISING_M_PER_S, "slowest " + slowest);
+    assertEquals(List.of(), running.reported());
+  }
 }

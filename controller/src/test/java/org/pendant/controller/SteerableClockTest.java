@@ -64,6 +64,22 @@ final class SteerableClockTest {
   }
 
   @Test
+  void whileSomebodyOutsideIsWaitedForTimeGoesNoFasterThanReal() throws InterruptedException {
+    SteerableClock clock = clock(new Pace.Unlimited());
+    for (int i = 0; i < 11; i++) {
+      clock.awaitFrame(() -> true);
+    }
+    assertEquals(1_000 + 10 * FRAME_NS, nowNs);
+    await(clock, 100);
+    assertEquals(1_000 + 10 * FRAME_NS, nowNs);
+    clock.setPace(new Pace.Times(0.5));
+    for (int i = 0; i < 11; i++) {
+      clock.awaitFrame(() -> true);
+    }
+    assertEquals(1_000 + 30 * FRAME_NS, nowNs);
+  }
+
+  @Test
   void whilePausedEachGrantLetsOneFramePass() throws InterruptedException {
     SteerableClock clock = clock(new Pace.Paused());
     whileParked = () -> clock.grant(1);

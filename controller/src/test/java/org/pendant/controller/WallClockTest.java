@@ -40,6 +40,15 @@ final class WallClockTest {
   }
 
   @Test
+  void whileSomebodyOutsideIsWaitedForAFactorShortensNothing() throws InterruptedException {
+    WallClock clock = new WallClock(4, () -> nowNs);
+    clock.awaitFrame(() -> true);
+    nowNs += 3_500_000;
+    clock.awaitFrame(); // was due at 2 ms
+    assertEquals(1_500_000, clock.lateness().worstNs());
+  }
+
+  @Test
   void refusesFactorsThatAreNoPace() {
     for (double factor : new double[] {0, -1, Double.NaN, 1e9}) {
       assertThrows(IllegalArgumentException.class, () -> new WallClock(factor));

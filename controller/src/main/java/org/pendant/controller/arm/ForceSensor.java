@@ -16,6 +16,7 @@ import org.pendant.models.pose.Wrench;
 public final class ForceSensor {
   private final double[] flange12 = new double[Transforms.SIZE];
   private Wrench zero = Wrench.ZERO;
+  private Wrench felt = Wrench.ZERO;
 
   /** Makes what {@code arm} feels now beyond the declared payload the zero (manual 18.72). */
   public void zero(SimulatedArm arm, Payload declared) {
@@ -24,27 +25,40 @@ public final class ForceSensor {
 
   /** The reading at the flange's origin, along the flange's axes. */
   public Wrench reading(SimulatedArm arm, Payload declared) {
-    return less(less(arm.loadOnFlange(), arm.weightOf(declared)), zero);
+    felt = arm.loadOnFlange();
+    return less(less(felt, arm.weightOf(declared)), zero);
+  }
+
+  /**
+   * What the sensor felt for the latest {@link #reading}: with the weight of the payload and
+   * without its zero, at the flange's origin along the flange's axes.
+   */
+  public Wrench felt() {
+    return felt;
   }
 
   /** The reading at the flange's origin, along the axes of the base (manual 16.32). */
   public Wrench wrenchAtFlangeInBase(SimulatedArm arm, Payload declared) {
-    Wrench w = reading(arm, declared);
     arm.copyFlangeInBase(flange12);
-    return new Wrench(
-        alongBase(0, w.fx(), w.fy(), w.fz()),
-        alongBase(1, w.fx(), w.fy(), w.fz()),
-        alongBase(2, w.fx(), w.fy(), w.fz()),
-        alongBase(0, w.mx(), w.my(), w.mz()),
-        alongBase(1, w.mx(), w.my(), w.mz()),
-        alongBase(2, w.mx(), w.my(), w.mz()));
+    return alongBase(reading(arm, declared), flange12);
   }
 
-  private double alongBase(int axis, double x, double y, double z) {
+  /** A wrench along the axes of the flange, along those of the base. */
+  static Wrench alongBase(Wrench w, double[] flange12) {
+    return new Wrench(
+        alongBase(flange12, 0, w.fx(), w.fy(), w.fz()),
+        alongBase(flange12, 1, w.fx(), w.fy(), w.fz()),
+        alongBase(flange12, 2, w.fx(), w.fy(), w.fz()),
+        alongBase(flange12, 0, w.mx(), w.my(), w.mz()),
+        alongBase(flange12, 1, w.mx(), w.my(), w.mz()),
+        alongBase(flange12, 2, w.mx(), w.my(), w.mz()));
+  }
+
+  private static double alongBase(double[] flange12, int axis, double x, double y, double z) {
     return flange12[3 * axis] * x + flange12[3 * axis + 1] * y + flange12[3 * axis + 2] * z;
   }
 
-  private static Wrench less(Wrench a, Wrench b) {
+  static Wrench less(Wrench a, Wrench b) {
     return new Wrench(
         a.fx() - b.fx(),
         a.fy() - b.fy(),

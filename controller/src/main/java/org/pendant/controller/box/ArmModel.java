@@ -19,6 +19,7 @@ public final class ArmModel {
   private long transitionFrames;
   private long framesDone;
   private boolean transitionEnded;
+  private Mounting mounting = Mounting.FLOOR;
 
   ArmModel(ArmDescription arm) {
     dynamics = new ArmDynamics(arm);
@@ -55,11 +56,28 @@ public final class ArmModel {
     return gravity[axis] + baseAcceleration[axis];
   }
 
+  /** Gravity and acceleration of the base; the same object until one changes. */
+  public Mounting mounting() {
+    return mounting;
+  }
+
+  private void mount() {
+    mounting =
+        new Mounting(
+            gravity[0],
+            gravity[1],
+            gravity[2],
+            baseAcceleration[0],
+            baseAcceleration[1],
+            baseAcceleration[2]);
+  }
+
   void setGravity(double x, double y, double z) {
     gravity[0] = x;
     gravity[1] = y;
     gravity[2] = z;
     dynamics.setGravity(x, y, z);
+    mount();
   }
 
   void setBaseAcceleration(double x, double y, double z) {
@@ -67,6 +85,7 @@ public final class ArmModel {
     baseAcceleration[1] = y;
     baseAcceleration[2] = z;
     dynamics.setBaseAcceleration(x, y, z);
+    mount();
   }
 
   /** Declares a payload that comes to hold evenly within a time. */

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.Operator;
+import org.pendant.controller.outside.Doors;
+import org.pendant.controller.safety.PowerTimes;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
@@ -23,9 +25,11 @@ import org.pendant.models.arm.Joints;
  * @param scene what stands around the arm and hangs on it
  * @param safety limits and planes
  * @param poweredOn whether the arm is powered and its brakes are released at first
+ * @param powerTimes how long changes of power take
  * @param systemTime where the date comes from; without one it starts at {@link
  *     ControlBox#VIRTUAL_START} and goes with the frames, so that runs repeat exactly
  * @param programsFolder where programs may read files
+ * @param doors by which programs reach other computers
  */
 public record BoxSetup(
     ArmDescription arm,
@@ -37,8 +41,10 @@ public record BoxSetup(
     Scene scene,
     SafetyConfiguration safety,
     boolean poweredOn,
+    PowerTimes powerTimes,
     Optional<InstantSource> systemTime,
-    ProgramsFolder programsFolder) {
+    ProgramsFolder programsFolder,
+    Doors doors) {
   /**
    * Where the arm stands when nothing else is said: forearm level, tool down, away from every
    * singularity, so that a program may begin with a linear move.
@@ -75,7 +81,9 @@ public record BoxSetup(
         Scene.EMPTY,
         SafetyConfiguration.standard(arm),
         true,
+        PowerTimes.STANDARD,
         Optional.empty(),
-        ProgramsFolder.NONE);
+        ProgramsFolder.NONE,
+        Doors.NONE);
   }
 }

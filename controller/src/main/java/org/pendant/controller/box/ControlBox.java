@@ -1,23 +1,29 @@
 package org.pendant.controller.box;
 
 import java.time.Instant;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import org.pendant.controller.arm.ArmCommand;
+import org.pendant.controller.arm.ArmSupply;
 import org.pendant.controller.arm.DynamicArm;
+import org.pendant.controller.arm.ExternalForceSensor;
 import org.pendant.controller.arm.ForceSensor;
 import org.pendant.controller.arm.IdealArm;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.arm.WarmUp;
+import org.pendant.controller.eip.Assemblies;
 import org.pendant.controller.encoder.Encoders;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.freedrive.Freedrive;
 import org.pendant.controller.io.DigitalIo;
+import org.pendant.controller.io.InputWatchdogs;
 import org.pendant.controller.io.Signals;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.message.PopupBoard;
 import org.pendant.controller.message.PromptNumbers;
 import org.pendant.controller.message.QuestionBoard;
+import org.pendant.controller.modbus.ModbusSignals;
 import org.pendant.controller.motion.ArmHeadroom;
 import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.motion.MotionControl;
@@ -26,6 +32,7 @@ import org.pendant.controller.motion.force.ForceMode;
 import org.pendant.controller.motion.offset.ConveyorTracking;
 import org.pendant.controller.motion.offset.PathOffsetting;
 import org.pendant.controller.motion.servo.Servoing;
+import org.pendant.controller.outside.OutsideLinks;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetySystem;
 import org.pendant.controller.safety.SpeedCaps;
@@ -70,7 +77,9 @@ public final class ControlBox {
   private final ArmModel model;
   private final ContactWorld world;
   private final SimulatedArm arm;
+  private final ArmSupply supply;
   private final ForceSensor forceSensor = new ForceSensor();
+  private final ExternalForceSensor externalForceSensor = new ExternalForceSensor();
   private final SpeedCaps speedCaps;
   private final MotionControl motion;
   private final MotionSettings motionSettings;
@@ -87,12 +96,18 @@ public final class ControlBox {
   private final Toolpaths toolpaths;
   private final SafetySystem safety;
   private final Signals signals = new Signals();
+  private final InputWatchdogs inputWatchdogs = new InputWatchdogs();
+  private final Assemblies assemblies = new Assemblies();
   private final MessageLog log = new MessageLog();
+  private final OutsideLinks outside;
+  private final ModbusSignals modbus;
+  private final ToolLine toolLine;
   private final PopupBoard popups;
   private final QuestionBoard questions;
   private final RandomGenerator random;
   private ProgramsFolder programsFolder;
   private ToolCentre tool = ToolCentre.FLANGE;
+  private Published published = Published.NOTHING;
   private boolean cogAtTool;
   private boolean loadKnown;
   private BaseLight baseLight = BaseLight.STANDARD;
@@ -114,10 +129,17 @@ public final class ControlBox {
     model = new ArmModel(setup.arm());
     world = new ContactWorld(setup.scene());
     arm = newArm();
+    supply = new ArmSupply(setup.arm());
     loadKnown = setup.scene().load().isPresent();
     arm.setLoad(setup.scene().load().orElse(Payload.NONE));
     safety =
-        new SafetySystem(setup.arm(), model.dynamics(), setup.safety(), log, setup.poweredOn());
+        new SafetySystem(
+            setup.arm(),
+            model.dynamics(),
+            setup.safety(),
+            log,
+            setup.poweredOn(),
+            setup.powerTimes());
     speedCaps = new SpeedCaps(setup.arm(), model.dynamics(), safety);
     motion = new MotionControl(setup.arm(), setup.startRad(), speedCaps);
     motion.addOffset(conveyor);
@@ -127,17 +149,30 @@ public final class ControlBox {
     programsFolder = setup.programsFolder();
     servoing = new Servoing(setup.arm(), motion);
     headroom = new ArmHeadroom(setup.arm());
+    motion.limitRamps(
+        (last, own, before, wanted) -> headroom().reachableScaling(last, own, before, wanted));
     freedrive =
         new Freedrive(
             new Freedrive.Setup(
-                setup.arm(), arm, model.dynamics(), model::payload, safety, speedCaps, motion));
+                setup.arm(),
+                arm,
+                model.dynamics(),
+                model::payload,
+                this::externalWrenchInBase,
+                safety,
+                speedCaps,
+                motion));
     // after everything else that carries the tool
     forceMode =
         new ForceMode(
             new ForceMode.Setup(
-                setup.arm(), arm, this::flangeWrenchInBase, speedCaps, safety::limits, motion));
+                setup.arm(), arm, this::controlledWrenchInBase, speedCaps, safety::limits, motion));
     actualRad = setup.startRad();
     history = new PositionHistory(actualRad);
+    outside = new OutsideLinks(setup.doors());
+    modbus = new ModbusSignals(setup.doors().modbus(), log);
+    signals.runState().lead(modbus::follow);
+    toolLine = new ToolLine(setup.doors().toolSerial(), signals, log);
     PromptNumbers numbers = new PromptNumbers();
     popups = new PopupBoard(setup.operator(), log, numbers);
     questions = new QuestionBoard(setup.operator(), log, numbers);
@@ -181,11 +216,31 @@ public final class ControlBox {
     return frame * FRAME_NS;
   }
 
+  /** The connections of programs to other computers. */
+  public OutsideLinks outside() {
+    return outside;
+  }
+
+  /** The Modbus signals that programs have added. */
+  public ModbusSignals modbus() {
+    return modbus;
+  }
+
+  /** The serial line of the tool connector. */
+  public ToolLine toolLine() {
+    return toolLine;
+  }
+
   /** The date and time of day. */
   public Instant systemTime() {
     return setup.systemTime().isPresent()
         ? setup.systemTime().get().instant()
         : VIRTUAL_START.plusNanos(timeNs());
+  }
+
+  /** Whether the clock of the wall drives the frames, so that a run cannot be repeated exactly. */
+  public boolean inRealTime() {
+    return setup.systemTime().isPresent();
   }
 
   /** What the arm is made of. */
@@ -316,6 +371,16 @@ public final class ControlBox {
   /** Every signal: digital and analog ones, registers, the tool connector. */
   public Signals signals() {
     return signals;
+  }
+
+  /** What the controller told the world at the end of the frame before. */
+  public Published published() {
+    return published;
+  }
+
+  /** From now on programs read there what the controller tells the world. */
+  public void setPublished(Published source) {
+    published = source;
   }
 
   /** The log. */
@@ -450,14 +515,82 @@ public final class ControlBox {
     return flangeWrench;
   }
 
+  /**
+   * What force control has to go by, as {@link #flangeWrenchInBase}: what an external sensor feels,
+   * while there is one.
+   */
+  private Wrench controlledWrenchInBase() {
+    return externalForceSensor.enabled() ? externalWrenchInBase() : flangeWrenchInBase();
+  }
+
+  /** What an external sensor feels, at the flange along the axes of the base; 0 without one. */
+  private Wrench externalWrenchInBase() {
+    return externalForceSensor.enabled()
+        ? externalForceSensor.wrenchAtFlangeInBase(arm, model.payload())
+        : Wrench.ZERO;
+  }
+
+  /** What an external force/torque sensor reads. */
+  public ExternalForceSensor externalForceSensor() {
+    return externalForceSensor;
+  }
+
+  /** Has force control use an external sensor from now on (manual 18.2). */
+  public void useExternalForceSensor(ExternalForceSensor.Mounting mounting) {
+    externalForceSensor.enable(mounting);
+    forceMode.sensorChanged();
+  }
+
+  /** Has force control use the sensor in the flange again. */
+  public void useOwnForceSensor() {
+    externalForceSensor.disable();
+    forceMode.sensorChanged();
+  }
+
+  /** Who watches that inputs are written often enough. */
+  public InputWatchdogs inputWatchdogs() {
+    return inputWatchdogs;
+  }
+
+  /** What programs exchange with an EtherNet/IP scanner. */
+  public Assemblies assemblies() {
+    return assemblies;
+  }
+
   /** Whether the arm has power, on its brakes or without them. */
   public boolean drivePower() {
     return safety.robotMode() != RobotMode.POWER_OFF;
   }
 
+  /**
+   * Refuses what moves the arm while it has no power or is on its brakes.
+   *
+   * @throws ScriptError that names the mode and what to do
+   */
+  public void requirePower() throws ScriptError {
+    Optional<String> refusal = safety.motionRefusal();
+    if (refusal.isPresent()) {
+      throw new ScriptError("power-off", refusal.get());
+    }
+  }
+
   /** The current that the tool takes, A. */
   public double toolCurrentA() {
-    return drivePower() ? TOOL_ELECTRONICS_A : 0;
+    return drivePower()
+        ? TOOL_ELECTRONICS_A + signals.tool().loadA(signals.digital().levels().toolOut())
+        : 0;
+  }
+
+  /** What the arm takes from its supply. */
+  public ArmSupply supply() {
+    return supply;
+  }
+
+  /**
+   * What the force sensor feels, with weights and without its zero, at the flange along its axes.
+   */
+  public Wrench rawFlangeWrench() {
+    return forceSensor.felt();
   }
 
   /** The temperature inside the control box, degrees Celsius. */
@@ -528,6 +661,7 @@ public final class ControlBox {
     }
     world.grip().beginFrame();
     arm.step(command());
+    supply.step(arm.sensors(), drivePower());
     wrenchKnown = false;
     Joints position = arm.positionRad();
     if (!position.equals(actualRad)) {
@@ -608,6 +742,13 @@ public final class ControlBox {
     safety.jumped();
     actualRad = positionRad;
     wrenchKnown = false;
+  }
+
+  /** A program has ended, and with it what it expected of clients. */
+  public void programStopped() {
+    inputWatchdogs.clear();
+    assemblies.programEnded();
+    useOwnForceSensor();
   }
 
   /** A program starts: clears what belongs to the one before. */

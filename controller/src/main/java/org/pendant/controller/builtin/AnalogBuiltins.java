@@ -3,6 +3,7 @@ package org.pendant.controller.builtin;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.Declaration;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
@@ -50,6 +51,7 @@ final class AnalogBuiltins {
                 + " 0 is 4 mA or 0 V, 1 is 20 mA or 10 V.")
         .needs("n", Type.INT)
         .needs("f", Type.NUMBER)
+        .effect(Effect.TELLS)
         .does(AnalogBuiltins::setOutput);
   }
 
@@ -100,7 +102,8 @@ final class AnalogBuiltins {
         .declare(name)
         .manual(INTERFACES, section)
         .needs("n", Type.INT)
-        .returns(Type.NUMBER);
+        .returns(Type.NUMBER)
+        .effect(Effect.ASKS);
   }
 
   private static Declaration domain(Builtins builtins, String name, String section) {

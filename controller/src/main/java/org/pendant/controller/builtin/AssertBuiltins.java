@@ -2,6 +2,7 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
@@ -16,6 +17,7 @@ final class AssertBuiltins {
         .manual("core", "7")
         .doc("Stops the program with an error unless the condition is True.")
         .needs("condition", Type.BOOL)
+        .effect(Effect.COMPUTES)
         .does(AssertBuiltins::check);
   }
 

@@ -4,6 +4,7 @@ import org.ejml.data.DMatrixRMaj;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.Declaration;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.ScriptError;
@@ -32,6 +33,7 @@ final class DynamicsBuiltins {
                         "The torques, in Nm, that keep the joints at their speeds against Coriolis"
                             + " and centrifugal forces. The declared payload counts.")))
         .returns(Type.JOINTS)
+        .effect(Effect.ASKS)
         .does(DynamicsBuiltins::coriolis);
     withTcp(
             withPositions(
@@ -42,6 +44,7 @@ final class DynamicsBuiltins {
                         "The 6 by 6 matrix that turns joint speeds into the velocity of the TCP, in"
                             + " m/s and rad/s along the axes of the base.")))
         .returns(Type.MATRIX)
+        .effect(Effect.ASKS)
         .does(DynamicsBuiltins::jacobian);
     withTcp(
             withSpeeds(
@@ -51,6 +54,7 @@ final class DynamicsBuiltins {
                         .manual(MODULE, "16.18")
                         .doc("How fast the elements of the Jacobian change, per second."))))
         .returns(Type.MATRIX)
+        .effect(Effect.ASKS)
         .does(DynamicsBuiltins::jacobianDerivative);
     withPositions(
             builtins
@@ -61,6 +65,7 @@ final class DynamicsBuiltins {
                         + " The declared payload counts; the rotors of the motors if asked for."))
         .takes("include_rotors_inertia", Type.BOOL, Value.of(false))
         .returns(Type.MATRIX)
+        .effect(Effect.ASKS)
         .does(DynamicsBuiltins::massMatrix);
   }
 

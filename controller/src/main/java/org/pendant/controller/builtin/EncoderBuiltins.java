@@ -14,6 +14,7 @@ import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
 
 /** Encoders of conveyors (manual 15.1, 15.3 to 15.7, 15.20, 15.45). */
 final class EncoderBuiltins {
@@ -28,6 +29,7 @@ final class EncoderBuiltins {
 
   private static final int LAST_RANGE = CountRange.values().length - 1;
 
+  private static final int QUADRATURE = 1;
   private static final int LAST_DECODER = PulseDecoder.Kind.values().length;
 
   private EncoderBuiltins() {}
@@ -104,7 +106,7 @@ final class EncoderBuiltins {
                 + " encoder_enable_pulse_decode.")
         .needs("type", Type.INT)
         .needs("A", Type.INT)
-        .needs("B", Type.INT)
+        .mayTake("B", Type.INT, Unit.NONE, "no input; needed for type 1")
         .deprecated("encoder_enable_pulse_decode")
         .does(EncoderBuiltins::oldPulses);
     builtins
@@ -136,7 +138,7 @@ final class EncoderBuiltins {
     int type = call.integer(1, 0, LAST_DECODER);
     int a = call.integer(2, FIRST_PIN, LAST_PIN) - FIRST_PIN;
     int b = call.integer(3, FIRST_PIN, LAST_PIN) - FIRST_PIN;
-    if (type == 1 && a == b) {
+    if (type == QUADRATURE && a == b) {
       throw call.refuse(3, "must be another input than A");
     }
     decode(call.box(), encoder, type, SignalBank.CONFIGURABLE_IN, a, b);
@@ -146,8 +148,13 @@ final class EncoderBuiltins {
   private static Outcome oldPulses(Call call) throws ScriptError {
     int type = call.integer(0, 0, LAST_DECODER);
     int a = call.integer(1, 0, LAST_OLD_PIN);
-    int b = call.integer(2, 0, LAST_OLD_PIN);
-    if (type == 1 && a == b) {
+    boolean quadrature = type == QUADRATURE;
+    if (quadrature && !call.given(2)) {
+      throw call.failure("missing-argument", "B is missing, a quadrature signal needs two inputs");
+    }
+    // the manual's example of a decoder on one input leaves B out
+    int b = call.given(2) ? call.integer(2, 0, LAST_OLD_PIN) : a;
+    if (quadrature && a == b) {
       throw call.refuse(2, "must be another input than A");
     }
     decode(call.box(), call.box().encoders().get(0), type, SignalBank.STANDARD_IN, a, b);

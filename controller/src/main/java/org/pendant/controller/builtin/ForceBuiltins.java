@@ -5,6 +5,7 @@ import java.util.List;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.motion.force.ForceAxis;
 import org.pendant.controller.motion.force.ForceTask;
@@ -82,6 +83,7 @@ final class ForceBuiltins {
         .manual(MODULE, "15.14")
         .doc("The share of its speed that the TCP loses in each frame in force mode.")
         .returns(Type.NUMBER)
+        .effect(Effect.ASKS)
         .does(call -> call.answer(call.box().forceMode().damping()));
     builtins
         .declare("force_mode_set_gain_scaling")
@@ -100,6 +102,7 @@ final class ForceBuiltins {
         .manual(MODULE, "15.15")
         .doc("How strongly the TCP answers to forces in force mode.")
         .returns(Type.NUMBER)
+        .effect(Effect.ASKS)
         .does(call -> call.answer(call.box().forceMode().gainScaling()));
   }
 
@@ -158,6 +161,7 @@ final class ForceBuiltins {
           "path-offset", "path offset is enabled, path_offset_disable must end that first");
     }
     try {
+      box.requirePower();
       box.forceMode().start(task, box.targetTcpInBase());
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());

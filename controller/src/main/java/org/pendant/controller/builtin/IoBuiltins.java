@@ -3,6 +3,7 @@ package org.pendant.controller.builtin;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.Declaration;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.value.ScriptError;
@@ -75,7 +76,12 @@ final class IoBuiltins {
   }
 
   private static Declaration read(Builtins builtins, String name, String section) {
-    return builtins.declare(name).manual(MODULE, section).needs("n", Type.INT).returns(Type.BOOL);
+    return builtins
+        .declare(name)
+        .manual(MODULE, section)
+        .needs("n", Type.INT)
+        .returns(Type.BOOL)
+        .effect(Effect.ASKS);
   }
 
   private static Declaration write(Builtins builtins, String name, String section) {
@@ -83,7 +89,8 @@ final class IoBuiltins {
         .declare(name)
         .manual(MODULE, section)
         .needs("n", Type.INT)
-        .needs("b", Type.BOOL);
+        .needs("b", Type.BOOL)
+        .effect(Effect.TELLS);
   }
 
   private static Outcome get(Call call, SignalBank bank) throws ScriptError {

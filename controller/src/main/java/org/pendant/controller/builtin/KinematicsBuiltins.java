@@ -3,6 +3,7 @@ package org.pendant.controller.builtin;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.Declaration;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.PoseValue;
 import org.pendant.controller.value.ScriptError;
@@ -29,6 +30,7 @@ final class KinematicsBuiltins {
         .mayTake("q", Type.JOINTS, Unit.RADIAN, PRESENT_JOINTS)
         .mayTake("tcp", Type.POSE, Unit.NONE, ACTIVE_TCP)
         .returns(Type.POSE)
+        .effect(Effect.ASKS)
         .does(KinematicsBuiltins::forward);
     withTolerances(
             builtins
@@ -40,6 +42,7 @@ final class KinematicsBuiltins {
                         + " beforehand.")
                 .needs("x", Type.POSE))
         .returns(Type.JOINTS)
+        .effect(Effect.ASKS)
         .does(KinematicsBuiltins::inverse);
     withTolerances(
             builtins
@@ -48,6 +51,7 @@ final class KinematicsBuiltins {
                 .doc("Whether get_inverse_kin finds joint positions for a pose.")
                 .needs("pose", Type.POSE))
         .returns(Type.BOOL)
+        .effect(Effect.ASKS)
         .does(call -> call.answer(solve(call) instanceof InverseResult.Reached));
   }
 

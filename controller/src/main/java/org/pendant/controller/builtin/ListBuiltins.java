@@ -3,6 +3,7 @@ package org.pendant.controller.builtin;
 import java.util.Arrays;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ListValue;
@@ -29,6 +30,7 @@ final class ListBuiltins {
                 + " do not count, an empty list is 0.")
         .needs("l", Type.LIST)
         .returns(Type.INT)
+        .effect(Effect.COMPUTES)
         .does(ListBuiltins::integerOfBits);
     builtins
         .declare("get_list_length")
@@ -36,6 +38,7 @@ final class ListBuiltins {
         .doc("The number of elements of a list.")
         .needs("v", Type.LIST)
         .returns(Type.INT)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answerInt(call.list(0).length()));
     builtins
         .declare("integer_to_binary_list")
@@ -43,6 +46,7 @@ final class ListBuiltins {
         .doc("The 32 bits of an int as a list of bools, the lowest first.")
         .needs("x", Type.INT)
         .returns(Type.LIST)
+        .effect(Effect.COMPUTES)
         .does(ListBuiltins::bitsOfInteger);
     builtins
         .declare("length")
@@ -50,6 +54,7 @@ final class ListBuiltins {
         .doc("The number of elements of a list, bytes of a string or members of a struct.")
         .needs("v", Type.ANY)
         .returns(Type.INT)
+        .effect(Effect.COMPUTES)
         .does(ListBuiltins::length);
     builtins
         .declare("make_list")
@@ -61,6 +66,7 @@ final class ListBuiltins {
         .needs("initial_value", Type.ANY)
         .mayTake("capacity", Type.INT, Unit.NONE, "length")
         .returns(Type.LIST)
+        .effect(Effect.COMPUTES)
         .does(ListBuiltins::makeList);
     builtins
         .declare("size")
@@ -70,6 +76,7 @@ final class ListBuiltins {
                 + " and columns, as a list of two.")
         .needs("v", Type.ANY)
         .returns(Type.ANY)
+        .effect(Effect.COMPUTES)
         .does(ListBuiltins::size);
   }
 

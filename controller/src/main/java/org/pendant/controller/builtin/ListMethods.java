@@ -2,6 +2,7 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ListValue;
@@ -28,18 +29,21 @@ final class ListMethods {
         .manual(MODULE, SECTION)
         .doc("How many elements the list can hold; this never changes.")
         .returns(Type.INT)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answerInt(call.list(0).capacity()));
     builtins
         .declareMethod(Type.LIST, "excess_capacity")
         .manual(MODULE, SECTION)
         .doc("How many more elements fit.")
         .returns(Type.INT)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answerInt(call.list(0).capacity() - call.list(0).length()));
     builtins
         .declareMethod(Type.LIST, "length")
         .manual(MODULE, SECTION)
         .doc("The number of elements.")
         .returns(Type.INT)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answerInt(call.list(0).length()));
     builtins
         .declareMethod(Type.LIST, "slice")
@@ -48,12 +52,14 @@ final class ListMethods {
         .needs("begin_index", Type.INT)
         .needs("end_index", Type.INT)
         .returns(Type.LIST)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(call.list(0).slice(call.integer(1), call.integer(2))));
     builtins
         .declareMethod(Type.LIST, "to_string")
         .manual(MODULE, SECTION)
         .doc("The list as text, shortened with ...] beyond 1023 characters.")
         .returns(Type.STRING)
+        .effect(Effect.COMPUTES)
         .does(StringBuiltins::toStringMethod);
   }
 
@@ -63,17 +69,20 @@ final class ListMethods {
         .manual(MODULE, SECTION)
         .doc("Adds an element at the end. It is an error when the list is full.")
         .needs("element", Type.ANY)
+        .effect(Effect.COMPUTES)
         .does(ListMethods::append);
     builtins
         .declareMethod(Type.LIST, "clear")
         .manual(MODULE, SECTION)
         .doc("Removes all elements.")
+        .effect(Effect.COMPUTES)
         .does(ListMethods::clear);
     builtins
         .declareMethod(Type.LIST, "extend")
         .manual(MODULE, SECTION)
         .doc("Adds all elements of another list at the end. It is an error when they do not fit.")
         .needs("list", Type.LIST)
+        .effect(Effect.COMPUTES)
         .does(ListMethods::extend);
     builtins
         .declareMethod(Type.LIST, "insert")
@@ -81,18 +90,21 @@ final class ListMethods {
         .doc("Inserts an element before the one at index. It is an error when the list is full.")
         .needs("index", Type.INT)
         .needs("element", Type.ANY)
+        .effect(Effect.COMPUTES)
         .does(ListMethods::insert);
     builtins
         .declareMethod(Type.LIST, "pop")
         .manual(MODULE, SECTION)
         .doc("Removes the last element and returns it.")
         .returns(Type.ANY)
+        .effect(Effect.COMPUTES)
         .does(ListMethods::pop);
     builtins
         .declareMethod(Type.LIST, "remove")
         .manual(MODULE, SECTION)
         .doc("Removes the element at index; later ones move up.")
         .needs("index", Type.INT)
+        .effect(Effect.COMPUTES)
         .does(ListMethods::remove);
   }
 

@@ -3,6 +3,7 @@ package org.pendant.controller.builtin;
 import java.util.Optional;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.call.Wait;
 import org.pendant.controller.message.Popup;
@@ -36,6 +37,7 @@ final class LogBuiltins {
         .doc("Writes two values of any type to the log, as one line without a blank between.")
         .needs("s1", Type.ANY)
         .takes("s2", Type.ANY, Value.of(""))
+        .effect(Effect.TELLS)
         .does(LogBuiltins::textmsg);
   }
 

@@ -2,6 +2,7 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
@@ -26,6 +27,7 @@ final class MathBuiltins {
         .doc("The arc cosine of f, 0 to pi. It is an error when f is not within -1 to 1.")
         .needs("f", Type.NUMBER)
         .returns(Unit.RADIAN)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Math.acos(withinOne(call))));
     builtins
         .declare("asin")
@@ -33,6 +35,7 @@ final class MathBuiltins {
         .doc("The arc sine of f, -pi/2 to pi/2. It is an error when f is not within -1 to 1.")
         .needs("f", Type.NUMBER)
         .returns(Unit.RADIAN)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Math.asin(withinOne(call))));
     builtins
         .declare("atan")
@@ -40,6 +43,7 @@ final class MathBuiltins {
         .doc("The arc tangent of f, -pi/2 to pi/2.")
         .needs("f", Type.NUMBER)
         .returns(Unit.RADIAN)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Math.atan(call.number(0))));
     builtins
         .declare("atan2")
@@ -50,6 +54,7 @@ final class MathBuiltins {
         .needs("x", Type.NUMBER)
         .needs("y", Type.NUMBER)
         .returns(Unit.RADIAN)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Math.atan2(call.number(0), call.number(1))));
     builtins
         .declare("cos")
@@ -57,6 +62,7 @@ final class MathBuiltins {
         .doc("The cosine of the angle f.")
         .needs("f", Unit.RADIAN)
         .returns(Type.NUMBER)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Math.cos(call.number(0))));
     builtins
         .declare("d2r")
@@ -64,6 +70,7 @@ final class MathBuiltins {
         .doc("Converts an angle from degrees to radians.")
         .needs("d", Unit.DEGREE)
         .returns(Unit.RADIAN)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(call.number(0) / DEGREES_PER_HALF_TURN * Math.PI));
     builtins
         .declare("r2d")
@@ -71,6 +78,7 @@ final class MathBuiltins {
         .doc("Converts an angle from radians to degrees.")
         .needs("r", Unit.RADIAN)
         .returns(Unit.DEGREE)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(call.number(0) / Math.PI * DEGREES_PER_HALF_TURN));
     builtins
         .declare("sin")
@@ -78,6 +86,7 @@ final class MathBuiltins {
         .doc("The sine of the angle f.")
         .needs("f", Unit.RADIAN)
         .returns(Type.NUMBER)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Math.sin(call.number(0))));
     builtins
         .declare("tan")
@@ -85,6 +94,7 @@ final class MathBuiltins {
         .doc("The tangent of the angle f.")
         .needs("f", Unit.RADIAN)
         .returns(Type.NUMBER)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Math.tan(call.number(0))));
   }
 
@@ -95,6 +105,7 @@ final class MathBuiltins {
         .doc("The smallest int that is not less than f. It is an error when no int is.")
         .needs("f", Type.NUMBER)
         .returns(Type.INT)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answerInt(rounded(call, Math.ceil(call.number(0)))));
     builtins
         .declare("floor")
@@ -102,6 +113,7 @@ final class MathBuiltins {
         .doc("The largest int that is not greater than f. It is an error when no int is.")
         .needs("f", Type.NUMBER)
         .returns(Type.INT)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answerInt(rounded(call, Math.floor(call.number(0)))));
     builtins
         .declare("random")
@@ -123,6 +135,7 @@ final class MathBuiltins {
         .needs("b", Type.NUMBER)
         .needs("f", Type.NUMBER)
         .returns(Type.NUMBER)
+        .effect(Effect.COMPUTES)
         .does(MathBuiltins::log);
     builtins
         .declare("pow")
@@ -133,6 +146,7 @@ final class MathBuiltins {
         .needs("base", Type.NUMBER)
         .needs("exponent", Type.NUMBER)
         .returns(Type.NUMBER)
+        .effect(Effect.COMPUTES)
         .does(MathBuiltins::pow);
     builtins
         .declare("sqrt")
@@ -140,6 +154,7 @@ final class MathBuiltins {
         .doc("The square root of f. It is an error when f is negative.")
         .needs("f", Type.NUMBER)
         .returns(Type.NUMBER)
+        .effect(Effect.COMPUTES)
         .does(MathBuiltins::sqrt);
   }
 

@@ -7,6 +7,7 @@ import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.MatrixValue;
@@ -35,6 +36,7 @@ final class MatrixBuiltins {
         .doc("The inverse of a square matrix or of a pose. A singular matrix is an error.")
         .needs("m", Type.ANY)
         .returns(Type.ANY)
+        .effect(Effect.COMPUTES)
         .does(MatrixBuiltins::inverse);
     builtins
         .declare("transpose")
@@ -44,6 +46,7 @@ final class MatrixBuiltins {
                 + " such a matrix a list.")
         .needs("m", Type.ANY)
         .returns(Type.ANY)
+        .effect(Effect.COMPUTES)
         .does(MatrixBuiltins::transpose);
     builtins
         .declareMethod(Type.MATRIX, "get_column")
@@ -51,6 +54,7 @@ final class MatrixBuiltins {
         .doc("A column as a new list.")
         .needs("index", Type.INT)
         .returns(Type.LIST)
+        .effect(Effect.COMPUTES)
         .does(
             call ->
                 call.answer(
@@ -61,6 +65,7 @@ final class MatrixBuiltins {
         .doc("A row as a new list.")
         .needs("index", Type.INT)
         .returns(Type.LIST)
+        .effect(Effect.COMPUTES)
         .does(
             call -> call.answer(call.matrix(0).row(call.integer(1, 0, call.matrix(0).rows() - 1))));
     builtins
@@ -68,12 +73,14 @@ final class MatrixBuiltins {
         .manual("core", "4.3.3")
         .doc("The numbers of rows and columns, as a list of two.")
         .returns(Type.LIST)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(shape(call.matrix(0))));
     builtins
         .declareMethod(Type.MATRIX, "to_string")
         .manual("core", "4.3.3")
         .doc("The matrix as text, shortened with ...] beyond 1023 characters.")
         .returns(Type.STRING)
+        .effect(Effect.COMPUTES)
         .does(StringBuiltins::toStringMethod);
   }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.motion.Headroom;
 import org.pendant.controller.motion.MotionPath;
@@ -51,6 +52,7 @@ final class MotionBuiltins {
         .takes("t", Unit.SECOND, 0)
         .takes("r", Unit.METRE, 0)
         .physicalTime()
+        .effect(Effect.MOVES)
         .does(MotionBuiltins::movej);
     builtins
         .declare("movel")
@@ -64,6 +66,7 @@ final class MotionBuiltins {
         .takes("t", Unit.SECOND, 0)
         .takes("r", Unit.METRE, 0)
         .physicalTime()
+        .effect(Effect.MOVES)
         .does(MotionBuiltins::movel);
     builtins
         .declare("set_pos")
@@ -119,14 +122,14 @@ final class MotionBuiltins {
     return Routes.joints(box.armDescription(), from, goal, waypoint, tcp, headroom);
   }
 
-  /** Motion version 2 plans within what the arm can do (manual 14). */
+  /** Motion version 2 plans within what the arm can do, version 1 as it is told (manual 14). */
   private static Headroom headroom(Call call) throws ScriptError {
     MoveLimits limits = MotionArguments.moveLimits(call, 1);
-    double asked = limits.timed() ? Double.POSITIVE_INFINITY : limits.speed();
     ControlBox box = call.box();
+    double asked = limits.timed() ? Double.POSITIVE_INFINITY : limits.speed();
     return box.motionSettings().version() == 2
         ? box.headroom().share(1, 1, asked)
-        : box.headroom().asAsked(asked);
+        : box.headroom().asAsked(limits);
   }
 
   private static Outcome movel(Call call) throws ScriptError {

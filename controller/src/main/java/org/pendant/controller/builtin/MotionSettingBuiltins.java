@@ -3,6 +3,7 @@ package org.pendant.controller.builtin;
 import org.pendant.controller.box.MotionSettings;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
@@ -20,6 +21,7 @@ final class MotionSettingBuiltins {
         .manual(MODULE, "15.26")
         .doc("The motion version by which movej and movel are planned, 1 or 2.")
         .returns(Type.INT)
+        .effect(Effect.ASKS)
         .does(call -> call.answerInt(settings(call).version()));
     builtins
         .declare("motion_version_set")
@@ -35,6 +37,7 @@ final class MotionSettingBuiltins {
         .manual(MODULE, "15.24")
         .doc("The share of the usual jerk that moves of limited jerk may have, 0.01 to 1.")
         .returns(Type.NUMBER)
+        .effect(Effect.ASKS)
         .does(call -> call.answer(settings(call).jerkGain()));
     builtins
         .declare("jerk_gain_scaling_set")

@@ -3,6 +3,7 @@ package org.pendant.controller.builtin;
 import org.pendant.controller.box.ArmModel;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.NumberList;
 import org.pendant.controller.value.ScriptError;
@@ -23,6 +24,7 @@ final class MountingBuiltins {
         .manual(MODULE, "16.10")
         .doc("The acceleration of the base that was set, along its axes, in m/s\u00b2.")
         .returns(Type.LIST)
+        .effect(Effect.ASKS)
         .does(MountingBuiltins::baseAcceleration);
     builtins
         .declare("get_gravity")
@@ -31,6 +33,7 @@ final class MountingBuiltins {
             "The acceleration that the resting arm feels, away from the earth, along the axes of"
                 + " the base, in m/s\u00b2.")
         .returns(Type.LIST)
+        .effect(Effect.ASKS)
         .does(MountingBuiltins::gravity);
     builtins
         .declare("set_base_acceleration")

@@ -3,6 +3,7 @@ package org.pendant.controller.builtin;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.motion.Headroom;
 import org.pendant.controller.motion.Move;
@@ -37,6 +38,7 @@ final class OptimoveBuiltins {
         .takes("v", Unit.NONE, 0.3)
         .takes("r", Unit.METRE, 0)
         .physicalTime()
+        .effect(Effect.MOVES)
         .does(OptimoveBuiltins::optimovej);
     builtins
         .declare("optimovel")
@@ -50,6 +52,7 @@ final class OptimoveBuiltins {
         .takes("v", Unit.NONE, 0.3)
         .takes("r", Unit.METRE, 0)
         .physicalTime()
+        .effect(Effect.MOVES)
         .does(OptimoveBuiltins::optimovel);
   }
 

@@ -3,6 +3,7 @@ package org.pendant.controller.builtin;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.motion.StopJ;
 import org.pendant.controller.motion.offset.OffsetType;
@@ -57,6 +58,7 @@ final class PathOffsetBuiltins {
         .doc("The offset that is applied now, in the frame of a type of path_offset_set.")
         .needs("type", Type.INT)
         .returns(Type.POSE)
+        .effect(Effect.ASKS)
         .does(call -> call.answer(call.box().pathOffset().applied(type(call, 0))));
   }
 

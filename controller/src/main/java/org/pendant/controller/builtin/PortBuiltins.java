@@ -4,6 +4,7 @@ import java.util.List;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.io.PortMap;
 import org.pendant.controller.io.SignalWrite;
@@ -14,8 +15,9 @@ import org.pendant.language.signature.Type;
 final class PortBuiltins {
   private static final String MODULE = "interfaces";
   private static final String REGISTERS =
-      "must be a port register: 0 to 11, 16 to 22, 24 to 33 or 128 to 255";
-  private static final String BITS = "must be a port bit: 0 to 47 or 128 to 255";
+      "must be a port register: 0 to 11, 16 to 22, 24 to 33, 128 to 255, or one of the robot's"
+          + " state from 256 to 770";
+  private static final String BITS = "must be a port bit: 0 to 47, 128 to 255 or 260 to 265";
 
   /** The manual's upper limit, one beyond what 16 bits hold; it counts as 0. */
   private static final int HIGHEST = 0x10000;
@@ -26,18 +28,22 @@ final class PortBuiltins {
     builtins
         .declare("read_port_bit")
         .manual(MODULE, "18.38")
-        .doc("A bit that Modbus clients see as well: 0 to 47 are signals, 128 to 255 memory.")
+        .doc(
+            "A bit that Modbus clients see as well: 0 to 47 are signals, 128 to 255 memory, 260 to"
+                + " 265 the robot's state.")
         .needs("address", Type.INT)
         .returns(Type.BOOL)
+        .effect(Effect.ASKS)
         .does(PortBuiltins::readBit);
     builtins
         .declare("read_port_register")
         .manual(MODULE, "18.39")
         .doc(
-            "A register that Modbus clients see as well, -32768 to 32767: 0 to 33 are signals,"
-                + " 128 to 255 memory.")
+            "A register that Modbus clients see as well, -32768 to 32767: 0 to 33 are signals, 128"
+                + " to 255 memory, 256 to 770 the robot's state at the end of the frame before.")
         .needs("address", Type.INT)
         .returns(Type.INT)
+        .effect(Effect.ASKS)
         .does(PortBuiltins::readRegister);
     builtins
         .declare("write_port_bit")
@@ -47,6 +53,7 @@ final class PortBuiltins {
                 + " with a warning.")
         .needs("address", Type.INT)
         .needs("value", Type.BOOL)
+        .effect(Effect.TELLS)
         .does(PortBuiltins::writeBit);
     builtins
         .declare("write_port_register")
@@ -56,21 +63,26 @@ final class PortBuiltins {
                 + " stays as it is, with a warning.")
         .needs("address", Type.INT)
         .needs("value", Type.INT)
+        .effect(Effect.TELLS)
         .does(PortBuiltins::writeRegister);
   }
 
   private static Outcome readBit(Call call) throws ScriptError {
+    int address = call.integer(0);
     ControlBox box = call.box();
     return call.answer(
-        PortMap.bit(call.integer(0), box.io().levels(), box.signals().state())
+        PortMap.bit(address, box.io().levels(), box.signals().state())
+            .or(() -> box.published().portBit(address))
             .orElseThrow(() -> call.refuse(0, BITS))
             .booleanValue());
   }
 
   private static Outcome readRegister(Call call) throws ScriptError {
+    int address = call.integer(0);
     ControlBox box = call.box();
     int value =
-        PortMap.register(call.integer(0), box.io().levels(), box.signals().state())
+        PortMap.register(address, box.io().levels(), box.signals().state())
+            .or(() -> box.published().portRegister(address))
             .orElseThrow(() -> call.refuse(0, REGISTERS));
     return call.answerInt((short) value);
   }
@@ -80,7 +92,9 @@ final class PortBuiltins {
     return write(
         call,
         "bit " + address,
-        PortMap.writeBit(address, call.bool(1)).orElseThrow(() -> call.refuse(0, BITS)));
+        PortMap.writeBit(address, call.bool(1))
+            .or(() -> call.box().published().portBit(address).map(ofRobot -> List.of()))
+            .orElseThrow(() -> call.refuse(0, BITS)));
   }
 
   private static Outcome writeRegister(Call call) throws ScriptError {
@@ -90,7 +104,9 @@ final class PortBuiltins {
       return write(
           call,
           "register " + address,
-          PortMap.writeRegister(address, value).orElseThrow(() -> call.refuse(0, REGISTERS)));
+          PortMap.writeRegister(address, value)
+              .or(() -> call.box().published().portRegister(address).map(ofRobot -> List.of()))
+              .orElseThrow(() -> call.refuse(0, REGISTERS)));
     } catch (IllegalArgumentException e) {
       throw call.failure("value-out-of-range", e.getMessage());
     }

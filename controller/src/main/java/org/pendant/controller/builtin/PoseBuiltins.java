@@ -1,6 +1,7 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Effect;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.pose.Poses;
@@ -20,6 +21,7 @@ final class PoseBuiltins {
         .needs("p_to", Type.POSE)
         .needs("alpha", Type.NUMBER)
         .returns(Type.POSE)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Poses.interpolate(call.pose(0), call.pose(1), call.number(2))));
     builtins
         .declare("point_dist")
@@ -28,6 +30,7 @@ final class PoseBuiltins {
         .needs("p_from", Type.POSE)
         .needs("p_to", Type.POSE)
         .returns(Unit.METRE)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Poses.pointDistance(call.pose(0), call.pose(1))));
     builtins
         .declare("pose_add")
@@ -36,6 +39,7 @@ final class PoseBuiltins {
         .needs("p_1", Type.POSE)
         .needs("p_2", Type.POSE)
         .returns(Type.POSE)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Poses.add(call.pose(0), call.pose(1))));
     builtins
         .declare("pose_dist")
@@ -46,6 +50,7 @@ final class PoseBuiltins {
         .needs("p_from", Type.POSE)
         .needs("p_to", Type.POSE)
         .returns(Type.NUMBER)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Poses.distance(call.pose(0), call.pose(1))));
     builtins
         .declare("pose_inv")
@@ -53,6 +58,7 @@ final class PoseBuiltins {
         .doc("The inverse transformation: the origin's pose seen from p_from.")
         .needs("p_from", Type.POSE)
         .returns(Type.POSE)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Poses.inverse(call.pose(0))));
     builtins
         .declare("pose_sub")
@@ -61,6 +67,7 @@ final class PoseBuiltins {
         .needs("p_to", Type.POSE)
         .needs("p_from", Type.POSE)
         .returns(Type.POSE)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Poses.sub(call.pose(0), call.pose(1))));
     builtins
         .declare("pose_trans")
@@ -69,6 +76,7 @@ final class PoseBuiltins {
         .needs("p_from", Type.POSE)
         .needs("p_from_to", Type.POSE)
         .returns(Type.POSE)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(Poses.trans(call.pose(0), call.pose(1))));
   }
 }

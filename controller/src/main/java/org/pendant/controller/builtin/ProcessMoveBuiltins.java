@@ -3,6 +3,7 @@ package org.pendant.controller.builtin;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.motion.ArcRoute;
 import org.pendant.controller.motion.Headroom;
@@ -36,6 +37,7 @@ final class ProcessMoveBuiltins {
         .takes("r", Unit.METRE, 0)
         .takes("mode", Unit.NONE, 0)
         .physicalTime()
+        .effect(Effect.MOVES)
         .does(ProcessMoveBuiltins::movec);
     builtins
         .declare("movep")
@@ -48,6 +50,7 @@ final class ProcessMoveBuiltins {
         .takes("v", Unit.METRE_PER_SECOND, 0.25)
         .takes("r", Unit.METRE, 0)
         .physicalTime()
+        .effect(Effect.MOVES)
         .does(ProcessMoveBuiltins::movep);
   }
 
@@ -56,7 +59,7 @@ final class ProcessMoveBuiltins {
     Pose tcp = box.tool().inFlange();
     Pose goal = pose(call, 0, "pose");
     MoveLimits limits = limits(call, 1);
-    Headroom headroom = box.headroom().asAsked(limits.speed());
+    Headroom headroom = box.headroom().asAsked(limits);
     return move(
         call,
         "movep",
@@ -76,7 +79,7 @@ final class ProcessMoveBuiltins {
     Pose goal = pose(call, 1, "pose_to");
     MoveLimits limits = limits(call, 2);
     boolean fixed = call.integer(5, 0, 1) == 1;
-    Headroom headroom = box.headroom().asAsked(limits.speed());
+    Headroom headroom = box.headroom().asAsked(limits);
     ArcRoute route = new ArcRoute(box.armDescription(), via, goal, fixed, tcp, headroom);
     return move(
         call,

@@ -3,6 +3,7 @@ package org.pendant.controller.builtin;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.Declaration;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.io.Direction;
 import org.pendant.controller.io.RegisterIo;
@@ -60,7 +61,8 @@ final class RegisterBuiltins {
         .declare("read_" + direction.text() + "_" + kind.text() + "_register")
         .manual("interfaces", section)
         .needs("address", Type.INT)
-        .returns(result);
+        .returns(result)
+        .effect(Effect.ASKS);
   }
 
   private static Declaration write(
@@ -69,7 +71,8 @@ final class RegisterBuiltins {
         .declare("write_output_" + kind.text() + "_register")
         .manual("interfaces", section)
         .needs("address", Type.INT)
-        .needs("value", type);
+        .needs("value", type)
+        .effect(Effect.TELLS);
   }
 
   private static RegisterIo registers(Call call, Direction direction) {

@@ -65,6 +65,7 @@ final class RunWait implements Wait {
       return follow(ticket.get());
     }
     if (planning.isEmpty()) {
+      box.requirePower();
       planAtRest();
       return Optional.empty();
     }

@@ -4,6 +4,7 @@ import java.util.OptionalInt;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ScriptError;
@@ -42,6 +43,7 @@ final class SafetyBuiltins {
         .needs("position", Type.POSE_OR_JOINTS)
         .mayTake("qNear", Type.JOINTS, Unit.RADIAN, "current joint configuration")
         .returns(Type.BOOL)
+        .effect(Effect.ASKS)
         .does(call -> call.answer(withinLimits(call)));
   }
 

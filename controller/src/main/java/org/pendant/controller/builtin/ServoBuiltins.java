@@ -188,6 +188,7 @@ final class ServoBuiltins {
     Joints torqueNm = MotionArguments.joints(call, 0);
     boolean frictionCompensated = call.bool(1);
     try {
+      call.box().requirePower();
       call.box().servoing().giveTorque(torqueNm, frictionCompensated);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());

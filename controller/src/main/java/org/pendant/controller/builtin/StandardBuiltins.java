@@ -46,9 +46,18 @@ public final class StandardBuiltins {
     AnalogBuiltins.declareIn(builtins);
     RegisterBuiltins.declareIn(builtins);
     PortBuiltins.declareIn(builtins);
+    PublishedBuiltins.declareIn(builtins);
     ToolIoBuiltins.declareIn(builtins);
+    ToolSerialBuiltins.declareIn(builtins);
     InputActionBuiltins.declareIn(builtins);
     RunStateBuiltins.declareIn(builtins);
+    SocketBuiltins.declareIn(builtins);
+    SocketReadBuiltins.declareIn(builtins);
+    RpcBuiltins.declareIn(builtins);
+    ModbusSignalBuiltins.declareIn(builtins);
+    ModbusOutputBuiltins.declareIn(builtins);
+    RtdeInputBuiltins.declareIn(builtins);
+    AssemblyBuiltins.declareIn(builtins);
     InterpreterBuiltins.declareIn(builtins);
     return builtins;
   }

@@ -4,6 +4,7 @@ import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.ToolCentre;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
@@ -29,6 +30,13 @@ final class StateBuiltins {
         .manual(MODULE, "16.4")
         .doc("Where the joints are, in rad.")
         .returns(Type.JOINTS)
+        .does(call -> call.answer(call.box().arm().positionRad()));
+    builtins
+        .declare("get_joint_positions")
+        .manual(MODULE, "16.4")
+        .doc("Where the joints are, in rad. The name in old programs.")
+        .returns(Type.JOINTS)
+        .deprecated("get_actual_joint_positions")
         .does(call -> call.answer(call.box().arm().positionRad()));
     builtins
         .declare("get_actual_joint_speeds")
@@ -95,6 +103,7 @@ final class StateBuiltins {
         .manual(MODULE, "16.31")
         .doc("Where the active move takes the TCP; at rest where the TCP should be.")
         .returns(Type.POSE)
+        .effect(Effect.ASKS_GOAL)
         .does(StateBuiltins::waypoint);
     builtins
         .declare("is_steady")
@@ -110,6 +119,7 @@ final class StateBuiltins {
         .manual(MODULE, "16.33")
         .doc("The pose of the active TCP in the flange frame.")
         .returns(Type.POSE)
+        .effect(Effect.ASKS)
         .does(call -> call.answer(call.box().tool().inFlange()));
     builtins
         .declare("set_tcp")

@@ -2,6 +2,7 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ListValue;
@@ -34,6 +35,7 @@ final class StringBuiltins {
         .needs("src", Type.STRING)
         .needs("index", Type.INT)
         .returns(Type.STRING)
+        .effect(Effect.COMPUTES)
         .does(StringBuiltins::at);
     builtins
         .declare("str_empty")
@@ -41,6 +43,7 @@ final class StringBuiltins {
         .doc("Whether the string has no bytes.")
         .needs("str", Type.STRING)
         .returns(Type.BOOL)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(call.text(0).isEmpty()));
     builtins
         .declare("str_find")
@@ -50,6 +53,7 @@ final class StringBuiltins {
         .needs("target", Type.STRING)
         .takes("start_from", Type.INT, Value.of(0))
         .returns(Type.INT)
+        .effect(Effect.COMPUTES)
         .does(StringBuiltins::find);
     builtins
         .declare("str_len")
@@ -57,6 +61,7 @@ final class StringBuiltins {
         .doc("The number of bytes of a string.")
         .needs("str", Type.STRING)
         .returns(Type.INT)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answerInt(call.text(0).length()));
     builtins
         .declare("str_sub")
@@ -66,6 +71,7 @@ final class StringBuiltins {
         .needs("index", Type.INT)
         .mayTake("len", Type.INT, Unit.NONE, "to end")
         .returns(Type.STRING)
+        .effect(Effect.COMPUTES)
         .does(StringBuiltins::sub);
   }
 
@@ -79,6 +85,7 @@ final class StringBuiltins {
         .needs("op1", Type.ANY)
         .needs("op2", Type.ANY)
         .returns(Type.STRING)
+        .effect(Effect.COMPUTES)
         .does(call -> answerLimited(call, convertible(call, 0).concat(convertible(call, 1))));
     builtins
         .declare("to_num")
@@ -88,6 +95,7 @@ final class StringBuiltins {
                 + " decimal point it is a float, otherwise an int.")
         .needs("str", Type.STRING)
         .returns(Type.NUMBER)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answer(NumberText.parse(call)));
     builtins
         .declare("to_str")
@@ -97,6 +105,7 @@ final class StringBuiltins {
                 + " with up to six decimals. More than 1023 characters are an error.")
         .needs("val", Type.ANY)
         .returns(Type.STRING)
+        .effect(Effect.COMPUTES)
         .does(call -> answerLimited(call, convertible(call, 0)));
   }
 

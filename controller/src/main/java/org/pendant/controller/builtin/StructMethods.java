@@ -1,6 +1,7 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Effect;
 import org.pendant.language.signature.Type;
 
 /** The methods of structs (manual 4.3.2). */
@@ -13,12 +14,14 @@ final class StructMethods {
         .manual("core", "4.3.2")
         .doc("The number of members.")
         .returns(Type.INT)
+        .effect(Effect.COMPUTES)
         .does(call -> call.answerInt(call.struct(0).length()));
     builtins
         .declareMethod(Type.STRUCT, "to_string")
         .manual("core", "4.3.2")
         .doc("The struct as text, shortened with ...} beyond 1023 characters.")
         .returns(Type.STRING)
+        .effect(Effect.COMPUTES)
         .does(StringBuiltins::toStringMethod);
   }
 }

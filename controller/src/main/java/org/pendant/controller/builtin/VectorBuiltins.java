@@ -2,6 +2,7 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.FloatValue;
 import org.pendant.controller.value.IntValue;
@@ -31,6 +32,7 @@ final class VectorBuiltins {
                 + " of a pose's six components. The result for an int is an int.")
         .needs("a", Type.ANY)
         .returns(Type.NUMBER)
+        .effect(Effect.COMPUTES)
         .does(VectorBuiltins::norm);
     builtins
         .declare("normalize")
@@ -38,6 +40,7 @@ final class VectorBuiltins {
         .doc("The vector of length 1 in the direction of v. It is an error when v is all zeros.")
         .needs("v", Type.LIST)
         .returns(Type.LIST)
+        .effect(Effect.COMPUTES)
         .does(VectorBuiltins::normalize);
     builtins
         .declare("rotvec2rpy")
@@ -47,6 +50,7 @@ final class VectorBuiltins {
                 + " axes x, y and z in this order.")
         .needs("rotation_vector", Type.LIST)
         .returns(Type.LIST)
+        .effect(Effect.COMPUTES)
         .does(VectorBuiltins::rollPitchYaw);
     builtins
         .declare("rpy2rotvec")
@@ -56,6 +60,7 @@ final class VectorBuiltins {
                 + " axes x, y and z in this order.")
         .needs("rpy_vector", Type.LIST)
         .returns(Type.LIST)
+        .effect(Effect.COMPUTES)
         .does(VectorBuiltins::rotationVector);
     builtins
         .declare("wrench_trans")
@@ -66,6 +71,7 @@ final class VectorBuiltins {
         .needs("T_from_to", Type.POSE)
         .needs("w_from", Type.LIST)
         .returns(Type.LIST)
+        .effect(Effect.COMPUTES)
         .does(VectorBuiltins::wrenchSeenFrom);
   }
 

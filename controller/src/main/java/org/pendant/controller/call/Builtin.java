@@ -11,9 +11,33 @@ import org.pendant.language.signature.Signature;
  * @param defaults the value of each parameter when the call leaves it out, in order; empty for
  *     required parameters and for those whose absence the code looks at itself ({@link Call#given})
  */
-public record Builtin(Signature signature, List<Optional<Value>> defaults, BuiltinCode code) {
+public record Builtin(
+    Signature signature, List<Optional<Value>> defaults, Effect effect, BuiltinCode code) {
   public Builtin {
     defaults = List.copyOf(defaults);
+  }
+
+  /** The same function as a call sees it that leaves out the arguments behind the first ones. */
+  public Builtin withFirst(int count) {
+    Signature shorter =
+        new Signature(
+            signature.module(),
+            signature.receiver(),
+            signature.name(),
+            signature.parameters().subList(0, count),
+            signature.result(),
+            signature.resultUnit(),
+            signature.section(),
+            signature.physicalTime(),
+            signature.allowedInSecondary(),
+            signature.deprecated(),
+            signature.documentation());
+    return new Builtin(shorter, defaults.subList(0, count), effect, code);
+  }
+
+  /** The same function with other code, for a thread that is run ahead. */
+  public Builtin doing(BuiltinCode other) {
+    return new Builtin(signature, defaults, effect, other);
   }
 
   public String name() {

@@ -18,6 +18,7 @@ import org.pendant.language.signature.Type;
 public final class Builtins implements Catalogue {
   private final Map<String, Builtin> functions = new LinkedHashMap<>();
   private final Map<Type, Map<String, Builtin>> methods = new EnumMap<>(Type.class);
+  private final Map<Type, AnyMethodCode> anyMethods = new EnumMap<>(Type.class);
 
   /** Starts the declaration of function {@code name}; {@link Declaration#does} ends it. */
   public Declaration declare(String name) {
@@ -30,6 +31,11 @@ public final class Builtins implements Catalogue {
    */
   public Declaration declareMethod(Type receiver, String name) {
     return new Declaration(this, Optional.of(receiver), name);
+  }
+
+  /** Has {@code code} do every method of {@code receiver} that is not declared. */
+  public void declareAnyMethod(Type receiver, AnyMethodCode code) {
+    anyMethods.put(receiver, code);
   }
 
   void add(Builtin builtin) {
@@ -50,6 +56,19 @@ public final class Builtins implements Catalogue {
 
   public Optional<Builtin> findMethod(Type receiver, String name) {
     return Optional.ofNullable(methods.getOrDefault(receiver, Map.of()).get(name));
+  }
+
+  /** The undeclared method {@code name} with {@code count} arguments. */
+  public Optional<Builtin> findAnyMethod(Type receiver, String name, int count) {
+    return Optional.ofNullable(anyMethods.get(receiver))
+        .map(
+            code -> {
+              Declaration declaration = new Declaration(this, Optional.of(receiver), name);
+              for (int i = 1; i <= count; i++) {
+                declaration.needs("argument " + i, Type.ANY);
+              }
+              return declaration.undeclared(call -> code.run(call, name, count));
+            });
   }
 
   @Override

@@ -65,7 +65,9 @@ public final class Call {
 
   /** Whether argument {@code index} was given or has a default. */
   public boolean given(int index) {
-    return registers.tags()[firstArgument + index] != Registers.UNASSIGNED;
+    int offset = builtin.signature().receiver().isPresent() ? 1 : 0;
+    return index < offset + builtin.signature().parameters().size()
+        && registers.tags()[firstArgument + index] != Registers.UNASSIGNED;
   }
 
   public Kind kind(int index) {

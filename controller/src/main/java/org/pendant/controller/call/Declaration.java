@@ -24,6 +24,7 @@ public final class Declaration {
   private String deprecated = "";
   private Type result = Type.NONE;
   private Unit resultUnit = Unit.NONE;
+  private Effect effect = Effect.CHANGES;
   private boolean physicalTime;
   private boolean allowedInSecondary = true;
 
@@ -95,6 +96,12 @@ public final class Declaration {
     return this;
   }
 
+  /** What it does beyond its answer; unless said it {@link Effect#CHANGES}. */
+  public Declaration effect(Effect what) {
+    effect = what;
+    return this;
+  }
+
   public Declaration notInSecondary() {
     allowedInSecondary = false;
     return this;
@@ -111,22 +118,27 @@ public final class Declaration {
     if (documentation.isBlank() || module.isBlank() || section.isBlank()) {
       throw new IllegalStateException(name + " has no documentation, module or section");
     }
-    owner.add(
-        new Builtin(
-            new Signature(
-                module,
-                receiver,
-                name,
-                parameters,
-                result,
-                resultUnit,
-                section,
-                physicalTime,
-                allowedInSecondary,
-                deprecated,
-                documentation),
-            defaults,
-            code));
+    owner.add(undeclared(code));
+  }
+
+  /** What was built up, without an entry in the catalogue. */
+  Builtin undeclared(BuiltinCode code) {
+    return new Builtin(
+        new Signature(
+            module,
+            receiver,
+            name,
+            parameters,
+            result,
+            resultUnit,
+            section,
+            physicalTime,
+            allowedInSecondary,
+            deprecated,
+            documentation),
+        defaults,
+        effect,
+        code);
   }
 
   private Declaration add(Parameter parameter, Optional<Value> defaultValue) {

@@ -22,6 +22,18 @@ public interface ProgramControl {
     return false;
   }
 
+  /**
+   * Tells that something is about to be sent to the outside, or asked for there.
+   *
+   * @throws ScriptError when this must not be
+   */
+  default void reachesOutside() throws ScriptError {}
+
+  /** Whether the program may wait, which must end within its frame where it may not. */
+  default boolean mayWait() {
+    return true;
+  }
+
   /** Pauses the program as the pause button does; script time stands still until resumed. */
   void pause();
 

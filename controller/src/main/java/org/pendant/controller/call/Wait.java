@@ -38,6 +38,14 @@ public non-sealed interface Wait extends Outcome {
   /** Answers {@link #wantsOutlook}: the moves that come next, as far as can be foreseen. */
   default void outlook(List<Move> next) {}
 
+  /**
+   * Whether it is for somebody outside, who lives by the wall clock: meanwhile robot time must not
+   * go faster than that.
+   */
+  default boolean outside() {
+    return false;
+  }
+
   /** The thread was killed or the program stopped; the wait is polled no more. */
   default void cancel() {}
 }

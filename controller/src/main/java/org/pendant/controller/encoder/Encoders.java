@@ -9,6 +9,15 @@ public final class Encoders {
 
   private final Encoder first = new Encoder();
   private final Encoder second = new Encoder();
+  private Counts counts = new Counts(0, 0);
+
+  /**
+   * What both count, as 32 bits with a sign.
+   *
+   * @param first of encoder 0
+   * @param second of encoder 1
+   */
+  public record Counts(int first, int second) {}
 
   /**
    * One of them.
@@ -27,5 +36,13 @@ public final class Encoders {
   public void step(DigitalIo io) {
     first.step(io);
     second.step(io);
+  }
+
+  /** What both count now; the same object until one changes. */
+  public Counts counts() {
+    if (first.rawCount() != counts.first() || second.rawCount() != counts.second()) {
+      counts = new Counts(first.rawCount(), second.rawCount());
+    }
+    return counts;
   }
 }

@@ -16,6 +16,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Wrench;
 
 /**
  * The arm is guided by hand (manual 15.18). Its drives hold the weight that the controller believes
@@ -39,6 +40,7 @@ public final class Freedrive {
   private final PayloadCheck payloadCheck;
   private final AxisLock lock;
   private final Resistance resistance;
+  private final SensedPush push;
   private final double[] q = new double[N];
   private final double[] qd = new double[N];
   private final double[] torqueNm = new double[N];
@@ -54,6 +56,8 @@ public final class Freedrive {
    * @param arm what the arm is made of
    * @param model masses of arm and declared payload, kept up to date by the caller
    * @param declared the payload that holds now
+   * @param felt what an external sensor feels beside what truly pushes the arm, at the flange along
+   *     the axes of the base
    * @param speeds knows how fast the arm may go
    */
   public record Setup(
@@ -61,6 +65,7 @@ public final class Freedrive {
       SimulatedArm guided,
       ArmDynamics model,
       Supplier<Payload> declared,
+      Supplier<Wrench> felt,
       SafetySystem safety,
       PathLimiter speeds,
       MotionControl motion) {}
@@ -74,6 +79,7 @@ public final class Freedrive {
     declared = setup.declared();
     payloadCheck = new PayloadCheck(arm);
     lock = new AxisLock(arm, setup.model());
+    push = new SensedPush(arm, setup.felt());
     resistance = new Resistance(arm, setup.speeds());
     measuredAtRad = guided.positionRad();
     state = new FreedriveState(mode, SingularityDistance.at(arm.dh(), measuredAtRad));
@@ -154,6 +160,7 @@ public final class Freedrive {
     guided.sensors().copyPositionRad(q);
     guided.sensors().copySpeedRadPerS(qd);
     Arrays.fill(torqueNm, 0);
+    push.add(q, torqueNm);
     lock.add(q, qd, torqueNm);
     double singularity =
         lock.locks() ? SingularityDistance.measure(arm.dh(), guided.positionRad()) : 1;

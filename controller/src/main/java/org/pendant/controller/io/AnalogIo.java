@@ -16,6 +16,9 @@ public final class AnalogIo {
   private AnalogLevels levels;
   private boolean stale;
 
+  /** The wires of the tool's inputs carry something else: the box reads the low ends. */
+  private boolean toolCutOff;
+
   /** What one signal is set to. */
   private static final class Channel {
     private AnalogDomain domain;
@@ -28,10 +31,6 @@ public final class AnalogIo {
 
     double value(AnalogDomain asked) {
       return asked == AnalogDomain.CURRENT ? currentA : voltageV;
-    }
-
-    AnalogSignal signal() {
-      return new AnalogSignal(value(domain), domain);
     }
   }
 
@@ -56,7 +55,9 @@ public final class AnalogIo {
    */
   public double value(AnalogBank bank, int index) {
     Channel channel = channel(bank, index);
-    return channel.value(channel.domain);
+    return toolCutOff && bank == AnalogBank.TOOL_IN
+        ? channel.domain.low()
+        : channel.value(channel.domain);
   }
 
   /**
@@ -105,6 +106,12 @@ public final class AnalogIo {
     }
   }
 
+  /** Disconnects the tool's inputs, or connects them again. */
+  void cutOffTool(boolean cutOff) {
+    stale |= cutOff != toolCutOff;
+    toolCutOff = cutOff;
+  }
+
   /** All signals now; the same object until one changes. */
   public AnalogLevels levels() {
     if (stale) {
@@ -116,11 +123,15 @@ public final class AnalogIo {
 
   private AnalogLevels snapshot() {
     return new AnalogLevels(
-        channel(AnalogBank.STANDARD_IN, 0).signal(),
-        channel(AnalogBank.STANDARD_IN, 1).signal(),
-        channel(AnalogBank.STANDARD_OUT, 0).signal(),
-        channel(AnalogBank.STANDARD_OUT, 1).signal(),
-        channel(AnalogBank.TOOL_IN, 0).signal(),
-        channel(AnalogBank.TOOL_IN, 1).signal());
+        signal(AnalogBank.STANDARD_IN, 0),
+        signal(AnalogBank.STANDARD_IN, 1),
+        signal(AnalogBank.STANDARD_OUT, 0),
+        signal(AnalogBank.STANDARD_OUT, 1),
+        signal(AnalogBank.TOOL_IN, 0),
+        signal(AnalogBank.TOOL_IN, 1));
+  }
+
+  private AnalogSignal signal(AnalogBank bank, int index) {
+    return new AnalogSignal(value(bank, index), channel(bank, index).domain);
   }
 }

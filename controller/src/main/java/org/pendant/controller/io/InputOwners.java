@@ -43,6 +43,12 @@ public final class InputOwners {
     return Optional.ofNullable(owners.get(signal));
   }
 
+  /** Whether {@code writer} may write a signal. */
+  public boolean mayWrite(String signal, String writer) {
+    String owner = owners.get(signal);
+    return owner == null || owner.equals(writer);
+  }
+
   /** Why {@code writer} must not write a signal; empty when it may. */
   public Optional<String> refusal(String signal, String writer) {
     return owner(signal)

@@ -1,7 +1,11 @@
 package org.pendant.controller.io;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
 
 /**
  * Outputs that follow what the program does (manual 19.6 to 19.10). An action holds, also after the
@@ -19,6 +23,8 @@ public final class RunStateOutputs {
   private final RunStateAction[] tool = preserved(SignalBank.TOOL_OUT.size());
   private final RunStateAction[] analogOut = preserved(AnalogBank.SIZE);
   private final RunStateAction[] booleans = preserved(RegisterKind.BOOLEAN.size());
+  private final List<Consumer<Function<RunStateAction, Optional<Boolean>>>> others =
+      new ArrayList<>();
   private boolean running;
   private boolean stoppedUnscheduled;
   private boolean powered;
@@ -74,7 +80,17 @@ public final class RunStateOutputs {
     now(action).ifPresent(level -> registers.setBool(address, level));
   }
 
-  private Optional<Boolean> now(RunStateAction action) {
+  /**
+   * Has outputs elsewhere follow as well.
+   *
+   * @param outputs told, whenever something happens, which level each action asks for
+   */
+  public void lead(Consumer<Function<RunStateAction, Optional<Boolean>>> outputs) {
+    others.add(outputs);
+  }
+
+  /** The level that an action which is chosen now asks for at once; none where it asks for none. */
+  public Optional<Boolean> now(RunStateAction action) {
     if (action == RunStateAction.HIGH_WITH_POWER || action == RunStateAction.LOW_WITH_POWER) {
       return level(action, Event.POWER);
     }
@@ -119,6 +135,7 @@ public final class RunStateOutputs {
       int address = i;
       level(booleans[i], event).ifPresent(level -> registers.setBool(address, level));
     }
+    others.forEach(each -> each.accept(action -> level(action, event)));
   }
 
   private void apply(Event event, SignalBank bank, RunStateAction[] actions) {

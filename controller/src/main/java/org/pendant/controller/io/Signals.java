@@ -48,6 +48,12 @@ public final class Signals {
     return tool;
   }
 
+  /** Sets up the serial line of the tool connector; while it is on, the analog inputs are off. */
+  public void setToolCommunication(ToolCommunication wanted) {
+    tool = tool.withCommunication(wanted);
+    analog.cutOffTool(wanted.enabled());
+  }
+
   /** What high levels of inputs do by themselves. */
   public InputActions actions() {
     return actions;

@@ -49,7 +49,8 @@ final class Compiler {
         scopes,
         linkage.definitions(),
         mainFunction(),
-        linkage.tables());
+        linkage.tables(),
+        linkage.labels());
   }
 
   /** The function that the last statement of a fragment calls. */

@@ -2,7 +2,6 @@ package org.pendant.controller.machine;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtin;
 import org.pendant.controller.call.Outcome;
@@ -15,15 +14,16 @@ import org.pendant.controller.value.Registers;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.StructValue;
 import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
 
 /**
  * Runs a copy of a thread ahead, to learn which moves come after the one that the thread waits for.
  *
  * <p>The copy computes with the values of now. Functions that answer from their arguments or tell
  * the state of the controller do what they always do; functions that only tell something to the
- * outside are passed over; at anything else the copy ends and nothing is known. What it finds is a
- * guess that shapes how fast a blend is approached; which move really comes is decided by the
- * thread itself.
+ * outside are passed over; at anything else the copy ends and nothing is known. {@link
+ * org.pendant.controller.call.Effect} has which is which. What it finds is a guess that shapes how
+ * fast a blend is approached; which move really comes is decided by the thread itself.
  */
 final class Foresight {
   /** Calls and turns of loops after which the copy gives up. */
@@ -32,38 +32,14 @@ final class Foresight {
   /** Moves that are foreseen at most. */
   private static final int MOST_MOVES = 24;
 
+  /** Interpreted lines that are looked at, which wait behind the one under way. */
+  private static final int MOST_LINES = 12;
+
   /** Registers of a program that is too large to copy for each blend. */
   private static final int MOST_REGISTERS = 20_000;
 
   /** Elements of lists and the like of a program that has too much data to copy for each blend. */
   private static final int MOST_ELEMENTS = 20_000;
-
-  private static final Set<String> COMPUTING = Set.of("urmath", "core");
-
-  /** They answer otherwise each time, or what is not yet so when the thread asks itself. */
-  private static final Set<String> NEVER = Set.of("random", "get_steptime");
-
-  /** The beginnings of such names: where the arm is, and what it feels. */
-  private static final List<String> OF_THE_ARM =
-      List.of("get_actual_", "get_target_", "get_tcp_force", "get_joint_torques", "is_steady");
-
-  /** Of these, what is right for the first move: the goal of the one that is under way. */
-  private static final String WAYPOINT = "get_target_waypoint";
-
-  /** They say something to the outside, which does not change what the thread does next. */
-  private static final List<String> TELLING =
-      List.of(
-          "textmsg",
-          "write_output_",
-          "set_standard_digital_out",
-          "set_configurable_digital_out",
-          "set_tool_digital_out",
-          "set_digital_out",
-          "set_standard_analog_out",
-          "set_flag",
-          "write_port_");
-
-  private static final List<String> ASKING = List.of("get_", "is_", "read_");
 
   private final ControlBox box;
   private ProgramRun known;
@@ -98,6 +74,11 @@ final class Foresight {
     }
 
     @Override
+    public void reachesOutside() throws ScriptError {
+      throw ended();
+    }
+
+    @Override
     public void pause() {}
 
     @Override
@@ -123,15 +104,20 @@ final class Foresight {
   }
 
   /** The moves that {@code thread} will ask for once its wait is over, up to one that stops. */
-  List<Move> after(ProgramRun run, ScriptThread thread) {
+  List<Move> after(ProgramRun run, ScriptThread thread, Interpreter interpreter) {
     Ahead ahead = new Ahead(run.frame());
     try {
-      if (run.registers().size() > MOST_REGISTERS || tooMuchData(run.registers())) {
+      int used = run.registers().size() - interpreter.keptRegisters();
+      if (used > MOST_REGISTERS || tooMuchData(run.registers())) {
         return List.of();
       }
       ProgramRun side = run.onTheSide(tables(run), box, ahead);
       ScriptThread worker = copy(thread, side.registers());
-      side.processor().execute(worker);
+      Interpreter.Preview lines = interpreter.preview(thread, Foresight::foreseeing);
+      Processor.Stop stop = side.processor().execute(worker);
+      for (int i = 0; i < MOST_LINES && stop == Processor.Stop.INTERPRETED; i++) {
+        stop = lines.next(side, worker) ? side.processor().execute(worker) : Processor.Stop.ENDED;
+      }
     } catch (ScriptError e) {
       // as far as it went; if the thread itself comes to fail there it will say so
     }
@@ -209,40 +195,30 @@ final class Foresight {
   }
 
   private static Builtin foreseeing(Builtin builtin) {
-    String name = builtin.name();
-    if (starts(name, TELLING)) {
-      return new Builtin(builtin.signature(), builtin.defaults(), call -> call.answer());
-    }
-    if (name.equals(WAYPOINT)) {
-      return beforeTheFirstMove(builtin);
-    }
-    boolean computes = COMPUTING.contains(builtin.signature().module()) || starts(name, ASKING);
-    boolean moves = name.startsWith("move") || name.startsWith("optimove");
-    boolean another = NEVER.contains(name) || starts(name, OF_THE_ARM);
-    if (moves || (computes && !builtin.signature().physicalTime() && !another)) {
-      return builtin;
-    }
-    return new Builtin(
-        builtin.signature(),
-        builtin.defaults(),
-        call -> {
-          throw ended();
-        });
+    return switch (builtin.effect()) {
+      case COMPUTES, ASKS, MOVES -> builtin;
+      case TELLS -> {
+        // who is told says at most that it was told, which is what mostly happens
+        boolean answers = builtin.signature().result() == Type.BOOL;
+        yield builtin.doing(call -> answers ? call.answer(true) : call.answer());
+      }
+      case ASKS_GOAL -> beforeTheFirstMove(builtin);
+      case CHANGES ->
+          builtin.doing(
+              call -> {
+                throw ended();
+              });
+    };
   }
 
+  /** What is right for the first move: the goal of the one that is under way. */
   private static Builtin beforeTheFirstMove(Builtin builtin) {
-    return new Builtin(
-        builtin.signature(),
-        builtin.defaults(),
+    return builtin.doing(
         call -> {
           if (call.program() instanceof Ahead ahead && ahead.next.isEmpty()) {
             return builtin.code().run(call);
           }
           throw ended();
         });
-  }
-
-  private static boolean starts(String name, List<String> beginnings) {
-    return beginnings.stream().anyMatch(name::startsWith);
   }
 }

@@ -13,6 +13,7 @@ import org.pendant.language.syntax.Expression.Index;
 import org.pendant.language.syntax.Expression.Member;
 import org.pendant.language.syntax.Expression.Name;
 import org.pendant.language.syntax.Statement.Assign;
+import org.pendant.language.syntax.Statement.Label;
 
 /**
  * One function while it is compiled: its code so far, what its names mean, and its slots.
@@ -86,6 +87,12 @@ final class FunctionContext {
 
   Linkage linkage() {
     return linkage;
+  }
+
+  /** The text has a label; one without a number says nothing. */
+  void label(Label label) {
+    int line = source.line(label.range().start());
+    label.number().ifPresent(number -> linkage.label(new ProgramLabel(line, number, label.text())));
   }
 
   /** The operand of a constant. */

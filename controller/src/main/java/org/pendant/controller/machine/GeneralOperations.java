@@ -1,6 +1,8 @@
 package org.pendant.controller.machine;
 
 import org.pendant.controller.call.Builtin;
+import org.pendant.controller.value.HandleValue;
+import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.NoneValue;
 import org.pendant.controller.value.Operators;
@@ -223,7 +225,13 @@ final class GeneralOperations {
   void getMember(ScriptFunction function, long w, int base) throws ScriptError {
     Value receiver = read(function, Instruction.b(w), base);
     String name = run.name(Instruction.index(Instruction.c(w)));
-    store(function, Instruction.a(w), base, Operators.member(receiver, name));
+    store(
+        function,
+        Instruction.a(w),
+        base,
+        receiver instanceof HandleValue handle
+            ? handle.member(name)
+            : Operators.member(receiver, name));
   }
 
   void setMember(ScriptFunction function, long w, int base) throws ScriptError {
@@ -279,6 +287,10 @@ final class GeneralOperations {
 
   /** The built-in method that method number {@code name} is for the receiver in {@code slot}. */
   Builtin method(int name, int slot) throws ScriptError {
+    if (registers.kind(slot) == Kind.HANDLE
+        && registers.objects()[slot] instanceof HandleValue handle) {
+      return run.methods().find(run.name(name), handle.type());
+    }
     return run.methods().find(run.name(name), registers.kind(slot));
   }
 

@@ -1,12 +1,14 @@
 package org.pendant.controller.machine;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.IdentityHashMap;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.call.Wait;
@@ -16,9 +18,7 @@ import org.pendant.controller.value.Value;
 import org.pendant.language.check.Checker;
 import org.pendant.language.check.FunctionScope;
 import org.pendant.language.parse.ParseResult;
-import org.pendant.language.parse.ScriptParser;
 import org.pendant.language.source.Diagnostic;
-import org.pendant.language.source.Source;
 import org.pendant.language.syntax.Script;
 import org.pendant.language.syntax.Statement.Definition;
 
@@ -45,7 +45,7 @@ public final class Interpreter {
     record Discarded(String reason) implements Reply {}
   }
 
-  private record Line(int id, Script script) {}
+  private record Line(int id, Script script, boolean clears) {}
 
   /** What {@code interpreter_mode()} waits for. */
   private final class Mode implements Wait {
@@ -66,7 +66,16 @@ public final class Interpreter {
   }
 
   private final Builtins builtins;
+  private final Consumer<String> warnings;
+  private final InterpreterJournal journal = new InterpreterJournal();
   private final Deque<Line> queue = new ArrayDeque<>();
+
+  /** How many of the lines that wait may clear what is before them. */
+  private int clearsQueued;
+
+  /** Whether the line that is being executed may do so. */
+  private boolean clearUnderWay;
+
   private Optional<ProgramRun> run = Optional.empty();
   private Optional<Mode> mode = Optional.empty();
   private boolean endRequested;
@@ -77,17 +86,20 @@ public final class Interpreter {
 
   // What the lines interpreted so far have added to the program.
   private FunctionScope checkedScope;
-  private FunctionScope linkedScope;
-  private Program.Tables tables;
-  private final IdentityHashMap<Definition, Integer> functionNumbers = new IdentityHashMap<>();
-  private StaticSlots statics = new StaticSlots();
+  private LineLinks links;
   private int firstStatic = -1;
   private int queuedBytes;
   private int resultSlot;
   private int newestThreadBefore;
 
-  Interpreter(Builtins builtins) {
+  /**
+   * Not in interpreter mode.
+   *
+   * @param warnings are told which accepted lines had to be dropped
+   */
+  Interpreter(Builtins builtins, Consumer<String> warnings) {
     this.builtins = builtins;
+    this.warnings = warnings;
   }
 
   void programStarted(ProgramRun started) {
@@ -99,18 +111,21 @@ public final class Interpreter {
     lastExecuted = 0;
     lastCleared = 0;
     firstStatic = -1;
+    clearUnderWay = false;
+    journal.add(new InterpreterEvent.ProgramStarted(started.program().name()));
     forget(started.program().scopes().mainScope());
   }
 
   void programEnded() {
     dropQueue();
+    clearUnderWay = false;
     mode = Optional.empty();
     run = Optional.empty();
   }
 
   /** The numbers of the functions that the program has by now. */
   IdentityHashMap<Definition, Integer> functionNumbers() {
-    return functionNumbers;
+    return links.functionNumbers();
   }
 
   /** The first static slot that neither the program nor interpreted lines use. */
@@ -145,6 +160,24 @@ public final class Interpreter {
     return queue.size();
   }
 
+  /**
+   * Whether lines that arrive now have to wait with their check: one before them may clear what
+   * they refer to (manual 13.4).
+   */
+  public boolean clearing() {
+    return mode.isPresent() && (clearUnderWay || clearsQueued > 0);
+  }
+
+  /** What has happened; any thread. */
+  public InterpreterJournal journal() {
+    return journal;
+  }
+
+  /** All of this at once. */
+  public InterpreterStatus status() {
+    return new InterpreterStatus(active(), lastExecuted, lastAccepted, lastCleared, unexecuted());
+  }
+
   /** Drops the lines whose execution has not begun (manual 13.6). */
   public void skip() {
     dropQueue();
@@ -156,6 +189,12 @@ public final class Interpreter {
    * @param text its bytes, one {@code char} each, without the line end
    */
   public Reply submit(String text) {
+    return submit(InterpretedLine.read(text));
+  }
+
+  /** As {@link #submit(String)}, for a line that has been read already. */
+  public Reply submit(InterpretedLine line) {
+    String text = line.text();
     if (run.isEmpty()) {
       return new Reply.Discarded("no program is running");
     }
@@ -163,11 +202,10 @@ public final class Interpreter {
       return new Reply.Discarded("more than " + MAX_QUEUED + " statements are waiting");
     }
     // a constant takes a byte and a separator at least, so the line cannot overflow its slots
-    if (statics.names().size() + (queuedBytes + text.length()) / 2 >= STATIC_SLOTS - 64) {
+    if (links.statics() + (queuedBytes + text.length()) / 2 >= STATIC_SLOTS - 64) {
       return new Reply.Discarded("interpreter mode is full, send clear_interpreter() first");
     }
-    Source source = Source.of("interpreter", text.getBytes(StandardCharsets.ISO_8859_1));
-    ParseResult parsed = ScriptParser.parseLine(source);
+    ParseResult parsed = line.parsed();
     List<Diagnostic> diagnostics = new ArrayList<>(parsed.diagnostics());
     if (diagnostics.stream().noneMatch(Diagnostic::isError)) {
       diagnostics.addAll(Checker.checkLine(parsed.script(), checkedScope, builtins));
@@ -178,8 +216,10 @@ public final class Interpreter {
     }
     checkedScope = checkedScope.extendedBy(parsed.script().statements());
     lastAccepted = lastAccepted == Integer.MAX_VALUE ? 1 : lastAccepted + 1;
-    queue.add(new Line(lastAccepted, parsed.script()));
+    queue.add(new Line(lastAccepted, parsed.script(), line.clears()));
+    clearsQueued += line.clears() ? 1 : 0;
     queuedBytes += text.length();
+    journal.add(new InterpreterEvent.Accepted(lastAccepted, lastExecuted, text));
     return new Reply.Acknowledged(lastAccepted);
   }
 
@@ -204,9 +244,7 @@ public final class Interpreter {
     }
     ScriptThread main = running.main();
     forget(main.functions[main.depth - 1].scope());
-    for (Line line : queue) {
-      checkedScope = checkedScope.extendedBy(line.script().statements());
-    }
+    checkQueue();
     Mode entered = new Mode(clearOnEnd);
     mode = Optional.of(entered);
     return entered;
@@ -241,6 +279,7 @@ public final class Interpreter {
    * A line was executed to its end: links the next one into {@code main}, or lets it wait for more.
    */
   boolean next(ScriptThread main) {
+    clearUnderWay = false;
     if (clearRequested) {
       clearRequested = false;
       clear(main);
@@ -257,65 +296,96 @@ public final class Interpreter {
     ProgramRun running = run.orElseThrow();
     Line line = queue.remove();
     queuedBytes -= line.script().source().text().length();
+    if (line.clears()) {
+      clearsQueued--;
+      clearUnderWay = true;
+    }
     lastExecuted = line.id();
-    ScriptFunction base = main.functions[main.depth - 1];
-    FunctionScope extended = linkedScope.extendedBy(line.script().statements());
-    List<String> variables = variables(base, extended);
-    List<String> before = variables(base, linkedScope);
-    int known = statics.names().size();
-    Linkage linkage = Linkage.after(tables, functionNumbers, statics);
-    ScriptFunction compiled =
-        Compiler.compileLine(
-            line.script().source(),
-            line.script().statements(),
-            extended,
-            variables,
-            builtins,
-            linkage);
-    linkedScope = extended;
-    tables = linkage.tables();
-    functionNumbers.putAll(linkage.definitions());
-    running.link(tables);
-    running.fill(statics, known);
-    running.pushLine(main, compiled, before.size());
+    links.link(running, main, line.script(), builtins, UnaryOperator.identity());
     return true;
   }
 
+  /** How many registers are kept for lines, most of them empty. */
+  int keptRegisters() {
+    return firstStatic < 0 ? 0 : STATIC_SLOTS;
+  }
+
+  /** Runs the lines that wait on the side, one after the other. */
+  interface Preview {
+    /**
+     * Lets a copy of the main thread, run in {@code side}, execute the next line that waits.
+     *
+     * @return false if there is none, or it may change what is known of those behind it
+     */
+    boolean next(ProgramRun side, ScriptThread main);
+  }
+
   /**
-   * The slots of an interpreted line: those of the function it runs in, temporaries included since
-   * the call of interpreter_mode stands among them, then the interpreter's own variables.
+   * The lines that wait now, for a copy of {@code thread}.
+   *
+   * @param as what becomes of the tables that the other run gets
    */
-  private List<String> variables(ScriptFunction base, FunctionScope scope) {
-    List<String> variables = new ArrayList<>(base.variables());
-    while (variables.size() < base.slotCount()) {
-      variables.add("");
+  Preview preview(ScriptThread thread, UnaryOperator<Program.Tables> as) {
+    if (mode.isEmpty() || queue.isEmpty() || endRequested || thread != run.orElseThrow().main()) {
+      return (side, main) -> false;
     }
-    List<String> locals = scope.locals();
-    variables.addAll(locals.subList(base.scope().locals().size(), locals.size()));
-    return variables;
+    LineLinks onTheSide = links.copy();
+    Iterator<Line> waiting = queue.iterator();
+    return (side, main) -> {
+      Optional<Line> line = waiting.hasNext() ? Optional.of(waiting.next()) : Optional.empty();
+      if (line.isEmpty() || line.get().clears()) {
+        return false;
+      }
+      onTheSide.link(side, main, line.get().script(), builtins, as);
+      return true;
+    };
   }
 
   private void dropQueue() {
     queue.clear();
     queuedBytes = 0;
+    clearsQueued = 0;
+  }
+
+  /** The lines that wait meet another scope than the one they were checked in. */
+  private void checkQueue() {
+    List<Line> waiting = List.copyOf(queue);
+    dropQueue();
+    for (Line line : waiting) {
+      Optional<Diagnostic> error =
+          Checker.checkLine(line.script(), checkedScope, builtins).stream()
+              .filter(Diagnostic::isError)
+              .findFirst();
+      if (error.isPresent()) {
+        warnings.accept(
+            "interpreter: statement " + line.id() + " is dropped: " + error.get().message());
+      } else {
+        checkedScope = checkedScope.extendedBy(line.script().statements());
+        queue.add(line);
+        clearsQueued += line.clears() ? 1 : 0;
+        queuedBytes += line.script().source().text().length();
+      }
+    }
   }
 
   private void clear(ScriptThread main) {
     lastCleared = lastExecuted;
+    journal.add(new InterpreterEvent.Cleared());
     run.orElseThrow().killStartedAfter(newestThreadBefore);
     forget(main.functions[main.depth - 1].scope());
-    for (Line line : queue) {
-      checkedScope = checkedScope.extendedBy(line.script().statements());
-    }
+    checkQueue();
   }
 
   private void leave(boolean clearOnEnd) {
     ScriptThread main = run.orElseThrow().main();
     mode = Optional.empty();
     endRequested = false;
+    clearUnderWay = false;
     if (clearOnEnd) {
       dropQueue();
       clear(main);
+    } else {
+      journal.add(new InterpreterEvent.Kept());
     }
   }
 
@@ -323,14 +393,14 @@ public final class Interpreter {
   private void forget(FunctionScope scope) {
     Program program = run.orElseThrow().program();
     checkedScope = scope;
-    linkedScope = scope;
-    tables = program.tables();
-    functionNumbers.clear();
-    functionNumbers.putAll(program.functionNumbers());
-    statics =
-        new StaticSlots(
-            Math.max(0, firstStatic),
-            firstStatic + STATIC_SLOTS - 1,
-            run.orElseThrow().globalSlots());
+    links =
+        new LineLinks(
+            scope,
+            program.tables(),
+            new IdentityHashMap<>(program.functionNumbers()),
+            new StaticSlots(
+                Math.max(0, firstStatic),
+                firstStatic + STATIC_SLOTS - 1,
+                run.orElseThrow().globalSlots()));
   }
 }

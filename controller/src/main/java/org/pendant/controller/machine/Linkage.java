@@ -1,6 +1,7 @@
 package org.pendant.controller.machine;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -18,6 +19,7 @@ final class Linkage {
   private final List<String> names;
   private final Map<String, Integer> nameNumbers = new HashMap<>();
   private final List<List<String>> nameLists;
+  private final List<ProgramLabel> labels = new ArrayList<>();
 
   Linkage() {
     this(
@@ -114,6 +116,16 @@ final class Linkage {
     }
     nameLists.add(List.copyOf(list));
     return nameLists.size() - 1;
+  }
+
+  void label(ProgramLabel label) {
+    labels.add(label);
+  }
+
+  /** The labels by their lines. */
+  List<ProgramLabel> labels() {
+    labels.sort(Comparator.comparingInt(ProgramLabel::line));
+    return labels;
   }
 
   Program.Tables tables() {

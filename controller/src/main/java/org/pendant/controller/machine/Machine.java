@@ -52,7 +52,7 @@ public final class Machine {
     this.box = box;
     foresight = new Foresight(box);
     this.translation = translation;
-    this.interpreter = new Interpreter(builtins);
+    this.interpreter = new Interpreter(builtins, box.log()::warning);
     box.log().placeBy(this::place);
   }
 
@@ -76,7 +76,7 @@ public final class Machine {
     pausing = false;
     arriving = false;
     state = ProgramState.RUNNING;
-    events.add(new ProgramEvent.Started(programName));
+    events.add(new ProgramEvent.Started(programName, program.labels()));
     sentry.programStarted();
   }
 
@@ -184,6 +184,7 @@ public final class Machine {
     failure = Optional.empty();
     run.orElseThrow().endAll();
     interpreter.programEnded();
+    box.outside().programEnded();
     state = ProgramState.STOPPED;
     pausing = false;
     arriving = false;
@@ -270,7 +271,7 @@ public final class Machine {
     }
     for (ScriptThread thread : running.threads()) {
       if (thread.state == ScriptThread.State.WAITING && thread.wait.wantsOutlook()) {
-        thread.wait.outlook(foresight.after(running, thread));
+        thread.wait.outlook(foresight.after(running, thread, interpreter));
       }
     }
   }
@@ -333,6 +334,21 @@ public final class Machine {
     return variableSlots;
   }
 
+  /** Whether a thread waits for somebody outside. */
+  public boolean waitsForOutside() {
+    if (state != ProgramState.RUNNING) {
+      return false;
+    }
+    List<ScriptThread> threads = run.orElseThrow().threads();
+    for (int i = 0; i < threads.size(); i++) {
+      ScriptThread thread = threads.get(i);
+      if (thread.state == ScriptThread.State.WAITING && thread.wait.outside()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Ends the running movej or movel of the main thread early (manual 13.5); false if none. */
   public boolean abortMove() {
     return state == ProgramState.RUNNING && run.orElseThrow().main().abortWait();
@@ -379,6 +395,23 @@ public final class Machine {
 
   /** A secondary program has no interpreter mode and nothing to pause. */
   private static final class SecondaryControl implements ProgramControl {
+    private boolean reachedOutside;
+
+    @Override
+    public void reachesOutside() throws ScriptError {
+      if (reachedOutside) {
+        throw new ScriptError(
+            "runtime-too-much-behind",
+            "Runtime is too much behind: a secondary program may send to the outside once");
+      }
+      reachedOutside = true;
+    }
+
+    @Override
+    public boolean mayWait() {
+      return false;
+    }
+
     @Override
     public long frame() {
       return 0;

@@ -14,6 +14,7 @@ import org.pendant.language.signature.Type;
 final class Methods {
   private final Builtins builtins;
   private final Map<Kind, Map<String, Builtin>> known = new EnumMap<>(Kind.class);
+  private final Map<Type, Map<String, Builtin>> ofHandles = new EnumMap<>(Type.class);
 
   Methods(Builtins builtins) {
     this.builtins = builtins;
@@ -33,29 +34,53 @@ final class Methods {
     Map<String, Builtin> table = known.computeIfAbsent(kind, k -> new HashMap<>());
     Builtin found = table.get(key);
     if (found == null) {
-      found = look(key, kind);
+      found =
+          look(key, receiver(kind).orElseThrow(() -> unknown(kind.text(), name(key))), kind.text());
       table.put(key, found);
     }
     return found;
   }
 
-  private Builtin look(String key, Kind kind) throws ScriptError {
-    String name = key.substring(0, key.lastIndexOf('/'));
+  /** As {@link #find(String, Kind)}, for a receiver that is a handle of {@code type}. */
+  Builtin find(String key, Type type) throws ScriptError {
+    Map<String, Builtin> table = ofHandles.computeIfAbsent(type, t -> new HashMap<>());
+    Builtin found = table.get(key);
+    if (found == null) {
+      found = look(key, type, type.text());
+      table.put(key, found);
+    }
+    return found;
+  }
+
+  private static String name(String key) {
+    return key.substring(0, key.lastIndexOf('/'));
+  }
+
+  private Builtin look(String key, Type type, String receiver) throws ScriptError {
+    String name = name(key);
     int count = Integer.parseInt(key.substring(name.length() + 1));
     Builtin method =
-        receiver(kind)
-            .flatMap(type -> builtins.findMethod(type, name))
-            .orElseThrow(
-                () ->
-                    new ScriptError(
-                        "unknown-method", "a " + kind.text() + " has no method " + name));
-    int expected = method.signature().parameters().size();
-    if (count != expected) {
+        builtins
+            .findMethod(type, name)
+            .or(() -> builtins.findAnyMethod(type, name, count))
+            .orElseThrow(() -> unknown(receiver, name));
+    int most = method.signature().parameters().size();
+    int least = method.signature().requiredCount();
+    if (count < least || count > most) {
       throw new ScriptError(
           "argument-count",
-          method.signature().head() + " takes " + expected + " arguments, not " + count);
+          method.signature().head()
+              + " takes "
+              + (least < most ? least + " to " + most : most)
+              + " arguments, not "
+              + count);
     }
-    return method;
+    return count < most ? method.withFirst(count) : method;
+  }
+
+  private static ScriptError unknown(String receiver, String name) {
+    String article = receiver.startsWith("e") ? "an " : "a ";
+    return new ScriptError("unknown-method", article + receiver + " has no method " + name);
   }
 
   private static Optional<Type> receiver(Kind kind) {

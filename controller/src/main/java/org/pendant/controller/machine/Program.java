@@ -25,6 +25,7 @@ public final class Program {
   private final IdentityHashMap<Definition, Integer> functionNumbers;
   private final OptionalInt mainFunction;
   private final Tables tables;
+  private final List<ProgramLabel> labels;
 
   /**
    * What instructions refer to by number.
@@ -66,7 +67,8 @@ public final class Program {
       Scopes scopes,
       IdentityHashMap<Definition, Integer> functionNumbers,
       OptionalInt mainFunction,
-      Tables tables) {
+      Tables tables,
+      List<ProgramLabel> labels) {
     this.name = name;
     this.source = source;
     this.secondary = secondary;
@@ -74,6 +76,7 @@ public final class Program {
     this.functionNumbers = functionNumbers;
     this.mainFunction = mainFunction;
     this.tables = tables;
+    this.labels = List.copyOf(labels);
   }
 
   /** The name on its {@code def} or {@code sec} line, or the file's for a fragment. */
@@ -88,6 +91,11 @@ public final class Program {
   /** Whether it is a secondary program (manual 12). */
   public boolean secondary() {
     return secondary;
+  }
+
+  /** The labels in it that have a number, by their lines. */
+  public List<ProgramLabel> labels() {
+    return labels;
   }
 
   /**

@@ -28,6 +28,9 @@ final class ProgramRun {
   /** Most threads alive at once; one more is a runtime error. */
   static final int MAX_THREADS = 200;
 
+  /** What programs keep in a variable that has no handle yet: as of a thread that has ended. */
+  private static final int NO_THREAD = 0;
+
   private final Program program;
   private final Registers registers;
   private final RegisterSegments segments;
@@ -304,7 +307,7 @@ final class ProgramRun {
   }
 
   private void checkHandle(String statement, int id) throws ScriptError {
-    if (id <= 0 || id >= newestThread) {
+    if (id < 0 || id >= newestThread) {
       throw new ScriptError(
           "unknown-thread", statement + ": " + id + " is not the handle of a thread");
     }
@@ -313,6 +316,9 @@ final class ProgramRun {
   /** Makes {@code thread} wait for thread {@code id}; false when that has ended already. */
   boolean join(ScriptThread thread, int id) throws ScriptError {
     checkHandle("join", id);
+    if (id == NO_THREAD) {
+      return false;
+    }
     if (killed.get(id)) {
       throw new ScriptError("unknown-thread", "join: thread " + id + " was killed");
     }
@@ -331,6 +337,9 @@ final class ProgramRun {
   /** Kills thread {@code id} and the threads it started; no effect when it has ended. */
   void kill(int id) throws ScriptError {
     checkHandle("kill", id);
+    if (id == NO_THREAD) {
+      return;
+    }
     thread(id).ifPresent(this::killTree);
     killed.set(id);
   }

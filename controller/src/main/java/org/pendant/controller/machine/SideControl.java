@@ -11,6 +11,16 @@ import org.pendant.controller.value.ScriptError;
  */
 record SideControl(long frame) implements ProgramControl {
   @Override
+  public void reachesOutside() throws ScriptError {
+    throw refused("the outside");
+  }
+
+  @Override
+  public boolean mayWait() {
+    return false;
+  }
+
+  @Override
   public void pause() {}
 
   @Override

@@ -71,7 +71,7 @@ final class StatementCompiler {
       case Statement.Kill kill -> expressions.handle(Op.KILL, kill.handle());
       case Statement.EnterCritical enter -> code.emit(Op.ENTER_CRITICAL, 0, 0, 0);
       case Statement.ExitCritical exit -> code.emit(Op.EXIT_CRITICAL, 0, 0, 0);
-      case Statement.Label label -> {}
+      case Statement.Label label -> context.label(label);
       case Statement.Definition definition -> {}
     }
   }

@@ -30,6 +30,15 @@ final class StaticSlots {
     this.globals = globals;
   }
 
+  /** The same slots, to which others can be added on the side. */
+  StaticSlots copy() {
+    StaticSlots copy = new StaticSlots(first, last, new HashMap<>(globals));
+    copy.constants.putAll(constants);
+    copy.names.addAll(names);
+    copy.values.addAll(values);
+    return copy;
+  }
+
   int first() {
     return first;
   }

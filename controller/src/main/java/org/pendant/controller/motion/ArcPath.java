@@ -133,6 +133,11 @@ final class ArcPath implements ToolWay {
   }
 
   @Override
+  public Headroom headroom() {
+    return headroom;
+  }
+
+  @Override
   public double fastestRate() {
     return caps().rate();
   }

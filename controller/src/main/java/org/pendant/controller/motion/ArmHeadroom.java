@@ -34,6 +34,9 @@ public final class ArmHeadroom {
   /** A joint that can hardly hold itself is still given this share of its torque to move. */
   private static final double LEAST_SHARE = 0.05;
 
+  /** Acceleration (rad/s² or m/s²) that needs no look at the joints: all arms can do that. */
+  private static final double MODEST_PER_S2 = 3;
+
   /** Share of a wrench limit that is used: the path is not looked at everywhere. */
   private static final double WRENCH_SHARE = 0.95;
 
@@ -41,6 +44,7 @@ public final class ArmHeadroom {
   private static final double BENDING_SHARE = 0.5;
 
   private static final int HALVINGS = 30;
+  private static final int RAMP_HALVINGS = 12;
   private static final int N = Joints.COUNT;
   private static final double[] REST = new double[N];
 
@@ -60,6 +64,13 @@ public final class ArmHeadroom {
   private final double[][] wrenchPerSquare = new double[POINTS][Pose.SIZE];
   private final double[][] wrenchPerRate2 = new double[POINTS][Pose.SIZE];
   private final double[] still = new double[Pose.SIZE];
+  private final double[] ofPath = new double[Pose.SIZE];
+  private final double[] ofRamp = new double[Pose.SIZE];
+  private final double[] ofLastPath = new double[Pose.SIZE];
+  private final double[] ofLastRamp = new double[Pose.SIZE];
+  private final double[] torque = new double[N];
+  private final double[] limits = new double[Pose.SIZE];
+  private double[] frame = new double[0];
 
   private Payload payload = Payload.NONE;
   private Optional<ToolWrenchLimit> wrenchLimit = Optional.empty();
@@ -92,6 +103,12 @@ public final class ArmHeadroom {
   /** Limits what the payload does to the tool from now on; empty for not any more. */
   public void setToolWrenchLimit(Optional<ToolWrenchLimit> limit) {
     wrenchLimit = limit;
+    if (limit.isPresent()) {
+      frame = limit.get().transform();
+      for (int i = 0; i < Pose.SIZE; i++) {
+        limits[i] = limit.get().limits().get(i);
+      }
+    }
   }
 
   /** The limit on what the payload does to the tool. */
@@ -107,29 +124,131 @@ public final class ArmHeadroom {
    * @param asked speed that the move asks for, per s; infinite if it asks for none
    */
   public Headroom share(double speedShare, double accelerationShare, double asked) {
-    return (length, points) -> {
-      if (length == 0) {
-        return PathCaps.NONE;
+    return new OfArm() {
+      @Override
+      PathCaps found(double length) {
+        double rate = fastest();
+        double rate2 = accelerationShare * strongest(length, rate);
+        return wrenchKept(new PathCaps(speedShare * rate, rate2), asked);
       }
-      look(length, points);
-      double rate = fastest();
-      double rate2 = accelerationShare * strongest(length, rate);
-      return wrenchKept(new PathCaps(speedShare * rate, rate2), asked);
     };
   }
 
-  /** For a move whose limits the program answers for: only the tool's wrench counts. */
-  public Headroom asAsked(double asked) {
-    if (wrenchLimit.isEmpty()) {
+  /**
+   * For a move whose limits the program answers for: only its acceleration is kept within what the
+   * joints can do, and the tool's wrench within its limits.
+   *
+   * @param limits that the move asks for
+   */
+  public Headroom asAsked(MoveLimits limits) {
+    boolean modest = !limits.timed() && limits.acceleration() <= MODEST_PER_S2;
+    if (modest && wrenchLimit.isEmpty()) {
       return Headroom.UNLIMITED;
     }
-    return (length, points) -> {
+    double asked = limits.timed() ? Double.POSITIVE_INFINITY : limits.speed();
+    return new OfArm() {
+      @Override
+      PathCaps found(double length) {
+        double rate2 =
+            modest ? Double.POSITIVE_INFINITY : strongest(length, Math.min(asked, fastest()));
+        return wrenchKept(new PathCaps(Double.POSITIVE_INFINITY, rate2), asked);
+      }
+    };
+  }
+
+  /** Looks along a path with the model of this arm. */
+  private abstract class OfArm implements Headroom {
+    /** What the points show that have been looked at. */
+    abstract PathCaps found(double length);
+
+    @Override
+    public PathCaps over(double length, Points points) {
       if (length == 0) {
         return PathCaps.NONE;
       }
       look(length, points);
-      return wrenchKept(PathCaps.NONE, asked);
-    };
+      return found(length);
+    }
+
+    @Override
+    public boolean limitsWrench() {
+      return wrenchLimit.isPresent();
+    }
+
+    @Override
+    public double wrenchShare(MotionSample own) {
+      double share = 0;
+      if (wrenchLimit.isPresent()) {
+        findWrenches(own);
+        for (int i = 0; i < Pose.SIZE; i++) {
+          share = Math.max(share, Math.abs(ofPath[i]) / (WRENCH_SHARE * limits[i]));
+        }
+      }
+      return share;
+    }
+  }
+
+  /** What the motion of a point does to the tool, and what a change of its speed adds. */
+  private void findWrenches(MotionSample own) {
+    dynamics.inverse(own.position, REST, REST, torque);
+    wrench(still, REST);
+    dynamics.inverse(own.position, REST, own.speed, torque);
+    wrench(ofRamp, still);
+    dynamics.inverse(own.position, own.speed, own.acceleration, torque);
+    wrench(ofPath, still);
+  }
+
+  /**
+   * The scaling of a motion's time that comes nearest to what is wanted within a frame and keeps
+   * the tool's wrench within its limits: by a scaling s that changes by s' the joints accelerate by
+   * {@code s² q'' + s' q'}, and the wrench is linear in that. Allocates nothing.
+   *
+   * @param last where the frame begins, in the motion's own time
+   * @param own where it leads to
+   * @param before the scaling of the frame before
+   * @param wanted the scaling to come to
+   */
+  public double reachableScaling(
+      MotionSample last, MotionSample own, double before, double wanted) {
+    if (wrenchLimit.isEmpty() || before == wanted) {
+      return wanted;
+    }
+    findWrenches(last);
+    System.arraycopy(ofPath, 0, ofLastPath, 0, Pose.SIZE);
+    System.arraycopy(ofRamp, 0, ofLastRamp, 0, Pose.SIZE);
+    findWrenches(own);
+    double reachable = before;
+    double beyond = wanted;
+    if (keepsWrench(before, wanted)) {
+      return wanted;
+    }
+    for (int n = 0; n < RAMP_HALVINGS; n++) {
+      double middle = 0.5 * (reachable + beyond);
+      if (keepsWrench(before, middle)) {
+        reachable = middle;
+      } else {
+        beyond = middle;
+      }
+    }
+    return reachable;
+  }
+
+  /** Whether the scaling may change so within a frame, in which both points may mix. */
+  private boolean keepsWrench(double before, double after) {
+    double least = Math.min(before, after);
+    double highest = Math.max(before, after);
+    double perS = (after - before) / FrameTime.FRAME_S;
+    boolean keeps = true;
+    for (int i = 0; keeps && i < Pose.SIZE; i++) {
+      double high = Math.max(ofPath[i], ofLastPath[i]);
+      double low = Math.min(ofPath[i], ofLastPath[i]);
+      high *= high > 0 ? highest * highest : least * least;
+      low *= low < 0 ? highest * highest : least * least;
+      high += Math.max(perS * ofRamp[i], perS * ofLastRamp[i]);
+      low += Math.min(perS * ofRamp[i], perS * ofLastRamp[i]);
+      keeps = Math.max(high, -low) <= WRENCH_SHARE * limits[i];
+    }
+    return keeps;
   }
 
   private void look(double length, Headroom.Points points) {
@@ -156,7 +275,7 @@ public final class ArmHeadroom {
   private void wrench(double[] wrench, double[] less) {
     if (wrenchLimit.isPresent()) {
       dynamics.flangeMotion().loadOf(payload, wrench);
-      wrenchLimit.get().carry(wrench);
+      ToolWrenchLimit.carry(wrench, frame);
       for (int i = 0; i < Pose.SIZE; i++) {
         wrench[i] -= less[i];
       }

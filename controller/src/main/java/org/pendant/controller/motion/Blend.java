@@ -1,6 +1,5 @@
 package org.pendant.controller.motion;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.function.DoublePredicate;
 import org.pendant.controller.motion.profile.ProfileLimits;
@@ -20,47 +19,47 @@ final class Blend {
   /** Room for rounding in comparisons. */
   private static final double ROUNDING = 1 + 1e-9;
 
-  private final PathMotion leaving;
   private final MotionPath before;
   private final MotionPath after;
+  private final Move leaving;
   private final Move move;
 
-  /** The way left on the first path where it is left, and how fast it goes there. */
+  /** The way left on the first path where it is left. */
   private final double left;
-
-  private final double rate;
-
-  /** How long the blend takes, s. */
-  private final double lastsS;
 
   /** How far behind the waypoint the blend may end, and before the goal the next may begin. */
   private final double mostEntered;
 
   private final double nextLeft;
   private final boolean overlaps;
+  private final Bend bend;
 
+  private boolean directionsKnown;
   private final double[] directionBefore = new double[N];
   private final double[] directionAfter = new double[N];
 
   /** Joint accelerations that the two moves themselves use here, rad/s². */
   private final double[] allowed = new double[N];
 
-  Blend(PathMotion leaving, MotionPath after, Move move) throws ScriptError {
+  /**
+   * A blend.
+   *
+   * @param left how far before its end the first path may be left
+   * @param leaving the move on it
+   */
+  Blend(MotionPath before, double left, Move leaving, MotionPath after, Move move) {
+    this.before = before;
+    this.left = left;
     this.leaving = leaving;
     this.after = after;
     this.move = move;
-    before = leaving.path();
-    left = before.length() - leaving.handOverAt();
-    rate = leaving.handOverRate();
-    lastsS = 2 * left / rate;
-    double entered = after.lengthWithinBegin(leaving.move().blendRadiusM());
+    bend = Bend.between(leaving, move);
+    double entered = after.lengthWithinBegin(leaving.blendRadiusM());
     double ending = move.blendRadiusM() > 0 ? after.lengthWithinEnd(move.blendRadiusM()) : 0;
     overlaps = entered + ending > after.length();
     double share = overlaps ? after.length() / (entered + ending) : 1;
     mostEntered = share * entered;
     nextLeft = share * ending;
-    direction(before, leaving.handOverAt(), directionBefore);
-    direction(after, 0, directionAfter);
   }
 
   /** Joint speeds for a rate of 1. */
@@ -83,17 +82,48 @@ final class Blend {
     return overlaps;
   }
 
+  /** How far behind the waypoint it may end. */
+  double mostEntered() {
+    return mostEntered;
+  }
+
+  /** How far before the goal of the new move the one after it may take over. */
+  double nextLeft() {
+    return nextLeft;
+  }
+
+  /** How long it takes when it begins at a rate, s. */
+  double lastsS(double rate) {
+    return 2 * left / rate;
+  }
+
+  /** Where on the new path it ends. */
+  double entered(double rate, double exit) {
+    return Math.min(mostEntered, 0.5 * exit * lastsS(rate));
+  }
+
   /**
-   * The rest of the first move, the blend, and the new move.
-   *
-   * @param leavingS where the first move is, s in its own time
+   * How much sooner the new move comes as far than from rest in the waypoint, less the time for the
+   * blend itself, s.
    */
-  Motion join(double leavingS, List<Move> outlook) throws ScriptError {
-    double entry = entryRate(outlook);
-    double entered = Math.min(mostEntered, 0.5 * entry * lastsS);
-    Motion blend = sameTool() ? throughToolSpace(entered, entry) : throughJoints(entered, entry);
-    PathMotion rest = MovePlanner.along(after, entered, entry, move, nextLeft, outlook);
-    return new JoinedMotion(leaving, leavingS, blend, rest);
+  double gainedS(double rate, double exit, Onward onward) throws ScriptError {
+    return onward.gainedS(entered(rate, exit), exit) - lastsS(rate);
+  }
+
+  /** The way from one path to the next. */
+  Motion between(double rate, double exit) throws ScriptError {
+    double entered = entered(rate, exit);
+    return sameTool() ? throughToolSpace(rate, entered, exit) : throughJoints(rate, entered, exit);
+  }
+
+  /**
+   * Whether both paths are of one kind, so that what the blend needs is known beforehand. A line on
+   * which the joints are the limit says nothing about another one.
+   */
+  boolean alike() {
+    return sameTool()
+        ? !leaving.limitedByArm(before) && !move.limitedByArm(after)
+        : (before instanceof JointLine && after instanceof JointLine);
   }
 
   private boolean sameTool() {
@@ -102,33 +132,56 @@ final class Blend {
         && before.tcpInFlange().equals(after.tcpInFlange());
   }
 
+  private double strongest(Onward onward) {
+    return Math.max(onward.limits().acceleration(), leavingAcceleration());
+  }
+
+  /** Whether it needs no more acceleration than the moves themselves may use. */
+  boolean gentle(double rate, double exit, Onward onward) {
+    return bend(rate, exit, strongest(onward)) <= ROUNDING;
+  }
+
   /** The highest rate on the new path that the blend can come out with. */
-  private double entryRate(List<Move> outlook) throws ScriptError {
-    ProfileLimits limits = move.limits(after, move.blendRadiusM() > 0 ? 0 : 1);
-    double strongest = Math.max(limits.acceleration(), leavingAcceleration());
-    for (int i = 0; i < N; i++) {
-      allowed[i] =
-          Math.max(
-              Math.abs(directionBefore[i]) * leavingAcceleration(),
-              Math.abs(directionAfter[i]) * limits.acceleration());
+  double exit(double rate, Onward onward) throws ScriptError {
+    ProfileLimits limits = onward.limits();
+    double strongest = strongest(onward);
+    if (!sameTool()) {
+      findDirections(limits);
     }
-    double end =
-        move.blendRadiusM() > 0 ? Corner.entryRate(after, nextLeft, limits, move, outlook) : 0;
-    double most = Math.min(limits.speed(), 2 * mostEntered / lastsS);
-    double gentlest = gentlest(most, strongest);
-    double bent = highest(gentlest, most, entry -> bend(entry, strongest) <= ROUNDING);
-    double slow = highest(0, bent, entry -> slowsDown(entry, end, limits));
+    double most = Math.min(limits.speed(), 2 * mostEntered / lastsS(rate));
+    double gentlest = gentlest(rate, most, strongest);
+    double bent = highest(gentlest, most, exit -> bend(rate, exit, strongest) <= ROUNDING);
+    double slow = bent;
+    if (!slowsDown(rate, bent, 0, limits)) {
+      // only now what comes later makes a difference
+      double end = onward.end();
+      slow = highest(0, bent, exit -> slowsDown(rate, exit, end, limits));
+    }
     // where the arm comes too fast for both, it rather brakes harder behind the corner
-    return bend(slow, strongest) <= ROUNDING ? slow : Math.max(slow, gentlest);
+    return bend(rate, slow, strongest) <= ROUNDING ? slow : Math.max(slow, gentlest);
+  }
+
+  private void findDirections(ProfileLimits limits) throws ScriptError {
+    if (!directionsKnown) {
+      directionsKnown = true;
+      direction(before, before.length() - left, directionBefore);
+      direction(after, 0, directionAfter);
+      for (int i = 0; i < N; i++) {
+        allowed[i] =
+            Math.max(
+                Math.abs(directionBefore[i]) * leavingAcceleration(),
+                Math.abs(directionAfter[i]) * limits.acceleration());
+      }
+    }
   }
 
   /** The rate on the new path that needs the least acceleration in the blend. */
-  private double gentlest(double most, double strongest) {
+  private double gentlest(double rate, double most, double strongest) {
     double low = 0;
     double high = most;
     for (int i = 0; i < HALVINGS; i++) {
       double third = (high - low) / 3;
-      if (bend(low + third, strongest) <= bend(high - third, strongest)) {
+      if (bend(rate, low + third, strongest) <= bend(rate, high - third, strongest)) {
         high -= third;
       } else {
         low += third;
@@ -155,31 +208,31 @@ final class Blend {
     return low;
   }
 
-  private boolean slowsDown(double entry, double end, ProfileLimits limits) {
-    double free = after.length() - nextLeft - 0.5 * entry * lastsS;
+  private boolean slowsDown(double rate, double entry, double end, ProfileLimits limits) {
+    double free = after.length() - nextLeft - 0.5 * entry * lastsS(rate);
     return free >= 0 && entry <= limits.fastestBegin(free, Math.min(end, entry)) * ROUNDING;
   }
 
   private double leavingAcceleration() {
-    return leaving.move().limits(before, 1).acceleration();
+    return leaving.limits(before, 1).acceleration();
   }
 
   /**
    * The acceleration that the blend needs when it ends with a rate, as a share of what the moves
    * themselves may use; convex in the rate.
    */
-  private double bend(double entry, double strongest) {
-    double peak = Math.max(move.peakOverMean(), leaving.move().peakOverMean()) / lastsS;
-    return peak * (sameTool() ? toolStep(entry) / strongest : jointStep(entry));
+  private double bend(double rate, double entry, double strongest) {
+    double step = sameTool() ? toolStep(rate, entry) / strongest : jointStep(rate, entry);
+    return bend.strength(step, lastsS(rate));
   }
 
   /** By how much the blend changes the tool's velocity, m/s; turning counts as on a path. */
-  private double toolStep(double entry) {
+  private double toolStep(double rate, double entry) {
     return rate * ((ToolPath) before).bendInto((ToolPath) after, entry / rate);
   }
 
   /** By how much it changes the speeds of the joints, each as a share of what it may per second. */
-  private double jointStep(double entry) {
+  private double jointStep(double rate, double entry) {
     double largest = 0;
     for (int i = 0; i < N; i++) {
       double step = Math.abs(entry * directionAfter[i] - rate * directionBefore[i]);
@@ -190,34 +243,34 @@ final class Blend {
     return largest;
   }
 
-  private Motion throughJoints(double entered, double entry) throws ScriptError {
-    MotionSample from = sampled(before, leaving.handOverAt(), rate);
+  private Motion throughJoints(double rate, double entered, double entry) throws ScriptError {
+    MotionSample from = sampled(before, before.length() - left, rate);
     MotionSample to = sampled(after, entered, entry);
-    return JointBlend.between(from, to, lastsS, move.smooth(), after.waypoint());
+    return JointBlend.between(from, to, lastsS(rate), bend.smooth(), after.waypoint());
   }
 
   /** A corner of two lines: positions and turns in it are relative to the waypoint. */
-  private Motion throughToolSpace(double entered, double entry) {
+  private Motion throughToolSpace(double rate, double entered, double entry) {
     Pose corner = before.waypoint();
     double[] from = new double[Pose.SIZE];
     double[] fromSpeed = new double[Pose.SIZE];
     double[] to = new double[Pose.SIZE];
     double[] toSpeed = new double[Pose.SIZE];
-    place(((ToolPath) before).line().at(leaving.handOverAt() / before.length()), corner, from);
+    place(((ToolPath) before).line().at(1 - left / before.length()), corner, from);
     place(((ToolPath) after).line().at(entered / after.length()), corner, to);
     for (int i = 0; i < Pose.SIZE; i++) {
       double start = i < 3 ? corner.get(i) : 0;
       fromSpeed[i] = (start - from[i]) * rate / left;
       toSpeed[i] = entered == 0 ? 0 : (to[i] - start) * entry / entered;
     }
-    Hermite way = Hermite.of(from, fromSpeed, to, toSpeed, lastsS, move.smooth());
+    Hermite way = Hermite.of(from, fromSpeed, to, toSpeed, lastsS(rate), bend.smooth());
     ToolPathFollower follower =
         new ToolPathFollower(
             ((ToolPath) before).arm(),
             new ToolBlend(way, corner),
             before.tcpInFlange(),
             after.begin());
-    return new ToolBlendMotion(follower, lastsS, after.waypoint());
+    return new ToolBlendMotion(follower, lastsS(rate), after.waypoint());
   }
 
   /** Position in the base frame, and rotation vector from the corner's orientation, in its axes. */

@@ -2,6 +2,7 @@ package org.pendant.controller.motion;
 
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.motion.profile.Profile;
 import org.pendant.controller.motion.profile.ProfileLimits;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.Joints;
@@ -9,38 +10,71 @@ import org.pendant.models.arm.Joints;
 /**
  * How fast a waypoint may be approached when it is known how the path leads on behind it: what the
  * blend there can take up, and slow enough for the arm to keep to all the corners behind and to
- * come to rest at the end. Paths of different kinds, or of different TCPs, cannot be compared; then
- * nothing is gained by knowing.
+ * come to rest at the end. Where that takes longer than a stop the arm slows down to one instead,
+ * and so it does between paths of different kinds or of different TCPs: there the next move begins
+ * before the first one rests ({@link Overlap}).
  */
 final class Corner {
-  private final MotionPath before;
+  /** What going through a corner may cost over a stop there, s; rounding aside. */
+  private static final double MOST_LOST_S = 1e-9;
+
+  /** Room for rounding in comparisons of rates. */
+  private static final double ROUNDING = 1 + 1e-6;
+
+  private final Start start;
   private final MotionPath after;
   private final double left;
   private final ProfileLimits limits;
   private final Move move;
   private final Move next;
+  private final Blend blend;
+  private final Onward onward;
 
-  /** How much of the next path lies in the sphere of this corner, and of the one after it. */
-  private final double entered;
+  /** Where a move begins that leads to a corner, and how fast. */
+  record Start(MotionPath path, double at, double rate) {
+    /** The fastest law that ends in the waypoint at rest. */
+    Profile toRest(Move move) {
+      return at == 0 && rate == 0
+          ? move.restToRest(path)
+          : move.limits(path, 1).between(path.length() - at, rate, 0);
+    }
 
-  private final double ending;
+    boolean canRest(ProfileLimits limits) {
+      return rate <= limits.fastestBegin(path.length() - at, 0) * ROUNDING;
+    }
+  }
 
-  private Corner(MotionPath before, double left, ProfileLimits limits, Move move, Move next)
-      throws ScriptError {
-    this.before = before;
+  /**
+   * How a corner is approached.
+   *
+   * @param rate the highest where the next move may take over
+   * @param rests whether it is quicker, or as well, to slow down to rest in the waypoint
+   */
+  record Approach(double rate, boolean rests) {}
+
+  private Corner(
+      Start start,
+      double left,
+      ProfileLimits limits,
+      Move move,
+      MotionPath after,
+      Move next,
+      List<Move> further) {
+    this.start = start;
     this.left = left;
     this.limits = limits;
     this.move = move;
+    this.after = after;
     this.next = next;
-    after = next.route().from(before.end());
-    entered = after.lengthWithinBegin(move.blendRadiusM());
-    ending = next.blendRadiusM() > 0 ? after.lengthWithinEnd(next.blendRadiusM()) : 0;
+    blend = new Blend(start.path, left, move, after, next);
+    onward = new Onward(after, next, blend.nextLeft(), further);
   }
 
   /** Whether the next move leads nowhere, or motion version 1 will not make it. */
   private boolean leavesNextOut() {
-    boolean overlaps = ending > 0 && entered + ending > after.length();
-    return after.length() == 0 ? next.blendRadiusM() > 0 : overlaps && next.leftOutOnOverlap();
+    return after.length() == 0
+        ? next.blendRadiusM() > 0
+        : blend.overlaps() && next.leftOutOnOverlap();
   }
 
   /**
@@ -53,58 +87,84 @@ final class Corner {
   static double entryRate(
       MotionPath path, double left, ProfileLimits limits, Move move, List<Move> outlook)
       throws ScriptError {
+    Approach approach = approach(new Start(path, 0, 0), left, limits, move, outlook);
+    return approach.rests ? limits.fastestBegin(left, 0) : approach.rate;
+  }
+
+  /** How a corner is approached by a move that begins somewhere on its path. */
+  static Approach approach(
+      Start start, double left, ProfileLimits limits, Move move, List<Move> outlook)
+      throws ScriptError {
     double anyway = whateverComes(left, limits, move);
+    boolean wrench = start.path.headroom().limitsWrench();
     for (int i = 0; i < outlook.size(); i++) {
       Move next = outlook.get(i);
       if (!next.mayFollow(move)) {
-        return limits.fastestBegin(left, 0);
+        return new Approach(0, true);
       }
-      Corner corner = new Corner(path, left, limits, move, next);
-      Optional<ProcessCorner> round = ProcessCorner.between(path, move, left, corner.after, next);
+      List<Move> further = outlook.subList(i + 1, outlook.size());
+      MotionPath after = next.route().from(start.path.end());
+      Optional<ProcessCorner> round =
+          ProcessCorner.between(start.path, move, left, after, next, further);
       if (round.isPresent()) {
-        double rate = round.get().entryRate(limits, outlook.subList(i + 1, outlook.size()));
-        return rate > 0 ? rate : anyway;
+        return round.get().approach(start, limits);
       }
+      if (wrench) {
+        return new Approach(0, true);
+      }
+      Corner corner = new Corner(start, left, limits, move, after, next, further);
       if (!corner.leavesNextOut()) {
-        return Math.max(anyway, corner.known(outlook.subList(i + 1, outlook.size())));
+        return corner.approach(anyway);
       }
     }
-    return anyway;
+    return new Approach(anyway, wrench && start.canRest(limits));
+  }
+
+  private Approach approach(double anyway) throws ScriptError {
+    if (!blend.alike() || after.length() == 0) {
+      return new Approach(0, true);
+    }
+    double rate = Math.max(anyway, known());
+    return new Approach(rate, !quicker(rate));
+  }
+
+  /** Whether a way through takes no longer than a stop; a duration asked for is kept anyway. */
+  private boolean quicker(double highest) throws ScriptError {
+    if (!start.canRest(limits) || move.limits().timed() || next.limits().timed()) {
+      return true;
+    }
+    double way = start.path.length() - left - start.at;
+    double rate = Math.min(highest, limits.fastestEnd(way, start.rate));
+    if (rate >= limits.fastestBegin(left, 0)) {
+      // a stop would take longer to the waypoint than the whole blend does
+      return true;
+    }
+    double exit = blend.exit(rate, onward);
+    double throughS =
+        limits.between(way, start.rate, rate).durationS() - blend.gainedS(rate, exit, onward);
+    return throughS <= start.toRest(move).durationS() + MOST_LOST_S;
   }
 
   /** The rate that every next move can be blended from; without one the arm can stop. */
   private static double whateverComes(double left, ProfileLimits limits, Move move) {
-    double anyCorner = Math.sqrt(limits.acceleration() * left / move.peakOverMean());
+    double anyCorner = new Bend(move.jerkRampS()).highestRate(left, 2 / limits.acceleration());
     return Math.min(anyCorner, limits.fastestBegin(left, 0));
   }
 
-  private double known(List<Move> further) throws ScriptError {
-    if (!comparable() || after.length() == 0) {
-      return 0;
-    }
-    double share = Math.min(1, after.length() / (entered + ending));
-    ProfileLimits onward = next.limits(after, next.blendRadiusM() > 0 ? 0 : 1);
+  private double known() throws ScriptError {
     double most = limits.speed();
-    double keeps = Math.min(1, Math.min(onward.speed() / most, share * entered / left));
-    double bend = bend(keeps, onward.acceleration());
-    double peak = Math.max(move.peakOverMean(), next.peakOverMean());
+    ProfileLimits on = onward.limits();
+    double keeps = Math.min(1, Math.min(on.speed() / most, blend.mostEntered() / left));
+    double bend = bend(keeps, on.acceleration());
     if (bend > 0) {
-      most = Math.min(most, Math.sqrt(2 * left / (peak * bend)));
+      most = Math.min(most, Bend.between(move, next).highestRate(left, bend));
     }
-    double free = after.length() - share * (entered + ending);
-    if (ending == 0 || onward.fastestBegin(free, 0) >= keeps * most) {
-      return Math.min(most, onward.fastestBegin(free, 0) / keeps);
+    double free = after.length() - blend.mostEntered() - blend.nextLeft();
+    if (blend.nextLeft() == 0 || on.fastestBegin(free, 0) >= keeps * most) {
+      return Math.min(most, on.fastestBegin(free, 0) / keeps);
     }
     // only now what comes later makes a difference
-    double end = entryRate(after, share * ending, onward, next, further);
-    return Math.min(most, onward.fastestBegin(free, end) / keeps);
-  }
-
-  private boolean comparable() {
-    return (before instanceof JointLine && after instanceof JointLine)
-        || (before instanceof ToolPath
-            && after instanceof ToolPath
-            && before.tcpInFlange().equals(after.tcpInFlange()));
+    return Math.min(most, on.fastestBegin(free, onward.end()) / keeps);
   }
 
   /**
@@ -113,11 +173,11 @@ final class Corner {
    */
   private double bend(double keeps, double onwardAcceleration) {
     double given = limits.acceleration();
-    if (before instanceof ToolPath line && after instanceof ToolPath on) {
+    if (start.path instanceof ToolPath line && after instanceof ToolPath on) {
       return line.bendInto(on, keeps) / Math.max(given, onwardAcceleration);
     }
     double largest = 0;
-    Joints was = ((JointLine) before).direction();
+    Joints was = ((JointLine) start.path).direction();
     Joints will = ((JointLine) after).direction();
     for (int i = 0; i < Joints.COUNT; i++) {
       double change = Math.abs(keeps * will.get(i) - was.get(i));

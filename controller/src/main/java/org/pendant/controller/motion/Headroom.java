@@ -42,6 +42,21 @@ public interface Headroom {
    */
   PathCaps over(double length, Points points);
 
+  /** Whether what the payload does to the tool is limited. */
+  default boolean limitsWrench() {
+    return false;
+  }
+
+  /**
+   * How much of the limits of the tool's wrench a point of a motion takes, 1 for all of one; 0
+   * where none is set.
+   *
+   * @param sample in the motion's own time
+   */
+  default double wrenchShare(MotionSample sample) {
+    return 0;
+  }
+
   /** The caps for a curve of the TCP, asked by a follower of its own. */
   default PathCaps along(
       ArmDescription arm, ToolCurve curve, double length, Pose tcpInFlange, Joints begin) {

@@ -12,6 +12,9 @@ final class JoinedMotion implements Motion {
   private final double blendAtS;
   private final double nextAtS;
 
+  /** How far the next one is when the blend ends, s in its own time. */
+  private final double nextFromS;
+
   /**
    * Joins two moves.
    *
@@ -19,6 +22,17 @@ final class JoinedMotion implements Motion {
    * @param blend from the point of the hand-over to the begin of {@code next}
    */
   JoinedMotion(PathMotion first, double firstBeginS, Motion blend, PathMotion next) {
+    this(first, firstBeginS, blend, next, 0);
+  }
+
+  /**
+   * Joins two moves, the second of which begins during the blend.
+   *
+   * @param nextFromS where the second one is at the end of {@code blend}, s in its own time
+   */
+  JoinedMotion(
+      PathMotion first, double firstBeginS, Motion blend, PathMotion next, double nextFromS) {
+    this.nextFromS = nextFromS;
     this.first = first;
     this.firstBeginS = firstBeginS;
     this.blend = blend;
@@ -29,12 +43,12 @@ final class JoinedMotion implements Motion {
 
   @Override
   public double durationS() {
-    return nextAtS + next.durationS();
+    return nextAtS - nextFromS + next.durationS();
   }
 
   @Override
   public double handOverS() {
-    return nextAtS + next.handOverS();
+    return nextAtS - nextFromS + next.handOverS();
   }
 
   @Override
@@ -49,7 +63,7 @@ final class JoinedMotion implements Motion {
 
   @Override
   public Optional<Motion> cutShort(double timeS) {
-    return timeS < nextAtS ? Optional.empty() : next.cutShort(timeS - nextAtS);
+    return timeS < nextAtS ? Optional.empty() : next.cutShort(timeS - nextAtS + nextFromS);
   }
 
   @Override
@@ -61,7 +75,8 @@ final class JoinedMotion implements Motion {
       return blend.sample(timeS - blendAtS, sample);
     }
     // the sum of the durations may be rounded down, and the end is to be met exactly
-    return next.sample(timeS >= durationS() ? next.durationS() : timeS - nextAtS, sample);
+    return next.sample(
+        timeS >= durationS() ? next.durationS() : timeS - nextAtS + nextFromS, sample);
   }
 
   @Override

@@ -220,6 +220,11 @@ final class JointLine implements MotionPath {
   }
 
   @Override
+  public Headroom headroom() {
+    return headroom;
+  }
+
+  @Override
   public double fastestRate() {
     return Math.min(fastest, caps().rate());
   }

@@ -10,6 +10,12 @@ final class JointSpeedCheck {
   /** Room for the mean speed of a frame, which may exceed the speeds at both of its ends. */
   private static final double MEAN_SPEED_TOLERANCE = 1.01;
 
+  /** Times of its highest speed that a joint may be asked for where slowing down still helps. */
+  private static final double BEYOND_SLOWING = 1 / Course.SLOWEST_SCALING;
+
+  /** So near (rad) to being straight, elbow or wrist are what makes the joints turn fast. */
+  private static final double NEAR_RAD = 0.15;
+
   private final double[] maxSpeed = new double[Joints.COUNT];
 
   JointSpeedCheck(ArmDescription arm) {
@@ -19,10 +25,11 @@ final class JointSpeedCheck {
   }
 
   /** How much of what they can do the joints do at these speeds; 1 for all that one can. */
-  double share(Joints speedRadPerS) {
+  double share(JointNumbers speedRadPerS) {
+    double[] speed = speedRadPerS.numbers();
     double share = 0;
     for (int i = 0; i < Joints.COUNT; i++) {
-      share = Math.max(share, Math.abs(speedRadPerS.get(i)) / maxSpeed[i]);
+      share = Math.max(share, Math.abs(speed[i]) / maxSpeed[i]);
     }
     return share;
   }
@@ -35,6 +42,9 @@ final class JointSpeedCheck {
       }
       double moved = Math.abs(sample.position[i] - before[i]) / FrameTime.FRAME_S;
       double needed = Math.max(moved, Math.abs(sample.speed[i]) * scaling);
+      if (needed > BEYOND_SLOWING * maxSpeed[i]) {
+        return Optional.of(singular(before, i, needed));
+      }
       if (!(needed <= maxSpeed[i] * MEAN_SPEED_TOLERANCE)) {
         return Optional.of(
             tooFast(i, needed, "the path is too fast or passes close to a singularity"));
@@ -44,9 +54,10 @@ final class JointSpeedCheck {
   }
 
   /** Speeds of a target that offsets carry aside. */
-  Optional<MotionFailure> carried(Joints speedRadPerS) {
+  Optional<MotionFailure> carried(JointNumbers speedRadPerS) {
+    double[] speed = speedRadPerS.numbers();
     for (int i = 0; i < Joints.COUNT; i++) {
-      double needed = Math.abs(speedRadPerS.get(i));
+      double needed = Math.abs(speed[i]);
       if (!(needed <= maxSpeed[i] * MEAN_SPEED_TOLERANCE)) {
         return Optional.of(tooFast(i, needed, "what carries the tool aside does so too suddenly"));
       }
@@ -79,19 +90,41 @@ final class JointSpeedCheck {
   }
 
   /** The path needs a joint to turn faster than any slowing down helps against. */
-  static MotionFailure singular(MotionSample sample) {
+  MotionFailure singular(MotionSample sample) {
     int fastest = 0;
     for (int i = 1; i < Joints.COUNT; i++) {
       if (Math.abs(sample.speed[i]) > Math.abs(sample.speed[fastest])) {
         fastest = i;
       }
     }
+    return singular(sample.position, fastest, Math.abs(sample.speed[fastest]));
+  }
+
+  /** As it gets closer to the singularity the speed grows without end, and says nothing then. */
+  private MotionFailure singular(double[] q, int joint, double speed) {
+    double most = BEYOND_SLOWING * maxSpeed[joint];
+    String needed = speed > most ? "more than " + Value.of(most).text() : Value.of(speed).text();
     return new MotionFailure(
         "singularity",
-        "the path passes too close to a singularity: joint "
-            + fastest
+        where(q)
+            + ": joint "
+            + joint
             + " would turn at "
-            + Value.of(Math.abs(sample.speed[fastest])).text()
-            + " rad/s; a joint move can pass it");
+            + needed
+            + " rad/s; "
+            + (straightElbow(q) ? "the tool must stay nearer" : "a joint move can pass it"));
+  }
+
+  private static boolean straightElbow(double[] q) {
+    return Math.abs(Math.sin(q[2])) < NEAR_RAD;
+  }
+
+  private static String where(double[] q) {
+    if (straightElbow(q)) {
+      return "the path leads to the end of the arm's reach, where the elbow is straight";
+    }
+    return Math.abs(Math.sin(q[4])) < NEAR_RAD
+        ? "the path passes too close to a singularity of the wrist, where joint 4 is straight"
+        : "the path passes too close to a singularity";
   }
 }

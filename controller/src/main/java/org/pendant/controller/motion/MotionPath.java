@@ -67,6 +67,11 @@ public interface MotionPath {
     return Double.POSITIVE_INFINITY;
   }
 
+  /** What keeps a move on it within the means of the arm. */
+  default Headroom headroom() {
+    return Headroom.UNLIMITED;
+  }
+
   /** The acceleration across the path for a rate of 1; 0 for one that does not bend. */
   default double bending() {
     return 0;

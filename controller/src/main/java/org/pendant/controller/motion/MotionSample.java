@@ -8,9 +8,34 @@ import org.pendant.models.arm.Joints;
  * motion's own time in rad/s and rad/s². Motions write into it.
  */
 public final class MotionSample {
+  private static final double[][] UNKNOWN = {};
+
   final double[] position = new double[Joints.COUNT];
   final double[] speed = new double[Joints.COUNT];
   final double[] acceleration = new double[Joints.COUNT];
+
+  /**
+   * Frames of the links at {@link #position}, if the motion has found them out; they are the
+   * motion's own, and others when it is sampled again.
+   */
+  private double[][] frames = UNKNOWN;
+
+  /** The motion knows how the links stand. */
+  void setFrames(double[][] ofLinks) {
+    frames = ofLinks;
+  }
+
+  /** Nobody knows yet how the links stand. */
+  void forgetFrames() {
+    frames = UNKNOWN;
+  }
+
+  /** The largest scaling that a limiter allows at this point. */
+  double largestScaling(PathLimiter limiter) {
+    return frames.length == 0
+        ? limiter.largestScaling(position, speed)
+        : limiter.largestScaling(position, speed, frames);
+  }
 
   /** Joint positions, rad. */
   public Joints positionRad() {
@@ -41,6 +66,13 @@ public final class MotionSample {
       fastest = Math.max(fastest, Math.abs(each));
     }
     return fastest;
+  }
+
+  /** Takes over another point. */
+  void copy(MotionSample other) {
+    System.arraycopy(other.position, 0, position, 0, Joints.COUNT);
+    System.arraycopy(other.speed, 0, speed, 0, Joints.COUNT);
+    System.arraycopy(other.acceleration, 0, acceleration, 0, Joints.COUNT);
   }
 
   void rest() {

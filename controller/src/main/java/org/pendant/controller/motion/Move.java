@@ -79,9 +79,9 @@ public record Move(
     return jerkRampS > 0;
   }
 
-  /** How much stronger than even acceleration the peak is in a blend. */
-  double peakOverMean() {
-    return smooth() ? 1.5 : 1;
+  /** Whether the arm, rather than the program, decides how fast it is on a path. */
+  boolean limitedByArm(MotionPath path) {
+    return path.strongestRate2() < limits.acceleration();
   }
 
   /** The limits on a path, of which {@code restingEnds} ends are at rest. */

@@ -14,12 +14,25 @@ import org.pendant.models.arm.Joints;
  * that radius around its goal. From the speeds v there, the blend takes {@code 2 d / v} seconds, d
  * being the way that is left to the goal, and comes out on the next path as far behind the goal as
  * its speed there demands: for two straight lines that is a parabola. What the blend needs in
- * acceleration bounds the speed in which the sphere is entered. If nobody takes over the arm comes
- * to rest at the goal.
+ * acceleration bounds the speed in which the sphere is entered. Between paths of different kinds,
+ * and where a stop is quicker than that, the first move slows down to rest instead, and the next
+ * begins before it does. If nobody takes over the arm comes to rest at the goal.
  */
 final class MovePlanner {
   /** The shortest run-up before a blend, as part of the way. */
   private static final double RUN_UP = 0.1;
+
+  /**
+   * By how much a joint may be accelerated more than by either move where moves of different kinds
+   * overlap.
+   */
+  private static final double MOST_OVERLAP_ACCELERATION = 1.4;
+
+  /** A shorter time is not worth sharing, s. */
+  private static final double SHORTEST_OVERLAP_S = 0.01;
+
+  /** Room for rounding in comparisons. */
+  private static final double ROUNDING = 1 + 1e-9;
 
   private MovePlanner() {}
 
@@ -51,18 +64,63 @@ final class MovePlanner {
     }
     double left = before.length() - leaving.handOverAt();
     Optional<ProcessCorner> corner =
-        ProcessCorner.between(before, leaving.move(), left, after, move);
+        ProcessCorner.between(before, leaving.move(), left, after, move, outlook);
     if (corner.isPresent()) {
-      Optional<Motion> rounded = corner.get().join(leaving, leavingS, outlook);
+      Optional<Motion> rounded = corner.get().join(leaving, leavingS);
       if (rounded.isPresent()) {
         return rounded;
       }
     }
-    Blend blend = new Blend(leaving, after, move);
+    Blend blend = new Blend(before, left, leaving.move(), after, move);
     if (blend.overlaps() && move.leftOutOnOverlap()) {
       return Optional.empty();
     }
-    return Optional.of(blend.join(leavingS, outlook));
+    return Optional.of(
+        leaving.rests() || (leaving.canRest() && !blend.alike())
+            ? overlapping(leaving, leavingS, blend, after, move, outlook)
+            : through(leaving, leavingS, blend, after, move, outlook));
+  }
+
+  /** The next move begins before the first one rests. */
+  private static Motion overlapping(
+      PathMotion first, double firstS, Blend blend, MotionPath after, Move move, List<Move> outlook)
+      throws ScriptError {
+    PathMotion next = along(after, 0, 0, move, blend.nextLeft(), outlook);
+    boolean armsLimit = first.move().limitedByArm(first.path()) || move.limitedByArm(after);
+    double factor = blend.alike() || armsLimit ? 1 : MOST_OVERLAP_ACCELERATION;
+    boolean lines = first.path() instanceof ToolPath && after instanceof ToolPath;
+    boolean wrench = after.headroom().limitsWrench();
+    double sharedS =
+        lines && blend.alike() && !wrench
+            ? 0
+            : Overlap.longestS(first, next, blend.mostEntered(), factor);
+    Overlap both = new Overlap(first, next, sharedS);
+    while (sharedS > 0 && wrench && !both.keepsWrench(after.headroom())) {
+      sharedS = sharedS > SHORTEST_OVERLAP_S ? 0.7 * sharedS : 0;
+      both = new Overlap(first, next, sharedS);
+    }
+    return new JoinedMotion(first, firstS, both, next, sharedS);
+  }
+
+  /** The path leads past the waypoint, unless a stop there is quicker. */
+  private static Motion through(
+      PathMotion first, double firstS, Blend blend, MotionPath after, Move move, List<Move> outlook)
+      throws ScriptError {
+    Onward onward = new Onward(after, move, blend.nextLeft(), outlook);
+    double rate = first.handOverRate();
+    double exit = blend.exit(rate, onward);
+    boolean timed = first.move().limits().timed() || move.limits().timed();
+    boolean stops =
+        first.canRest()
+            && !timed
+            && (!blend.gentle(rate, exit, onward)
+                || first.restS() < -blend.gainedS(rate, exit, onward));
+    if (stops) {
+      return overlapping(first, firstS, blend, after, move, outlook);
+    }
+    PathMotion next =
+        along(after, blend.entered(rate, exit), exit, move, blend.nextLeft(), outlook);
+    return new JoinedMotion(first, firstS, blend.between(rate, exit), next);
   }
 
   /** Joint positions at the end of a path. */
@@ -97,16 +155,18 @@ final class MovePlanner {
     ProfileLimits limits = move.limits(path, rate == 0 ? 1 : 0);
     double runUp = rate == 0 ? RUN_UP * (path.length() - begin) : 0;
     double left = Math.min(within, path.length() - begin - runUp);
-    double to =
-        Math.min(
-            limits.fastestEnd(path.length() - left - begin, rate),
-            Corner.entryRate(path, left, limits, move, outlook));
-    if (!(to > 0)) {
-      return PathMotion.to(
-          path, begin, move.limits(path, 1).between(path.length() - begin, rate, 0), move);
+    Corner.Start start = new Corner.Start(path, begin, rate);
+    Corner.Approach approach = Corner.approach(start, left, limits, move, outlook);
+    double way = path.length() - left - begin;
+    double to = Math.min(limits.fastestEnd(way, rate), approach.rate());
+    if (approach.rests() || !(to > 0)) {
+      return PathMotion.resting(path, begin, start.toRest(move), left, move);
     }
-    Profile approach = limits.between(path.length() - left - begin, rate, to);
+    // who comes too fast for the corner does not brake harder before it than the move may
+    to = Math.max(to, limits.slowestEnd(way, rate));
+    Profile toCorner = limits.between(way, rate, to);
     Profile settling = limits.withSpeed(to).between(left, to, 0);
-    return PathMotion.blending(path, begin, approach, settling, move);
+    boolean canRest = to <= limits.fastestBegin(left, 0) * ROUNDING;
+    return PathMotion.blending(path, begin, toCorner, settling, move, canRest);
   }
 }

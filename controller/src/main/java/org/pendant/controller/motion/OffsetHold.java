@@ -50,12 +50,12 @@ final class OffsetHold {
   }
 
   /** The next positions of joints that slow down. */
-  void step(Joints position, Joints speed, double[] next) {
-    double fastest = speed.maxAbsDifference(Joints.ZERO);
+  void step(JointNumbers position, JointNumbers speed, double[] next) {
+    double fastest = speed.largest();
     double step = decelerationRadPerS2 * FrameTime.FRAME_S;
     double part = fastest > step ? 1 - step / fastest : 0;
     for (int i = 0; i < Joints.COUNT; i++) {
-      next[i] = position.get(i) + part * speed.get(i) * FrameTime.FRAME_S;
+      next[i] = position.numbers()[i] + part * speed.numbers()[i] * FrameTime.FRAME_S;
     }
   }
 
@@ -65,21 +65,21 @@ final class OffsetHold {
    * @param held where they are, rad
    * @param wanted where they are to be, rad; changed to where they shall be in this frame
    */
-  void leadBack(Joints held, double[] wanted) {
+  void leadBack(double[] held, double[] wanted) {
     switch (phase) {
       case IDLE, HOLDING -> {}
       case LET_GO -> {
         beginClosing(held, wanted);
-        held.copyTo(wanted);
+        System.arraycopy(held, 0, wanted, 0, Joints.COUNT);
       }
       case CLOSING -> close(wanted);
     }
   }
 
-  private void beginClosing(Joints held, double[] wanted) {
+  private void beginClosing(double[] held, double[] wanted) {
     double farthest = 0;
     for (int i = 0; i < Joints.COUNT; i++) {
-      aside[i] = held.get(i) - wanted[i];
+      aside[i] = held[i] - wanted[i];
       farthest = Math.max(farthest, Math.abs(aside[i]));
     }
     double lastsS = Math.max(SHORTEST_S, PEAK_OVER_MEAN * farthest / CLOSING_RAD_PER_S);

@@ -28,10 +28,15 @@ final class OffsetTarget {
   private final double[] tcpInFlange = new double[Transforms.SIZE];
   private final double[] flangeInTcp = new double[Transforms.SIZE];
   private boolean engaged;
-  private Joints before = Joints.ZERO;
-  private Joints position = Joints.ZERO;
-  private Joints speed = Joints.ZERO;
-  private Joints acceleration = Joints.ZERO;
+  private final JointNumbers before = new JointNumbers();
+  private final JointNumbers position = new JointNumbers();
+  private final JointNumbers speed = new JointNumbers();
+  private final JointNumbers acceleration = new JointNumbers();
+
+  /** What they are to be, until it is known that the joints can do it. */
+  private final JointNumbers next = new JointNumbers();
+
+  private final JointNumbers nextSpeed = new JointNumbers();
 
   OffsetTarget(ArmDescription arm, JointSpeedCheck jointSpeeds) {
     this.jointSpeeds = jointSpeeds;
@@ -55,26 +60,26 @@ final class OffsetTarget {
     return engaged;
   }
 
-  Joints position() {
+  JointNumbers position() {
     return position;
   }
 
-  Joints speed() {
+  JointNumbers speed() {
     return speed;
   }
 
-  Joints acceleration() {
+  JointNumbers acceleration() {
     return acceleration;
   }
 
   /**
    * The next target.
    *
-   * @param path where the path is, rad
-   * @param pathSpeed how fast it goes there, rad/s; taken over when offsets begin
+   * @param path where the path is, and how fast it goes there, which is taken over when offsets
+   *     begin
    * @return why there is none; the target is what it was then
    */
-  Optional<MotionFailure> step(Joints path, Joints pathSpeed) {
+  Optional<MotionFailure> step(PathPoint path) {
     if (!anyActive()) {
       engaged = false;
       hold.clear();
@@ -82,40 +87,45 @@ final class OffsetTarget {
     }
     if (!engaged) {
       engaged = true;
-      position = path;
-      speed = pathSpeed;
+      position.set(path.position());
+      speed.set(path.speed());
     }
     if (hold.holding()) {
       hold.step(position, speed, q);
-      accept(Joints.of(q));
+      propose(q);
+      accept();
       return Optional.empty();
     }
-    path.copyTo(q);
+    System.arraycopy(path.position().numbers(), 0, q, 0, N);
     toTcp();
     for (int i = 0; i < offsets.size(); i++) {
       if (offsets.get(i).active()) {
         offsets.get(i).apply(tcp);
       }
     }
-    if (!solveNear(position)) {
+    if (!solveNear(position.numbers())) {
       return Optional.of(
           new MotionFailure("no-solution", "an offset takes the tool out of the arm's reach"));
     }
-    hold.leadBack(position, q);
-    Joints next = Joints.of(q);
-    Optional<MotionFailure> failure = jointSpeeds.carried(perSecond(position, next));
+    hold.leadBack(position.numbers(), q);
+    propose(q);
+    Optional<MotionFailure> failure = jointSpeeds.carried(nextSpeed);
     if (failure.isEmpty()) {
-      accept(next);
+      accept();
     }
     return failure;
   }
 
-  private void accept(Joints next) {
-    Joints nextSpeed = perSecond(position, next);
-    acceleration = perSecond(speed, nextSpeed);
-    speed = nextSpeed;
-    before = position;
-    position = next;
+  private void propose(double[] positions) {
+    next.set(positions);
+    nextSpeed.setRate(position, next);
+  }
+
+  private void accept() {
+    acceleration.setRate(speed, nextSpeed);
+    speed.set(nextSpeed);
+    before.set(position);
+    position.set(next);
   }
 
   private void toTcp() {
@@ -123,9 +133,9 @@ final class OffsetTarget {
     Transforms.multiply(flange, tcpInFlange, tcp);
   }
 
-  private boolean solveNear(Joints near) {
+  private boolean solveNear(double[] near) {
     Transforms.multiply(tcp, flangeInTcp, flange);
-    near.copyTo(q);
+    System.arraycopy(near, 0, q, 0, N);
     return inverse.track(flange, q);
   }
 
@@ -135,40 +145,38 @@ final class OffsetTarget {
    * @param path where it has been, rad
    * @return positions, rad, and speeds, rad/s; empty if it would be out of reach
    */
-  Optional<Rebased> rebased(Joints path) {
+  Optional<Rebased> rebased(JointNumbers path) {
     if (!anyActive()) {
-      return Optional.of(new Rebased(position, speed));
+      return Optional.of(new Rebased(position.joints(), speed.joints()));
     }
-    Optional<Joints> last = rebased(position, path, 0);
-    Optional<Joints> earlier = rebased(before, path, 1);
-    return last.isPresent() && earlier.isPresent()
-        ? Optional.of(new Rebased(last.get(), perSecond(earlier.get(), last.get())))
-        : Optional.empty();
+    if (!rebase(position, path, 0)) {
+      return Optional.empty();
+    }
+    JointNumbers last = new JointNumbers();
+    last.set(q);
+    if (!rebase(before, path, 1)) {
+      return Optional.empty();
+    }
+    JointNumbers earlier = new JointNumbers();
+    earlier.set(q);
+    JointNumbers rate = new JointNumbers();
+    rate.setRate(earlier, last);
+    return Optional.of(new Rebased(last.joints(), rate.joints()));
   }
 
   /** A path that the target stays where it is with. */
   record Rebased(Joints positionRad, Joints speedRadPerS) {}
 
-  private Optional<Joints> rebased(Joints target, Joints path, int framesAgo) {
-    target.copyTo(q);
+  /** Finds the joints that what is still active carries to a target; false if there are none. */
+  private boolean rebase(JointNumbers target, JointNumbers path, int framesAgo) {
+    System.arraycopy(target.numbers(), 0, q, 0, N);
     toTcp();
     for (int i = offsets.size() - 1; i >= 0; i--) {
       if (offsets.get(i).active()) {
         offsets.get(i).rebase(tcp, framesAgo);
       }
     }
-    return solveNear(path) ? Optional.of(Joints.of(q)) : Optional.empty();
-  }
-
-  private static Joints perSecond(Joints before, Joints after) {
-    double f = 1 / FrameTime.FRAME_S;
-    return new Joints(
-        (after.q0() - before.q0()) * f,
-        (after.q1() - before.q1()) * f,
-        (after.q2() - before.q2()) * f,
-        (after.q3() - before.q3()) * f,
-        (after.q4() - before.q4()) * f,
-        (after.q5() - before.q5()) * f);
+    return solveNear(path.numbers());
   }
 
   private boolean anyActive() {

@@ -14,4 +14,14 @@ public interface PathLimiter {
    * @return the largest scaling allowed, not below 0; 1 or more where nothing limits
    */
   double largestScaling(double[] q, double[] qd);
+
+  /**
+   * The same where somebody knows already how the links stand.
+   *
+   * @param frames of the links in the base frame at {@code q}, as {@link
+   *     org.pendant.models.kinematics.ForwardKinematics#frames} has them
+   */
+  default double largestScaling(double[] q, double[] qd, double[][] frames) {
+    return largestScaling(q, qd);
+  }
 }

@@ -81,9 +81,9 @@ final class PathTime {
     return 0.5 * scaling * scaling * fastestRadPerS / rampRadPerS2;
   }
 
-  /** The limits of the arm allow no more in this frame. */
-  void lowerTo(double most) {
-    scaling = most;
+  /** The limits of the arm allow no more, or no greater change, in this frame. */
+  void limitTo(double possible) {
+    scaling = possible;
   }
 
   double scaling() {

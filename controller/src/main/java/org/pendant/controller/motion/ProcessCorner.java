@@ -27,6 +27,9 @@ final class ProcessCorner {
   /** Room for rounding in comparisons. */
   private static final double ROUNDING = 1 + 1e-6;
 
+  /** What rounding a corner may cost over a stop there, s; rounding of numbers aside. */
+  private static final double MOST_LOST_S = 1e-9;
+
   private final ToolWay before;
   private final ToolWay after;
   private final Move leaving;
@@ -42,20 +45,27 @@ final class ProcessCorner {
 
   private final double beginsAfter;
   private final double left;
+  private final Onward onward;
+  private final List<Move> further;
   private final double nextLeft;
   private final Optional<Rounded> rounded;
+
+  /** The highest speed (m/s) on the arc that keeps the tool's wrench. */
+  private final double fastestForWrench;
 
   /** Whether there is a way round; too sharp a corner has none, nor a turn on the spot. */
   private final boolean possible;
 
   private record Rounded(CornerArc curve, double lengthM, double radiusM, double turningPerM2) {}
 
-  private ProcessCorner(ToolWay before, ToolWay after, Move leaving, Move move, double left) {
+  private ProcessCorner(
+      ToolWay before, ToolWay after, Move leaving, Move move, double left, List<Move> further) {
     this.before = before;
     this.after = after;
     this.leaving = leaving;
     this.move = move;
     this.left = left;
+    double wrench = Double.POSITIVE_INFINITY;
     double[] was = twist(before, before.length());
     double[] will = twist(after, 0);
     metresBefore = Arc.size(was);
@@ -64,6 +74,8 @@ final class ProcessCorner {
     double ending = move.blendRadiusM() > 0 ? after.lengthWithinEnd(move.blendRadiusM()) : 0;
     double share = Math.min(1, after.length() / (entered + ending));
     nextLeft = share * ending;
+    this.further = further;
+    onward = new Onward(after, move, nextLeft, further);
     possible = possible(was, will);
     if (!possible || leadsStraightOn(was, will)) {
       endsBefore = 0;
@@ -75,24 +87,33 @@ final class ProcessCorner {
       endsBefore = away / metresBefore;
       beginsAfter = away / metresAfter;
       rounded = Optional.of(round());
+      wrench = fastestForWrench(after, rounded.get());
     }
+    fastestForWrench = wrench;
   }
 
   /**
    * The corner between two moves.
    *
    * @param left how far before the end of its path the first is left, in the unit of the path
+   * @param further the moves after both, as far as is known
    * @return empty if they are no such moves, or of different TCPs
    */
   static Optional<ProcessCorner> between(
-      MotionPath before, Move leaving, double left, MotionPath after, Move move) {
+      MotionPath before,
+      Move leaving,
+      double left,
+      MotionPath after,
+      Move move,
+      List<Move> further) {
     if (move.kind() == Move.Kind.PROCESS
         && before instanceof ToolWay from
         && after instanceof ToolWay to
         && from.tcpInFlange().equals(to.tcpInFlange())
         && from.length() > 0
-        && to.length() > 0) {
-      return Optional.of(new ProcessCorner(from, to, leaving, move, left));
+        && to.length() > 0
+        && !leaving.limitedByArm(before)) {
+      return Optional.of(new ProcessCorner(from, to, leaving, move, left, further));
     }
     return Optional.empty();
   }
@@ -185,6 +206,17 @@ final class ProcessCorner {
     return Math.sqrt(bend[3] * bend[3] + bend[4] * bend[4] + bend[5] * bend[5]);
   }
 
+  /** The highest speed (m/s) on the arc that the limits of the tool's wrench allow. */
+  private static double fastestForWrench(ToolWay after, Rounded rounded) {
+    return after.headroom().limitsWrench()
+        ? after
+            .headroom()
+            .along(
+                after.arm(), rounded.curve(), rounded.lengthM(), after.tcpInFlange(), after.begin())
+            .rate()
+        : Double.POSITIVE_INFINITY;
+  }
+
   /** The highest speed (m/s) on the arc for an acceleration (m/s²); turning counts as on a path. */
   private double fastest(double accelerationMPerS2) {
     if (rounded.isEmpty()) {
@@ -192,61 +224,49 @@ final class ProcessCorner {
     }
     double across = accelerationMPerS2 * rounded.get().radiusM();
     double turning = ToolPath.ROTATION_FACTOR * accelerationMPerS2 / rounded.get().turningPerM2();
-    return Math.sqrt(Math.min(across, turning));
+    return Math.min(fastestForWrench, Math.sqrt(Math.min(across, turning)));
   }
 
-  /** The highest speed (m/s) behind the corner from which the next move can go on. */
-  private double fastestOnward(ProfileLimits onward, List<Move> further) throws ScriptError {
-    double end =
-        move.blendRadiusM() > 0 ? Corner.entryRate(after, nextLeft, onward, move, further) : 0;
-    double free = Math.max(0, after.length() - beginsAfter - nextLeft);
-    return onward.fastestBegin(free, Math.min(end, onward.speed())) * metresAfter;
-  }
-
-  private ProfileLimits onward() {
-    return move.limits(after, move.blendRadiusM() > 0 ? 0 : 1);
+  /** The highest speed (m/s), up to a limit, behind the corner from which the next can go on. */
+  private double fastestOnward(double most) throws ScriptError {
+    return onward.fastestBegin(beginsAfter, most / metresAfter) * metresAfter;
   }
 
   /**
-   * The highest rate on the first path at which the corner may be reached; from it the arm can
-   * still stop if that is quicker.
+   * How the corner is approached.
    *
    * @param limits of the first move
    */
-  double entryRate(ProfileLimits limits, List<Move> further) throws ScriptError {
-    ProfileLimits onward = onward();
-    double most = fastest(Math.min(limits.acceleration(), onward.acceleration()));
-    double speed =
-        Math.min(limits.speed() * metresBefore, Math.min(most, fastestOnward(onward, further)));
-    return quicker(speed, limits, onward) ? speed / metresBefore : limits.fastestBegin(left, 0);
+  Corner.Approach approach(Corner.Start start, ProfileLimits limits) throws ScriptError {
+    if (!possible) {
+      return new Corner.Approach(0, true);
+    }
+    double most = fastest(Math.min(limits.acceleration(), onward.limits().acceleration()));
+    double speed = fastestOnward(Math.min(limits.speed() * metresBefore, most));
+    double highest = speed / metresBefore;
+    double way = before.length() - left - start.at();
+    double rate = Math.min(highest, limits.fastestEnd(way, start.rate()));
+    if (!(rate > 0)) {
+      return new Corner.Approach(0, true);
+    }
+    // at the rate of a stop the waypoint would be reached later than the end of the circle
+    boolean quicker =
+        rate >= limits.fastestBegin(left, 0)
+            || !start.canRest(limits)
+            || limits.between(way, start.rate(), rate).durationS() + takesS(rate)
+                <= start.toRest(leaving).durationS() + MOST_LOST_S;
+    return new Corner.Approach(highest, !quicker);
   }
 
   /**
-   * Whether the circle takes less time than stopping at the waypoint. Both are counted from where
-   * it begins to where it ends; slowing down before that from v to s by an acceleration a, rather
-   * than going on evenly, loses {@code (v - s)² / (2 a v)}.
+   * How long the corner takes, from where the first path may be left, less what the next move then
+   * gains over one from rest, s.
    */
-  private boolean quicker(double speed, ProfileLimits limits, ProfileLimits onward) {
-    if (rounded.isEmpty()) {
-      return possible;
-    }
-    double was = evenly(before, limits);
-    double will = evenly(after, onward);
-    double lostS =
-        lostS(was, speed / metresBefore, limits) + lostS(will, speed / metresAfter, onward);
-    double stoppingS =
-        lostS(was, 0, limits) + lostS(will, 0, onward) + endsBefore / was + beginsAfter / will;
-    return lostS + rounded.get().lengthM() / speed <= stoppingS * ROUNDING;
-  }
-
-  /** The rate that comes up on a path. */
-  private static double evenly(MotionPath path, ProfileLimits limits) {
-    return Math.min(limits.speed(), Math.sqrt(limits.acceleration() * path.length()));
-  }
-
-  private static double lostS(double evenly, double rate, ProfileLimits limits) {
-    double change = Math.max(0, evenly - rate);
-    return change * change / (2 * limits.acceleration() * evenly);
+  private double takesS(double rate) throws ScriptError {
+    double lengthM = rounded.map(Rounded::lengthM).orElse(0.0);
+    return (left - endsBefore) / rate
+        + lengthM / (rate * metresBefore)
+        - onward.gainedS(beginsAfter, rate * metresBefore / metresAfter);
   }
 
   /**
@@ -256,24 +276,25 @@ final class ProcessCorner {
    * @param firstS where it is, s in its own time
    * @return empty if the corner is reached too fast for that
    */
-  Optional<Motion> join(PathMotion first, double firstS, List<Move> outlook) throws ScriptError {
-    ProfileLimits onward = onward();
-    double speed = first.handOverRate() * metresBefore;
-    ProfileLimits limits = leaving.limits(before, 1);
-    double strongest = Math.max(limits.acceleration(), onward.acceleration());
-    if (!quicker(speed, limits, onward)
-        && first.handOverRate() <= limits.fastestBegin(left, 0) * ROUNDING) {
-      PathMotion anew = MovePlanner.along(after, 0, 0, move, nextLeft, outlook);
+  Optional<Motion> join(PathMotion first, double firstS) throws ScriptError {
+    double rate = first.handOverRate();
+    double speed = rate * metresBefore;
+    double strongest =
+        Math.max(leaving.limits(before, 1).acceleration(), onward.limits().acceleration());
+    boolean tooFast =
+        !possible
+            || speed > fastest(strongest) * ROUNDING
+            || speed > fastestOnward(speed) * ROUNDING;
+    if (first.rests() || (first.canRest() && (tooFast || first.restS() < takesS(rate)))) {
+      PathMotion anew = MovePlanner.along(after, 0, 0, move, nextLeft, further);
       return Optional.of(new JoinedMotion(first, firstS, new Settling(first), anew));
     }
-    if (speed > fastest(strongest) * ROUNDING
-        || speed > fastestOnward(onward, outlook) * ROUNDING) {
+    if (tooFast) {
       return Optional.empty();
     }
     double straight = before.length() - endsBefore - first.handOverAt();
     CornerMotion corner =
-        new CornerMotion(
-            before, first.handOverAt(), straight, first.handOverRate(), after.waypoint());
+        new CornerMotion(before, first.handOverAt(), straight, rate, after.waypoint());
     if (rounded.isPresent()) {
       ToolPathFollower follower =
           new ToolPathFollower(
@@ -281,7 +302,7 @@ final class ProcessCorner {
       corner = corner.thenRound(follower, rounded.get().lengthM(), speed);
     }
     PathMotion rest =
-        MovePlanner.along(after, beginsAfter, speed / metresAfter, move, nextLeft, outlook);
+        MovePlanner.along(after, beginsAfter, speed / metresAfter, move, nextLeft, further);
     return Optional.of(new JoinedMotion(first, firstS, corner, rest));
   }
 }

@@ -166,6 +166,11 @@ final class ToolPath implements ToolWay {
   }
 
   @Override
+  public Headroom headroom() {
+    return headroom;
+  }
+
+  @Override
   public double fastestRate() {
     return caps().rate();
   }

@@ -34,6 +34,7 @@ public final class ToolPathFollower {
   private final double[] flangeInTcp = new double[Transforms.SIZE];
   private final double[] tcp = new double[Transforms.SIZE];
   private final double[] flange = new double[Transforms.SIZE];
+  private final double[][] frames = new double[N][Transforms.SIZE];
   private final double[] jacobian = new double[Jacobian.SIZE];
   private final double[] q = new double[N];
   private final double[] rate = new double[N];
@@ -88,12 +89,15 @@ public final class ToolPathFollower {
       sample.rest();
       return Optional.empty();
     }
-    solver.at(q, tcpInFlange, jacobian);
+    inverse.trackedFrames(q, frames);
+    sample.setFrames(frames);
+    solver.at(frames, tcpInFlange, jacobian);
     curve.rate(at, rate);
     for (int i = 0; i < N; i++) {
       twist[i] = rate[i] * atPerS;
     }
-    if (!solve(twist, sample.speed)) {
+    boolean regular = solver.factorise(jacobian);
+    if (!solve(regular, twist, sample.speed)) {
       return singular();
     }
     curve.bend(at, bend);
@@ -101,7 +105,7 @@ public final class ToolPathFollower {
       twist[i] = rate[i] * atPerS2 + bend[i] * atPerS * atPerS;
     }
     subtractTurning(sample.speed);
-    return solve(twist, sample.acceleration) ? Optional.empty() : singular();
+    return solve(regular, twist, sample.acceleration) ? Optional.empty() : singular();
   }
 
   /** Subtracts J' qd from the twist. */
@@ -135,8 +139,9 @@ public final class ToolPathFollower {
    * Joint rates for a twist. In a singularity there are some as long as the twist does not need the
    * direction that is lost, for instance when joint 5 stays at 0 all the way.
    */
-  private boolean solve(double[] wanted, double[] rates) {
-    if (solver.solve(jacobian, wanted, rates)) {
+  private boolean solve(boolean regular, double[] wanted, double[] rates) {
+    if (regular) {
+      solver.solve(wanted, rates);
       return true;
     }
     solver.solveDamped(jacobian, wanted, DAMPING, rates);

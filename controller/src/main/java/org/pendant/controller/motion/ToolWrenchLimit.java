@@ -28,8 +28,18 @@ public record ToolWrenchLimit(Pose frameInFlange, List<Double> limits) {
    *     overwritten by those about the origin of the frame, along its axes
    */
   void carry(double[] wrench) {
+    carry(wrench, transform());
+  }
+
+  /** The frame as a transformation, for {@link #carry(double[], double[])}. */
+  double[] transform() {
     double[] frame = new double[Transforms.SIZE];
     Transforms.of(frameInFlange, frame);
+    return frame;
+  }
+
+  /** As {@link #carry(double[])}, with what {@link #transform} gives. */
+  static void carry(double[] wrench, double[] frame) {
     double fx = wrench[0];
     double fy = wrench[1];
     double fz = wrench[2];

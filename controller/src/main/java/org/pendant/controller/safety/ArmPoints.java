@@ -16,7 +16,8 @@ final class ArmPoints {
   private static final int ELBOW = 1;
 
   private final ForwardKinematics forward;
-  private final double[][] frames = new double[Joints.COUNT][Transforms.SIZE];
+  private final double[][] ownFrames = new double[Joints.COUNT][Transforms.SIZE];
+  private double[][] frames = ownFrames;
   private final double[] tool = new double[3];
   private final double[] toolSpeed = new double[3];
   private final double[] turn = new double[3];
@@ -34,7 +35,19 @@ final class ArmPoints {
    * @param qd six joint speeds, rad/s
    */
   void at(double[] q, double[] qd, Pose tcpInFlange) {
-    forward.frames(q, frames);
+    forward.frames(q, ownFrames);
+    at(ownFrames, qd, tcpInFlange);
+  }
+
+  /**
+   * Looks at a state of which the frames of the links are known.
+   *
+   * @param linkFrames Denavit-Hartenberg frames 1 to 6 in the base frame; looked at again for what
+   *     is asked afterwards
+   * @param qd six joint speeds, rad/s
+   */
+  void at(double[][] linkFrames, double[] qd, Pose tcpInFlange) {
+    frames = linkFrames;
     double[] flange = frames[FLANGE];
     for (int row = 0; row < 3; row++) {
       tool[row] =
@@ -42,47 +55,60 @@ final class ArmPoints {
               + flange[3 * row] * tcpInFlange.x()
               + flange[3 * row + 1] * tcpInFlange.y()
               + flange[3 * row + 2] * tcpInFlange.z();
-      toolSpeed[row] = 0;
-      elbowSpeed[row] = 0;
-      turn[row] = 0;
     }
-    addJoint(0, 0, 1, 0, 0, 0, qd[0], true);
-    for (int i = 1; i < Joints.COUNT; i++) {
-      double[] f = frames[i - 1];
-      addJoint(f[2], f[5], f[8], f[9], f[10], f[11], qd[i], i <= ELBOW);
-    }
+    moveTool(qd);
+    moveElbow(qd[0], qd[1]);
   }
 
-  /** Adds what a joint with axis z through p does at a speed: z x (point - p), and z. */
-  private void addJoint(
-      double zx,
-      double zy,
-      double zz,
-      double px,
-      double py,
-      double pz,
-      double speed,
-      boolean movesElbow) {
-    double wx = zx * speed;
-    double wy = zy * speed;
-    double wz = zz * speed;
-    turn[0] += wx;
-    turn[1] += wy;
-    turn[2] += wz;
-    double rx = tool[0] - px;
-    double ry = tool[1] - py;
-    double rz = tool[2] - pz;
-    toolSpeed[0] += wy * rz - wz * ry;
-    toolSpeed[1] += wz * rx - wx * rz;
-    toolSpeed[2] += wx * ry - wy * rx;
-    if (movesElbow) {
-      double ex = frames[ELBOW][9] - px;
-      double ey = frames[ELBOW][10] - py;
-      double ez = frames[ELBOW][11] - pz;
-      elbowSpeed[0] += wy * ez - wz * ey;
-      elbowSpeed[1] += wz * ex - wx * ez;
-      elbowSpeed[2] += wx * ey - wy * ex;
+  /** Adds what each joint with axis z through p does at its speed: z x (tool - p), and z. */
+  private void moveTool(double[] qd) {
+    double turnX = 0;
+    double turnY = 0;
+    double turnZ = qd[0];
+    double speedX = -qd[0] * tool[1];
+    double speedY = qd[0] * tool[0];
+    double speedZ = 0;
+    for (int i = 1; i < Joints.COUNT; i++) {
+      double[] f = frames[i - 1];
+      double wx = f[2] * qd[i];
+      double wy = f[5] * qd[i];
+      double wz = f[8] * qd[i];
+      turnX += wx;
+      turnY += wy;
+      turnZ += wz;
+      double rx = tool[0] - f[9];
+      double ry = tool[1] - f[10];
+      double rz = tool[2] - f[11];
+      speedX += wy * rz - wz * ry;
+      speedY += wz * rx - wx * rz;
+      speedZ += wx * ry - wy * rx;
     }
+    turn[0] = turnX;
+    turn[1] = turnY;
+    turn[2] = turnZ;
+    toolSpeed[0] = speedX;
+    toolSpeed[1] = speedY;
+    toolSpeed[2] = speedZ;
+  }
+
+  /** The first two joints alone move the elbow. */
+  private void moveElbow(double baseSpeed, double shoulderSpeed) {
+    double[] f = frames[0];
+    double[] elbow = frames[ELBOW];
+    double wx = f[2] * shoulderSpeed;
+    double wy = f[5] * shoulderSpeed;
+    double wz = f[8] * shoulderSpeed;
+    double rx = elbow[9] - f[9];
+    double ry = elbow[10] - f[10];
+    double rz = elbow[11] - f[11];
+    elbowSpeed[0] = -baseSpeed * elbow[10] + (wy * rz - wz * ry);
+    elbowSpeed[1] = baseSpeed * elbow[9] + (wz * rx - wx * rz);
+    elbowSpeed[2] = wx * ry - wy * rx;
+  }
+
+  /** Denavit-Hartenberg frames 1 to 6 in the base frame; only to be read. */
+  double[][] frames() {
+    return frames;
   }
 
   /** Points the tool's own axis; needed by {@link #toolAxis} alone. */

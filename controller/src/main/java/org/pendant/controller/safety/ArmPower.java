@@ -4,15 +4,25 @@ import org.pendant.controller.motion.FrameTime;
 
 /** Power and brakes: each step towards a running arm takes its time, in frames. */
 final class ArmPower {
-  private static final long BOOTING_FRAMES = FrameTime.framesFor(1.0);
-  private static final long POWER_ON_FRAMES = FrameTime.framesFor(0.6);
-  private static final long BRAKE_FRAMES = FrameTime.framesFor(1.0);
+  private final long bootingFrames;
+  private final long powerOnFrames;
+  private final long brakeFrames;
+  private final long offFrames;
 
   private RobotMode mode;
   private long framesInMode;
   private boolean releasing;
 
-  ArmPower(boolean running) {
+  /** Frames until the power is cut as asked for; 0 when that is not asked for. */
+  private long framesToOff;
+
+  private boolean onAfterOff;
+
+  ArmPower(PowerTimes times, boolean running) {
+    bootingFrames = FrameTime.framesFor(times.bootS());
+    powerOnFrames = FrameTime.framesFor(times.powerOnS());
+    brakeFrames = FrameTime.framesFor(times.brakeS());
+    offFrames = times.offS() > 0 ? FrameTime.framesFor(times.offS()) : 0;
     mode = running ? RobotMode.RUNNING : RobotMode.POWER_OFF;
   }
 
@@ -24,9 +34,16 @@ final class ArmPower {
     return mode == RobotMode.RUNNING;
   }
 
+  /** Whether the power is about to be cut. */
+  boolean turningOff() {
+    return framesToOff > 0;
+  }
+
   /** Starts towards IDLE, unless the arm is on or on its way. */
   void on() {
-    if (mode == RobotMode.POWER_OFF) {
+    if (turningOff()) {
+      onAfterOff = true;
+    } else if (mode == RobotMode.POWER_OFF) {
       enter(RobotMode.BOOTING);
     }
   }
@@ -34,12 +51,25 @@ final class ArmPower {
   /** Cuts the power; the brakes close. */
   void off() {
     releasing = false;
+    framesToOff = 0;
+    onAfterOff = false;
     enter(RobotMode.POWER_OFF);
+  }
+
+  /** Cuts the power after the time that this takes. */
+  void turnOff() {
+    if (mode == RobotMode.POWER_OFF || offFrames == 0) {
+      off();
+    } else {
+      releasing = false;
+      onAfterOff = false;
+      framesToOff = turningOff() ? framesToOff : offFrames;
+    }
   }
 
   /** Starts towards RUNNING, from wherever the arm is. */
   void releaseBrakes() {
-    if (mode != RobotMode.RUNNING && !releasing) {
+    if ((mode != RobotMode.RUNNING || turningOff()) && !releasing) {
       on();
       releasing = true;
       framesInMode = mode == RobotMode.IDLE ? 0 : framesInMode;
@@ -58,12 +88,16 @@ final class ArmPower {
   /** A frame passes. */
   void step() {
     framesInMode++;
+    if (turningOff()) {
+      stepOff();
+      return;
+    }
     switch (mode) {
-      case BOOTING -> goOnAfter(BOOTING_FRAMES, RobotMode.POWER_ON);
-      case POWER_ON -> goOnAfter(POWER_ON_FRAMES, RobotMode.IDLE);
+      case BOOTING -> goOnAfter(bootingFrames, RobotMode.POWER_ON);
+      case POWER_ON -> goOnAfter(powerOnFrames, RobotMode.IDLE);
       case IDLE -> {
         if (releasing) {
-          goOnAfter(BRAKE_FRAMES, RobotMode.RUNNING);
+          goOnAfter(brakeFrames, RobotMode.RUNNING);
         }
       }
       case NO_CONTROLLER,
@@ -73,6 +107,19 @@ final class ArmPower {
           BACKDRIVE,
           RUNNING,
           UPDATING_FIRMWARE -> {}
+    }
+  }
+
+  private void stepOff() {
+    framesToOff--;
+    if (framesToOff == 0) {
+      boolean again = onAfterOff;
+      boolean release = releasing;
+      off();
+      if (again) {
+        on();
+        releasing = release;
+      }
     }
   }
 

@@ -39,6 +39,9 @@ final class FollowingCheck {
   /** Frames in a row that each joint was pushed, negative for the negative direction. */
   private final int[] pushed = new int[Joints.COUNT];
 
+  private double deviationRatio;
+  private double collisionRatio;
+
   FollowingCheck(ArmDescription arm) {
     for (int i = 0; i < Joints.COUNT; i++) {
       maxTorqueNm[i] = arm.joints().get(i).maxTorqueNm();
@@ -47,6 +50,8 @@ final class FollowingCheck {
 
   /** Forgets what was seen before. */
   void reset() {
+    deviationRatio = 0;
+    collisionRatio = 0;
     for (int i = 0; i < Joints.COUNT; i++) {
       deviating[i] = 0;
       pushed[i] = 0;
@@ -70,15 +75,29 @@ final class FollowingCheck {
     return maxTorqueNm[joint] * (holding ? HOLDING_COLLISION_SHARE : COLLISION_SHARE);
   }
 
+  /** The largest share of the allowed deviation that a joint has in this frame, 0 to 1. */
+  double deviationRatio() {
+    return deviationRatio;
+  }
+
+  /** The largest share of the allowed torque from outside that a joint has, 0 to 1. */
+  double collisionRatio() {
+    return collisionRatio;
+  }
+
   Optional<SafetyStop> check(FrameFacts facts, Observation seen, boolean holding) {
     double timeS = facts.timeS();
     Optional<SafetyStop> stop = Optional.empty();
+    deviationRatio = 0;
+    collisionRatio = 0;
     for (int i = 0; i < Joints.COUNT; i++) {
       double torque = facts.pressing() ? 0 : facts.sensors().externalTorqueNm(i);
       double allowedTorque = allowedTorqueNm(i, holding);
       pushed[i] = pushedFrames(pushed[i], torque, allowedTorque);
       double deviation = Math.abs(seen.targetQ[i] - seen.q[i]);
       double allowedDeviation = allowedDeviationRad(i, holding);
+      deviationRatio = Math.clamp(deviation / allowedDeviation, deviationRatio, 1);
+      collisionRatio = Math.clamp(Math.abs(torque) / allowedTorque, collisionRatio, 1);
       deviating[i] = deviation > allowedDeviation ? deviating[i] + 1 : 0;
       if (stop.isEmpty() && Math.abs(pushed[i]) >= PUSHED_FRAMES) {
         stop = Optional.of(StopReason.COLLISION.ofJoint(i, timeS, Math.abs(torque), allowedTorque));

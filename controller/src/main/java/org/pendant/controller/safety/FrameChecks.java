@@ -40,6 +40,21 @@ final class FrameChecks {
     return Optional.empty();
   }
 
+  /** Momentum of arm and declared payload, kg m/s. */
+  double momentumKgMPerS() {
+    return seen.momentumKgMPerS();
+  }
+
+  /** How far the arm is on its way to a stop for not following its target, 0 to 1. */
+  double deviationRatio() {
+    return following.deviationRatio();
+  }
+
+  /** How far it is on its way to a stop for being pushed, 0 to 1. */
+  double collisionRatio() {
+    return following.collisionRatio();
+  }
+
   /** Tool and elbow of the actual arm. */
   ArmPoints actual() {
     return seen.actual;
@@ -92,13 +107,24 @@ final class FrameChecks {
 
   /** What calls for a protective stop. */
   Optional<SafetyStop> protective(FrameFacts facts, ActiveLimits limits, boolean holding) {
-    if (facts.guided()) {
-      // the target is where the arm is, so it may do anything, and a push is no collision
-      forget();
-      return limits.recovery()
-          ? Optional.empty()
-          : travel.check(facts.timeS(), seen, limits.checked(), limits.reducedChecked());
+    Optional<SafetyStop> found =
+        facts.guided() ? guided(facts, limits) : planned(facts, limits, holding);
+    travel.remember(seen);
+    return found;
+  }
+
+  private Optional<SafetyStop> guided(FrameFacts facts, ActiveLimits limits) {
+    // the target is where the arm is, so it may do anything, and a push is no collision
+    forget();
+    if (limits.recovery()) {
+      return Optional.empty();
     }
+    Optional<SafetyStop> found =
+        travel.check(facts.timeS(), seen, limits.checked(), limits.reducedChecked());
+    return found.isPresent() ? found : travel.joints(facts.timeS(), seen, limits.checked());
+  }
+
+  private Optional<SafetyStop> planned(FrameFacts facts, ActiveLimits limits, boolean holding) {
     Optional<SafetyStop> found = target.check(facts.timeS(), seen);
     if (found.isEmpty() && !limits.recovery()) {
       found = travel.check(facts.timeS(), seen, limits.checked(), limits.reducedChecked());

@@ -12,7 +12,7 @@ public enum SafetyInput {
   SYSTEM_EMERGENCY_STOP,
   /** Somebody is near: the arm waits. The program goes on by itself when the signal is gone. */
   SAFEGUARD_STOP,
-  /** As {@link #SAFEGUARD_STOP}, for automatic mode, in which this robot always is. */
+  /** As {@link #SAFEGUARD_STOP}, unless manual mode is chosen. */
   AUTOMATIC_MODE_SAFEGUARD_STOP,
   /** The reduced limits hold. */
   REDUCED_MODE;

@@ -38,11 +38,11 @@ public final class SafetySystem {
 
   /**
    * A system that knows no payload; {@link #SafetySystem(ArmDescription, ArmDynamics,
-   * SafetyConfiguration, MessageLog, boolean)} is for a robot that carries things.
+   * SafetyConfiguration, MessageLog, boolean, PowerTimes)} is for a robot that carries things.
    */
   public SafetySystem(
       ArmDescription arm, SafetyConfiguration configuration, MessageLog log, boolean running) {
-    this(arm, new ArmDynamics(arm), configuration, log, running);
+    this(arm, new ArmDynamics(arm), configuration, log, running, PowerTimes.STANDARD);
   }
 
   /**
@@ -51,16 +51,18 @@ public final class SafetySystem {
    * @param dynamics masses of arm and declared payload, kept up to date by the caller
    * @param log gets every stop and change of mode
    * @param running whether the arm is powered and its brakes are released already
+   * @param times how long changes of power take
    */
   public SafetySystem(
       ArmDescription arm,
       ArmDynamics dynamics,
       SafetyConfiguration configuration,
       MessageLog log,
-      boolean running) {
+      boolean running,
+      PowerTimes times) {
     limits = new ActiveLimits(arm, configuration);
-    power = new ArmPower(running);
-    stops = new StopRecord(log);
+    power = new ArmPower(times, running);
+    stops = new StopRecord(log, times.unlockS());
     checks = new FrameChecks(arm, dynamics, configuration);
     positions = new ViolationCheck(configuration);
     asked = new ArmPoints(arm);
@@ -103,24 +105,31 @@ public final class SafetySystem {
     return limits.reduced();
   }
 
+  /** The mode of joint {@code joint} (0 to 5). */
+  public JointMode jointMode(int joint) {
+    return JointMode.of(power.mode(), stop(), joint);
+  }
+
+  /** Momentum of arm and declared payload, kg m/s. */
+  public double momentumKgMPerS() {
+    return checks.momentumKgMPerS();
+  }
+
   /**
-   * The mode of joint {@code joint} (0 to 5) as interfaces report it: 253 running, 255 idle, 247
-   * booting, 239 off, 238 backdrive, 251 violation, 252 fault.
+   * How far the arm is from its target, as a share of what stops it (C153); 0 while that is not
+   * looked at.
    */
-  public int jointMode(int joint) {
-    if (stops.is(SafetyMode.VIOLATION) && stops.concerns(joint)) {
-      return 251;
-    }
-    if (stops.is(SafetyMode.FAULT) && stops.concerns(joint)) {
-      return 252;
-    }
-    return switch (power.mode()) {
-      case RUNNING -> 253;
-      case IDLE -> 255;
-      case BOOTING, POWER_ON -> 247;
-      case BACKDRIVE -> 238;
-      case POWER_OFF, NO_CONTROLLER, DISCONNECTED, CONFIRM_SAFETY, UPDATING_FIRMWARE -> 239;
-    };
+  public double deviationRatio() {
+    return watched() ? checks.deviationRatio() : 0;
+  }
+
+  /** How hard the arm is pushed, as a share of what stops it (C157); 0 as with the deviation. */
+  public double collisionRatio() {
+    return watched() ? checks.collisionRatio() : 0;
+  }
+
+  private boolean watched() {
+    return power.running() && (stop().isEmpty() || stops.isSafeguard());
   }
 
   /** Powers the arm on; it gets to IDLE within 2 s. Answers why not, empty if it does. */
@@ -134,8 +143,10 @@ public final class SafetySystem {
 
   /** Powers the arm off, which ends a protective stop. Never refused. */
   public Optional<String> powerOff() {
-    power.off();
-    stops.poweredOff();
+    power.turnOff();
+    if (!power.turningOff()) {
+      stops.poweredOff();
+    }
     return Optional.empty();
   }
 
@@ -197,16 +208,36 @@ public final class SafetySystem {
     if (stop().isPresent()) {
       return Optional.of(stops.refusal());
     }
-    if (!power.running()) {
-      return Optional.of(
-          "the arm is "
-              + power.mode()
-              + ", must be RUNNING: power it on and release its brakes first");
-    }
+    Optional<String> powerless = motionRefusal();
+    return powerless.isPresent() ? powerless : recoveryRefusal();
+  }
+
+  /**
+   * Why no program that somebody sends to a port may run now; empty if one may. It may without
+   * power, which {@link #motionRefusal} is for.
+   */
+  public Optional<String> uploadRefusal() {
+    return stop().isPresent() ? Optional.of(stops.refusal()) : recoveryRefusal();
+  }
+
+  private Optional<String> recoveryRefusal() {
     return limits.recovery()
         ? Optional.of(
             "the arm is beyond a safety limit, must be brought back by hand first (RECOVERY)")
         : Optional.empty();
+  }
+
+  /** Why the arm cannot move for want of power; empty if it has power and no brakes. */
+  public Optional<String> motionRefusal() {
+    if (power.turningOff()) {
+      return Optional.of("the arm is being powered off");
+    }
+    return power.running()
+        ? Optional.empty()
+        : Optional.of(
+            "the arm is "
+                + power.mode()
+                + ", must be RUNNING: power it on and release its brakes first");
   }
 
   /** Demands a safety function, or no longer does. */
@@ -216,6 +247,13 @@ public final class SafetySystem {
     } else {
       inputs.remove(input);
     }
+  }
+
+  /**
+   * Chooses manual mode, in which {@link SafetyInput#AUTOMATIC_MODE_SAFEGUARD_STOP} does not count.
+   */
+  public void setManualMode(boolean manual) {
+    stops.setManual(manual);
   }
 
   /** Whether an input demands its safety function. */
@@ -309,7 +347,7 @@ public final class SafetySystem {
 
   /** Looks at a frame, step 5 of it, and answers what has to be done. */
   public SafetyAction step(FrameFacts facts) {
-    power.step();
+    stepPower();
     checks.take(facts);
     stops.setTime(facts.timeS());
     Optional<SafetyStop> demanded = demanded(facts);
@@ -321,6 +359,14 @@ public final class SafetySystem {
       return begun(demanded.get().category());
     }
     return goOn(facts);
+  }
+
+  private void stepPower() {
+    boolean turningOff = power.turningOff();
+    power.step();
+    if (turningOff && !power.turningOff()) {
+      stops.poweredOff();
+    }
   }
 
   private SafetyAction begun(StopCategory category) {

@@ -46,11 +46,21 @@ public final class SpeedCaps implements PathLimiter {
   @Override
   public double largestScaling(double[] q, double[] qd) {
     points.at(q, qd, tcpInFlange);
+    return largestScaling(qd);
+  }
+
+  @Override
+  public double largestScaling(double[] q, double[] qd, double[][] frames) {
+    points.at(frames, qd, tcpInFlange);
+    return largestScaling(qd);
+  }
+
+  private double largestScaling(double[] qd) {
     reducedShare = limits.reducedShare(points);
     SafetyLimits from = limits.unreduced();
     SafetyLimits to = limits.reducedSet();
     double toolSpeed = points.toolSpeedMPerS();
-    dynamics.linearMomentum(q, qd, momentum);
+    dynamics.linearMomentum(points.frames(), qd, momentum);
     double scaling = joints(from.jointSpeedRadPerS(), to.jointSpeedRadPerS(), qd);
     scaling = Math.min(scaling, cap(from.toolSpeedMPerS(), to.toolSpeedMPerS()) / toolSpeed);
     scaling =

@@ -1,6 +1,7 @@
 package org.pendant.controller.safety;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.MessageLog;
@@ -21,13 +22,33 @@ final class StopRecord {
   private Optional<SafetyStop> present = Optional.empty();
   private boolean programGoesOn;
   private double nowS;
+  private final double unlockTakesS;
 
-  StopRecord(MessageLog log) {
+  /** Somebody works beside the robot: what protects in automatic mode only does not count. */
+  private boolean manual;
+
+  /** When the present stop ends, as asked for. */
+  private OptionalDouble unlockedAtS = OptionalDouble.empty();
+
+  /**
+   * No stop yet.
+   *
+   * @param unlockTakesS how long it takes to end a protective stop, s
+   */
+  StopRecord(MessageLog log, double unlockTakesS) {
     this.log = log;
+    this.unlockTakesS = unlockTakesS;
   }
 
   void setTime(double timeS) {
     nowS = timeS;
+    if (unlockedAtS.isPresent() && timeS > unlockedAtS.getAsDouble() - ROUNDING_S) {
+      endUnlocked();
+    }
+  }
+
+  void setManual(boolean manual) {
+    this.manual = manual;
   }
 
   Optional<SafetyStop> present() {
@@ -50,17 +71,13 @@ final class StopRecord {
     return is(SafetyMode.VIOLATION) || is(SafetyMode.FAULT);
   }
 
-  /** Whether the stop is about a joint: about that one, or about none in particular. */
-  boolean concerns(int joint) {
-    return present.isPresent() && present.get().joint().orElse(joint) == joint;
-  }
-
   /** Makes a stop the present one, unless there is one that is as bad; returns whether it did. */
   boolean begin(SafetyStop stop, boolean programRunning) {
     if (!outranks(stop.mode())) {
       return false;
     }
     present = Optional.of(stop);
+    unlockedAtS = OptionalDouble.empty();
     programGoesOn = isSafeguard() && programRunning;
     if (isSafeguard() || stop.code() == StopReason.PROGRAM.code()) {
       log.safety(Level.WARNING, stop.codeText(), stop.message());
@@ -106,7 +123,7 @@ final class StopRecord {
   Optional<SafetyStop> safeguard(Set<SafetyInput> inputs) {
     Optional<SafetyStop> any =
         demanded(inputs, SafetyInput.SAFEGUARD_STOP, StopReason.SAFEGUARD_STOP);
-    return any.isPresent()
+    return any.isPresent() || manual
         ? any
         : demanded(
             inputs,
@@ -143,13 +160,14 @@ final class StopRecord {
     return resume ? SafetyAction.RESUME : SafetyAction.NONE;
   }
 
-  private static boolean safeguarded(Set<SafetyInput> inputs) {
+  private boolean safeguarded(Set<SafetyInput> inputs) {
     return inputs.contains(SafetyInput.SAFEGUARD_STOP)
-        || inputs.contains(SafetyInput.AUTOMATIC_MODE_SAFEGUARD_STOP);
+        || (!manual && inputs.contains(SafetyInput.AUTOMATIC_MODE_SAFEGUARD_STOP));
   }
 
   private void end() {
     present = Optional.empty();
+    unlockedAtS = OptionalDouble.empty();
     programGoesOn = false;
   }
 
@@ -198,9 +216,17 @@ final class StopRecord {
               + Math.ceil(leftS * 10) / 10
               + " s are left");
     }
+    if (unlockTakesS > 0) {
+      unlockedAtS = OptionalDouble.of(unlockedAtS.orElse(nowS + unlockTakesS));
+    } else {
+      endUnlocked();
+    }
+    return Optional.empty();
+  }
+
+  private void endUnlocked() {
     end();
     log.safety(Level.INFO, "", "the protective stop is unlocked");
-    return Optional.empty();
   }
 
   /** Ends a violation or a fault, or says why not. */

@@ -2,6 +2,7 @@ package org.pendant.controller.safety;
 
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.motion.FrameTime;
 import org.pendant.models.arm.Joints;
 
 /**
@@ -14,6 +15,12 @@ final class TravelCheck {
 
   private final List<SafetyPlane> planes;
   private final Optional<ToolDirection> direction;
+
+  /** How fast the joints were in the frame before, rad/s. */
+  private final double[] lastQd = new double[Joints.COUNT];
+
+  /** How fast they are in the next one if they go on speeding up as they do, rad/s. */
+  private final double[] nextQd = new double[Joints.COUNT];
 
   TravelCheck(SafetyConfiguration configuration) {
     planes = configuration.planes();
@@ -38,6 +45,33 @@ final class TravelCheck {
       stop = tilt(direction.get(), timeS, seen.target, reduced, travelS);
     }
     return stop;
+  }
+
+  /** Takes the speeds of a frame, with which the next one's are compared. */
+  void remember(Observation seen) {
+    System.arraycopy(seen.targetQd, 0, lastQd, 0, Joints.COUNT);
+  }
+
+  /**
+   * The stop that is needed now because the next frame is too late: of a target that nobody has
+   * planned, torques may have changed the speed a lot by then.
+   */
+  Optional<SafetyStop> joints(double timeS, Observation seen, SafetyLimits limits) {
+    for (int i = 0; i < Joints.COUNT; i++) {
+      double gained = seen.targetQd[i] - lastQd[i];
+      nextQd[i] = seen.targetQd[i] + (gained * seen.targetQd[i] > 0 ? gained : 0);
+    }
+    double travelS = Stopping.timeS(nextQd) / 2;
+    for (int i = 0; i < Joints.COUNT; i++) {
+      double speed = nextQd[i];
+      double nextQ = seen.targetQ[i] + (seen.targetQd[i] + speed) / 2 * FrameTime.FRAME_S;
+      double end = nextQ + speed * travelS;
+      double limit = speed > 0 ? limits.jointMaxRad().get(i) : limits.jointMinRad().get(i);
+      if (speed * (end - limit) > 0 && Math.abs(end - limit) > ROUNDING) {
+        return Optional.of(StopReason.JOINT_LIMIT_NEAR.ofJoint(i, timeS, end, limit));
+      }
+    }
+    return Optional.empty();
   }
 
   private static Optional<SafetyStop> joints(

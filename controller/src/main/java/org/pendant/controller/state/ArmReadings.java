@@ -2,6 +2,7 @@ package org.pendant.controller.state;
 
 import org.pendant.controller.arm.ArmSensors;
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.box.Mounting;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
@@ -21,7 +22,16 @@ import org.pendant.models.pose.Wrench;
  * @param toolCurrentA what the tool takes, A
  * @param toolAcceleration reading of the accelerometer in the tool flange
  * @param flangeWrenchInBase external wrench at the flange, along the axes of the base
+ * @param rawFlangeWrench what the force sensor feels at the flange along its axes, with the weight
+ *     of the payload and without its zero
  * @param payload what programs have declared
+ * @param mounting gravity and acceleration of the base, as programs have declared them
+ * @param robotCurrentA what the arm takes from its 48 V supply, A
+ * @param energyConsumedJ energy that it has taken since the controller was switched on, J
+ * @param energyDissipatedJ energy that it gave back in braking since then, J
+ * @param momentumKgMPerS linear momentum of arm and declared payload, kg m/s
+ * @param deviationRatio distance from the target as a share of what stops the arm, 0 to 1
+ * @param collisionRatio push from outside as a share of what stops the arm, 0 to 1
  */
 public record ArmReadings(
     Joints accelerationRadPerS2,
@@ -36,7 +46,15 @@ public record ArmReadings(
     double toolCurrentA,
     Acceleration toolAcceleration,
     Wrench flangeWrenchInBase,
-    Payload payload) {
+    Wrench rawFlangeWrench,
+    Payload payload,
+    Mounting mounting,
+    double robotCurrentA,
+    double energyConsumedJ,
+    double energyDissipatedJ,
+    double momentumKgMPerS,
+    double deviationRatio,
+    double collisionRatio) {
 
   /**
    * An acceleration along the axes of the flange.
@@ -66,6 +84,14 @@ public record ArmReadings(
             sensors.toolAccelerationMPerS2(1),
             sensors.toolAccelerationMPerS2(2)),
         box.flangeWrenchInBase(),
-        box.model().payload());
+        box.rawFlangeWrench(),
+        box.model().payload(),
+        box.model().mounting(),
+        box.supply().currentA(),
+        box.supply().consumedJ(),
+        box.supply().dissipatedJ(),
+        box.safety().momentumKgMPerS(),
+        box.safety().deviationRatio(),
+        box.safety().collisionRatio());
   }
 }

@@ -3,12 +3,14 @@ package org.pendant.controller.state;
 import java.util.Optional;
 import org.pendant.controller.box.ToolCentre;
 import org.pendant.controller.motion.MotionFailure;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 
 /**
- * Where the arm should be and is. Poses are computed when they are asked for.
+ * Where the arm should be and is. Poses are computed each time they are asked for; {@link
+ * ArmGeometry} keeps them.
  *
  * @param targetPositionRad joint positions it is told
  * @param targetSpeedRadPerS joint speeds it is told
@@ -16,7 +18,9 @@ import org.pendant.models.pose.Pose;
  * @param actualPositionRad joint positions
  * @param actualSpeedRadPerS joint speeds
  * @param tool the active tool centre point
+ * @param description what the arm is made of
  * @param kinematics of the arm
+ * @param controlMode what the drives follow
  * @param moving whether a motion is under way, a paused one included
  * @param steady whether the target has rested for 500 ms
  * @param speedFraction the speed slider, 0 to 1
@@ -30,7 +34,9 @@ public record ArmState(
     Joints actualPositionRad,
     Joints actualSpeedRadPerS,
     ToolCentre tool,
+    ArmDescription description,
     ForwardKinematics kinematics,
+    ControlMode controlMode,
     boolean moving,
     boolean steady,
     double speedFraction,

@@ -2,6 +2,8 @@ package org.pendant.controller.state;
 
 import java.util.List;
 import org.pendant.controller.debug.DebugState;
+import org.pendant.controller.eip.AssemblyImage;
+import org.pendant.controller.encoder.Encoders;
 import org.pendant.controller.freedrive.FreedriveState;
 import org.pendant.controller.io.DigitalLevels;
 import org.pendant.controller.io.SignalState;
@@ -9,6 +11,7 @@ import org.pendant.controller.machine.ProgramEvent;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
+import org.pendant.controller.modbus.ModbusSignalState;
 import org.pendant.controller.variables.TracedVariables;
 import org.pendant.controller.variables.VariableSamples;
 
@@ -20,10 +23,15 @@ import org.pendant.controller.variables.VariableSamples;
  *
  * @param frame number of the frame, 0 before the first
  * @param timeS controller time at its end, s
+ * @param executionTimeS how long the computer worked at this frame, s; 0 in virtual time
+ * @param geometry what follows from the joints, worked out when somebody asks
  * @param debug whether a debugger holds the frame, and where its threads are then; snapshots of a
  *     held frame repeat its number
  * @param io levels of the digital signals
  * @param signals all other signals: analog ones, registers, the tool connector
+ * @param assemblies data that are exchanged by EtherNet/IP, without those built in
+ * @param modbus the signals at Modbus devices that programs have added
+ * @param encoders what the encoders of conveyors count
  * @param freedrive whether the arm is guided by hand
  * @param variables of the running or last program, taken now and then
  * @param traced numbers among them that somebody wants in every frame
@@ -38,13 +46,18 @@ import org.pendant.controller.variables.VariableSamples;
 public record ControllerState(
     long frame,
     double timeS,
+    double executionTimeS,
     ArmState arm,
     ArmReadings readings,
+    ArmGeometry geometry,
     SafetyStatus safety,
     ProgramStatus program,
     DebugState debug,
     DigitalLevels io,
     SignalState signals,
+    List<ModbusSignalState> modbus,
+    AssemblyImage assemblies,
+    Encoders.Counts encoders,
     FreedriveState freedrive,
     VariableSamples variables,
     TracedVariables traced,
@@ -57,6 +70,7 @@ public record ControllerState(
     long newestEntry) {
   /** Copies the lists. */
   public ControllerState {
+    modbus = List.copyOf(modbus);
     openPopups = List.copyOf(openPopups);
     openQuestions = List.copyOf(openQuestions);
     newEntries = List.copyOf(newEntries);

@@ -18,6 +18,7 @@ final class CarriedCurve implements ToolCurve {
   private final double[] flange = new double[Transforms.SIZE];
   private final double[] first = new double[Pose.SIZE];
   private final double[] own = new double[Pose.SIZE];
+  private double placedAt = Double.NaN;
 
   /**
    * A way.
@@ -32,14 +33,23 @@ final class CarriedCurve implements ToolCurve {
 
   @Override
   public void at(double at, double[] transform) {
-    inFlange.at(at, work);
-    Transforms.invert(work, inverse);
-    Transforms.multiply(tool, inverse, transform);
+    place(at);
+    System.arraycopy(flange, 0, transform, 0, Transforms.SIZE);
+  }
+
+  /** Finds the places at a point, unless it was the last one: rate and bend are asked there too. */
+  private void place(double at) {
+    if (at != placedAt) {
+      inFlange.at(at, work);
+      Transforms.invert(work, inverse);
+      Transforms.multiply(tool, inverse, flange);
+      placedAt = at;
+    }
   }
 
   @Override
   public void rate(double at, double[] twist) {
-    at(at, flange);
+    place(at);
     inFlange.rate(at, first);
     double x = first[4] * work[11] - first[5] * work[10] - first[0];
     double y = first[5] * work[9] - first[3] * work[11] - first[1];
@@ -50,7 +60,7 @@ final class CarriedCurve implements ToolCurve {
 
   @Override
   public void bend(double at, double[] twist) {
-    at(at, flange);
+    place(at);
     inFlange.rate(at, first);
     inFlange.bend(at, own);
     double wx = first[3];

@@ -12,6 +12,7 @@ final class SpunCurve implements ToolCurve {
   private final Spline angle;
   private final double[] frame = new double[Transforms.SIZE];
   private final double[] turning = new double[6];
+  private double placedAt = Double.NaN;
 
   SpunCurve(ToolCurve plain, Spline angle) {
     this.plain = plain;
@@ -20,8 +21,17 @@ final class SpunCurve implements ToolCurve {
 
   @Override
   public void at(double at, double[] transform) {
-    plain.at(at, transform);
+    place(at);
+    System.arraycopy(frame, 0, transform, 0, Transforms.SIZE);
     spin(transform, angle.value(at));
+  }
+
+  /** Finds the place at a point, unless it was the last one: rate and bend are asked there too. */
+  private void place(double at) {
+    if (at != placedAt) {
+      plain.at(at, frame);
+      placedAt = at;
+    }
   }
 
   /** Turns a transformation about its z-axis. */
@@ -38,7 +48,7 @@ final class SpunCurve implements ToolCurve {
 
   @Override
   public void rate(double at, double[] twist) {
-    plain.at(at, frame);
+    place(at);
     plain.rate(at, twist);
     double slope = angle.slope(at);
     twist[3] += slope * frame[2];
@@ -48,7 +58,7 @@ final class SpunCurve implements ToolCurve {
 
   @Override
   public void bend(double at, double[] twist) {
-    plain.at(at, frame);
+    place(at);
     plain.rate(at, turning);
     plain.bend(at, twist);
     double slope = angle.slope(at);

@@ -84,7 +84,12 @@ public final class ValueText {
       case ObjectList list -> appendObjects(text, list);
       case MatrixValue matrix -> appendMatrix(text, matrix);
       case StructValue struct -> appendStruct(text, struct);
-      case HandleValue handle -> text.append(handle.type()).append(' ').append(handle.id());
+      case HandleValue handle -> {
+        text.append(handle.type().text()).append(' ').append(handle.id());
+        if (!handle.path().isEmpty()) {
+          text.append('.').append(handle.path());
+        }
+      }
     }
   }
 

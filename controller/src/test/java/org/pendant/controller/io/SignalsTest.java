@@ -41,7 +41,11 @@ class SignalsTest {
     signals.write(new SignalWrite.ToolPin(1, ToolPinMode.PUSH_PULL));
     assertEquals(
         new ToolConnector(
-            12, ToolOutputMode.DUAL_PIN_POWER, ToolPinMode.SOURCING, ToolPinMode.PUSH_PULL),
+            12,
+            ToolOutputMode.DUAL_PIN_POWER,
+            ToolPinMode.SOURCING,
+            ToolPinMode.PUSH_PULL,
+            ToolCommunication.STANDARD),
         signals.state().tool());
   }
 

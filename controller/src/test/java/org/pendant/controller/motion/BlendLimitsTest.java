@@ -27,6 +27,7 @@ import org.pendant.models.pose.Poses;
 final class BlendLimitsTest {
   private static final double FRAME_S = FrameTime.FRAME_S;
   private static final int MOVES = 10;
+  private static final double RAMP_S = 0.08;
   private static final Joints READY =
       new Joints(0, -Math.PI / 2, -Math.PI / 2, -Math.PI / 2, Math.PI / 2, 0);
   private static final Pose TCP = new Pose(0, 0, 0.1, 0, 0, 0);
@@ -191,21 +192,20 @@ final class BlendLimitsTest {
   }
 
   @Test
-  void acceleratesAndJerksInAVersion2BlendNoMoreThanItsTimeAllows() throws ScriptError {
+  void noJointJerksMoreInAVersion2BlendThanBothMovesTogetherMay() throws ScriptError {
     SplittableRandom random = new SplittableRandom(5);
     for (int each = 0; each < 200; each++) {
-      Chain chain = chain(1000 + each, false, 0.08);
+      Chain chain = chain(1000 + each, false, RAMP_S);
       Move first = chain.moves.get(0);
       Move second = chain.moves.get(1);
       List<Move> outlook = random.nextBoolean() ? List.of(second) : List.of();
       PathMotion leaving = MovePlanner.fromRest(first, READY, outlook);
-      double left = leaving.path().length() - leaving.handOverAt();
-      double blendS = 2 * left / leaving.handOverRate();
       Motion joined =
           MovePlanner.blended(leaving, leaving.handOverS(), second, List.of()).orElseThrow();
-      double allowed = Math.max(first.limits().acceleration(), second.limits().acceleration());
-      double jerk = allowed * Math.max(1 / 0.08, 4 / blendS);
-      double step = blendS / 200;
+      double one = first.limits().acceleration() / RAMP_S;
+      double other = second.limits().acceleration() / RAMP_S;
+      double jerk = one + other;
+      double step = joined.durationS() / 5000;
       Joints before = accelerationAt(joined, step);
       for (double t = 2 * step; t < joined.durationS(); t += step) {
         Joints now = accelerationAt(joined, t);
@@ -216,6 +216,43 @@ final class BlendLimitsTest {
         before = now;
       }
     }
+  }
+
+  @Test
+  void theToolJerksNoMoreInAVersion2BlendThanTheStrongerLineMay() throws ScriptError {
+    double step = 2e-3;
+    for (int each = 0; each < 200; each++) {
+      Chain chain = chain(3000 + each, true, RAMP_S);
+      Move first = chain.moves.get(0);
+      Move second = chain.moves.get(1);
+      PathMotion leaving = MovePlanner.fromRest(first, READY, List.of(second));
+      Motion joined =
+          MovePlanner.blended(leaving, leaving.handOverS(), second, List.of()).orElseThrow();
+      double jerk =
+          Math.max(first.limits().acceleration(), second.limits().acceleration()) / RAMP_S;
+      Pose before = twistAt(joined, 0);
+      Pose now = twistAt(joined, step);
+      for (double t = 2 * step; t < joined.durationS(); t += step) {
+        Pose next = twistAt(joined, t);
+        double change =
+            Math.hypot(
+                Math.hypot(
+                    next.x() - 2 * now.x() + before.x(), next.y() - 2 * now.y() + before.y()),
+                next.z() - 2 * now.z() + before.z());
+        String where = chain.name + " at " + t;
+        assertTrue(
+            change <= jerk * step * step * ROUNDING + 1e-7,
+            () -> where + ": " + change / step / step + " of " + jerk);
+        before = now;
+        now = next;
+      }
+    }
+  }
+
+  private Pose twistAt(Motion motion, double timeS) {
+    MotionSample sample = new MotionSample();
+    assertEquals(Optional.empty(), motion.sample(timeS, sample));
+    return twist(sample.positionRad(), sample.speedRadPerS());
   }
 
   private static Joints accelerationAt(Motion motion, double timeS) {

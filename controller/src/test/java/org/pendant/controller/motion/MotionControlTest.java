@@ -2,6 +2,8 @@ package org.pendant.controller.motion;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -92,6 +94,25 @@ final class MotionControlTest {
         assertEquals(mean * FRAME_S, moved, acceleration * FRAME_S * FRAME_S, input);
       }
     }
+  }
+
+  @Test
+  void whatIsGivenOutStaysAsItWasInItsFrame() throws ScriptError {
+    MotionControl control = new MotionControl(arm, READY);
+    control.start(movej(near(READY, 0.5), new MoveLimits(1, 1, 0)));
+    for (int i = 0; i < 100; i++) {
+      control.step();
+    }
+    Joints q = control.positionRad();
+    Joints qd = control.speedRadPerS();
+    Joints qdd = control.accelerationRadPerS2();
+    double[] then = q.toArray();
+    assertSame(q, control.positionRad());
+    control.step();
+    assertEquals(Joints.of(then), q);
+    assertNotEquals(q, control.positionRad());
+    assertNotEquals(qd, control.speedRadPerS());
+    assertEquals(0, qdd.maxAbsDifference(control.accelerationRadPerS2()), 1e-9);
   }
 
   @Test

@@ -155,4 +155,20 @@ final class InputStopTest {
         assertThrows(IllegalArgumentException.class, () -> SafetyInput.named("reduced"))
             .getMessage());
   }
+
+  @Test
+  void inManualModeTheSafeguardOfAutomaticModeDoesNotCount() {
+    SafetyBench attended = SafetyBench.standard();
+    attended.safety.setManualMode(true);
+    attended.safety.setInput(SafetyInput.AUTOMATIC_MODE_SAFEGUARD_STOP, true);
+    attended.steps(2);
+    assertEquals(SafetyMode.NORMAL, attended.safety.safetyMode());
+    attended.safety.setInput(SafetyInput.SAFEGUARD_STOP, true);
+    attended.steps(2);
+    assertEquals(SafetyMode.SAFEGUARD_STOP, attended.safety.safetyMode());
+    attended.safety.setInput(SafetyInput.SAFEGUARD_STOP, false);
+    attended.safety.setManualMode(false);
+    attended.steps(2);
+    assertTrue(attended.safety.stop().isPresent());
+  }
 }

@@ -105,14 +105,14 @@ final class PowerTest {
 
   @Test
   void jointsReportThePowerStep() {
-    assertEquals(239, safety.jointMode(0));
+    assertEquals(239, safety.jointMode(0).code());
     safety.releaseBrakes();
     bench.step();
-    assertEquals(247, safety.jointMode(3));
+    assertEquals(247, safety.jointMode(3).code());
     bench.steps(850);
-    assertEquals(255, safety.jointMode(5));
+    assertEquals(255, safety.jointMode(5).code());
     bench.steps(600);
-    assertEquals(253, safety.jointMode(5));
+    assertEquals(253, safety.jointMode(5).code());
   }
 
   @Test
@@ -120,7 +120,7 @@ final class PowerTest {
     safety.powerOn();
     bench.steps(1000);
     safety.startBackdrive();
-    assertEquals(238, safety.jointMode(1));
+    assertEquals(238, safety.jointMode(1).code());
   }
 
   @Test

@@ -9,6 +9,7 @@ import org.pendant.controller.motion.FrameTime;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 
@@ -37,6 +38,12 @@ final class SafetyBench {
   SafetyBench(ArmDescription arm, SafetyConfiguration configuration, boolean running) {
     this.arm = arm;
     safety = new SafetySystem(arm, configuration, log, running);
+  }
+
+  /** A running UR5e as it comes, whose changes of power take these times. */
+  SafetyBench(PowerTimes times) {
+    arm = ArmLibrary.load("ur5e");
+    safety = new SafetySystem(arm, new ArmDynamics(arm), standardOfUr5e(), log, true, times);
   }
 
   /** A running UR5e with these limits and planes. */

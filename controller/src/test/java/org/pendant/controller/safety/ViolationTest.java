@@ -83,8 +83,8 @@ final class ViolationTest {
   @Test
   void jointAtFaultReportsIt() {
     turning(bench, 5, 3.4).step();
-    assertEquals(251, safety.jointMode(5));
-    assertEquals(239, safety.jointMode(0));
+    assertEquals(251, safety.jointMode(5).code());
+    assertEquals(239, safety.jointMode(0).code());
   }
 
   @Test
@@ -266,7 +266,7 @@ final class ViolationTest {
     assertEquals(SafetyMode.FAULT, safety.safetyMode());
     assertEquals(
         "C192A0 fault at 0.002 s: wrist 1 (joint 3) reports no number", bench.stop().message());
-    assertEquals(252, safety.jointMode(3));
+    assertEquals(252, safety.jointMode(3).code());
     bench.at(SafetyBench.START);
     assertEquals(Optional.empty(), safety.restartSafety());
   }

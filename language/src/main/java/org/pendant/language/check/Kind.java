@@ -57,7 +57,7 @@ enum Kind {
       case LIST, JOINTS -> LIST;
       case MATRIX -> MATRIX;
       case STRUCT -> STRUCT;
-      case ANY, NONE, POSE_OR_JOINTS -> ANY;
+      case ANY, NONE, POSE_OR_JOINTS, RPC_HANDLE, EIP_HANDLE -> ANY;
     };
   }
 
@@ -78,29 +78,60 @@ enum Kind {
       case STRING ->
           switch (type) {
             case ANY, NONE, STRING -> true;
-            case BOOL, INT, NUMBER, POSE, LIST, JOINTS, POSE_OR_JOINTS, MATRIX, STRUCT -> false;
+            case BOOL,
+                INT,
+                NUMBER,
+                POSE,
+                LIST,
+                JOINTS,
+                POSE_OR_JOINTS,
+                MATRIX,
+                STRUCT,
+                RPC_HANDLE,
+                EIP_HANDLE ->
+                false;
           };
       case BOOL, NUMBER ->
           switch (type) {
             case ANY, NONE, BOOL, INT, NUMBER -> true;
-            case STRING, POSE, LIST, JOINTS, POSE_OR_JOINTS, MATRIX, STRUCT -> false;
+            case STRING,
+                POSE,
+                LIST,
+                JOINTS,
+                POSE_OR_JOINTS,
+                MATRIX,
+                STRUCT,
+                RPC_HANDLE,
+                EIP_HANDLE ->
+                false;
           };
       case POSE, LIST ->
           switch (type) {
             case ANY, NONE, POSE, LIST, JOINTS, POSE_OR_JOINTS -> true;
             case MATRIX -> this == LIST;
             case STRUCT -> this == LIST;
-            case BOOL, INT, NUMBER, STRING -> false;
+            case BOOL, INT, NUMBER, STRING, RPC_HANDLE, EIP_HANDLE -> false;
           };
       case MATRIX ->
           switch (type) {
             case ANY, NONE, MATRIX, LIST -> true;
-            case BOOL, INT, NUMBER, STRING, POSE, JOINTS, POSE_OR_JOINTS, STRUCT -> false;
+            case BOOL,
+                INT,
+                NUMBER,
+                STRING,
+                POSE,
+                JOINTS,
+                POSE_OR_JOINTS,
+                STRUCT,
+                RPC_HANDLE,
+                EIP_HANDLE ->
+                false;
           };
       case STRUCT ->
           switch (type) {
             case ANY, NONE, STRUCT, LIST, JOINTS -> true;
-            case BOOL, INT, NUMBER, STRING, POSE, POSE_OR_JOINTS, MATRIX -> false;
+            case BOOL, INT, NUMBER, STRING, POSE, POSE_OR_JOINTS, MATRIX, RPC_HANDLE, EIP_HANDLE ->
+                false;
           };
     };
   }

@@ -54,7 +54,7 @@ record Receiver(Type type, Set<String> members) {
 
   private static boolean isReceiver(Type type) {
     return switch (type) {
-      case STRING, POSE, LIST, MATRIX, STRUCT, BOOL -> true;
+      case STRING, POSE, LIST, MATRIX, STRUCT, BOOL, RPC_HANDLE, EIP_HANDLE -> true;
       case ANY, NONE, INT, NUMBER, JOINTS, POSE_OR_JOINTS -> false;
     };
   }

@@ -18,7 +18,11 @@ public enum Type {
   /** A pose, or six joint positions. */
   POSE_OR_JOINTS("pose or list of 6 numbers"),
   MATRIX("matrix"),
-  STRUCT("struct");
+  STRUCT("struct"),
+  /** A connection to a server of remote procedures; only the server knows its methods. */
+  RPC_HANDLE("rpc handle"),
+  /** A way to data that are exchanged by EtherNet/IP. */
+  EIP_HANDLE("eip handle");
 
   private final String text;
 

@@ -263,7 +263,7 @@ public final class ForceMode implements PathOffset {
     } else {
       Arrays.fill(next, 0);
     }
-    givingWay.limit(motion.positionRad(), tcpInFlange, pathTwist, twist, next);
+    givingWay.limit(motion, tcpInFlange, pathTwist, twist, next);
     System.arraycopy(next, 0, twist, 0, N);
     carried.advance(twist);
     System.arraycopy(onPath12, 0, tcpInBase, 0, Transforms.SIZE);

@@ -1,18 +1,20 @@
 package org.pendant.controller.motion.force;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.function.Supplier;
 import org.pendant.controller.arm.ArmSensors;
 import org.pendant.controller.motion.FrameTime;
+import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.motion.PathLimiter;
 import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.models.arm.ArmDescription;
-import org.pendant.models.arm.JointLimits;
+import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.kinematics.Singularity;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Transforms;
 
 /**
  * Keeps what force mode asks for within what the joints can and may do: it gives way more slowly,
@@ -35,17 +37,26 @@ final class GivingWay {
   /** A joint that cannot follow its target any better than this presses no harder, rad. */
   private static final double FARTHEST_LEAD_RAD = 0.03;
 
-  /** Halvings in the search for a speed that is allowed. */
-  private static final int HALVINGS = 7;
+  /** Looks in the search for a speed that is allowed. */
+  private static final int CHORDS = 3;
+
+  /** What the search aims at, a rounding below all that is allowed, and what is near enough. */
+  private static final double AIM = 1 - 1e-9;
+
+  private static final double ENOUGH = 0.99;
 
   private static final Singularity[] SINGULARITIES = Singularity.values();
   private static final int N = Joints.COUNT;
 
-  private final ArmDescription arm;
+  private final DhLengths dh;
+  private final double[] minRad = new double[N];
+  private final double[] maxRad = new double[N];
   private final PathLimiter speeds;
   private final Supplier<SafetyLimits> limits;
   private final ArmSensors sensors;
+  private final ForwardKinematics forward;
   private final Jacobian jacobian;
+  private final double[][] frames = new double[N][Transforms.SIZE];
   private final double[] jacobian36 = new double[Jacobian.SIZE];
   private final double[] q = new double[N];
   private final double[] actual = new double[N];
@@ -63,39 +74,48 @@ final class GivingWay {
    */
   GivingWay(
       ArmDescription arm, PathLimiter speeds, Supplier<SafetyLimits> limits, ArmSensors sensors) {
-    this.arm = arm;
+    dh = arm.dh();
+    for (int i = 0; i < N; i++) {
+      minRad[i] = arm.joints().get(i).minRad();
+      maxRad[i] = arm.joints().get(i).maxRad();
+    }
     this.sensors = sensors;
     this.speeds = speeds;
     this.limits = limits;
-    jacobian = new Jacobian(arm.dh());
+    forward = new ForwardKinematics(dh);
+    jacobian = new Jacobian(dh);
   }
 
   /**
    * Comes as near to a velocity as it may.
    *
-   * @param position where the joints are to be, rad
+   * @param motion knows where the joints are to be
    * @param tcpInFlange the TCP that is carried
    * @param pathTwist6 how the path moves it, m/s and rad/s along the axes of the base
    * @param twist6 its velocity besides so far, along the same axes
    * @param next6 the velocity wanted instead; overwritten with the possible one
    */
   void limit(
-      Joints position, Pose tcpInFlange, double[] pathTwist6, double[] twist6, double[] next6) {
-    position.copyTo(q);
-    jacobian.at(q, tcpInFlange, jacobian36);
-    boolean regular =
-        jacobian.solve(jacobian36, twist6, speed)
-            && jacobian.solve(jacobian36, next6, wanted)
-            && jacobian.solve(jacobian36, pathTwist6, path);
-    if (!regular) {
+      MotionControl motion,
+      Pose tcpInFlange,
+      double[] pathTwist6,
+      double[] twist6,
+      double[] next6) {
+    motion.copyPositionRad(q);
+    forward.frames(q, frames);
+    jacobian.at(frames, tcpInFlange, jacobian36);
+    if (!jacobian.factorise(jacobian36)) {
       Arrays.fill(next6, 0);
       return;
     }
+    jacobian.solve(twist6, speed);
+    jacobian.solve(next6, wanted);
+    jacobian.solve(pathTwist6, path);
     double answered = accelerationShare();
     for (int i = 0; i < N; i++) {
       speed[i] += answered * (wanted[i] - speed[i]);
     }
-    double share = Math.min(singularityShare(position), Math.min(wallShare(), leadShare()));
+    double share = Math.min(singularityShare(), Math.min(wallShare(), leadShare()));
     double kept = allowed(share);
     // the share of joint speeds is that of the velocity: no other axis begins to move
     for (int i = 0; i < N; i++) {
@@ -112,10 +132,10 @@ final class GivingWay {
     return largest > step ? step / largest : 1;
   }
 
-  private double singularityShare(Joints position) {
+  private double singularityShare() {
     double measure = 1;
     for (Singularity each : SINGULARITIES) {
-      measure = Math.min(measure, each.measure(arm.dh(), position));
+      measure = Math.min(measure, each.measure(dh, q));
     }
     double fastest = 0;
     for (double each : speed) {
@@ -126,13 +146,12 @@ final class GivingWay {
 
   private double wallShare() {
     SafetyLimits safe = limits.get();
-    List<JointLimits> own = arm.joints();
     double share = 1;
     for (int i = 0; i < N; i++) {
       double room =
           speed[i] > 0
-              ? Math.min(own.get(i).maxRad(), safe.jointMaxRad().get(i)) - q[i]
-              : q[i] - Math.max(own.get(i).minRad(), safe.jointMinRad().get(i));
+              ? Math.min(maxRad[i], safe.jointMaxRad().get(i)) - q[i]
+              : q[i] - Math.max(minRad[i], safe.jointMinRad().get(i));
       double most = WALL_PER_S * Math.max(0, room - MARGIN_RAD) - path[i] * Math.signum(speed[i]);
       if (Math.abs(speed[i]) > most) {
         share = Math.min(share, Math.max(0, most) / Math.abs(speed[i]));
@@ -152,28 +171,38 @@ final class GivingWay {
     return Math.max(0, share);
   }
 
-  /** The largest share, up to {@code most}, with which no speed of the arm is too high. */
+  /**
+   * A share, up to {@code most}, with which no speed of the arm is too high, and the largest such
+   * as near as a few looks find it. What speeds demand is the size of a vector that changes evenly
+   * with the share, so a chord runs above it, and where the chord reaches the limit all is well.
+   */
   private double allowed(double most) {
-    if (fits(most)) {
+    double beyond = demand(most);
+    if (beyond <= 1) {
       return most;
     }
-    double low = 0;
     double high = most;
-    for (int i = 0; i < HALVINGS; i++) {
-      double middle = (low + high) / 2;
-      if (fits(middle)) {
-        low = middle;
+    double low = 0;
+    double beneath = demand(0);
+    for (int i = 0; i < CHORDS && beneath < ENOUGH; i++) {
+      double between = low + (high - low) * (AIM - beneath) / (beyond - beneath);
+      double there = demand(between);
+      if (there <= 1) {
+        low = between;
+        beneath = there;
       } else {
-        high = middle;
+        high = between;
+        beyond = there;
       }
     }
     return low;
   }
 
-  private boolean fits(double share) {
+  /** What a share of the speeds is of what the arm may do; at most 1 is allowed. */
+  private double demand(double share) {
     for (int i = 0; i < N; i++) {
       sum[i] = path[i] + share * speed[i];
     }
-    return speeds.largestScaling(q, sum) >= 1;
+    return 1 / speeds.largestScaling(q, sum, frames);
   }
 }

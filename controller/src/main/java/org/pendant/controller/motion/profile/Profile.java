@@ -7,6 +7,9 @@ import java.util.Arrays;
  * times of the caller's choice and never integrated, so errors do not add up.
  */
 public final class Profile {
+  /** Halvings of the time that bring it down to a few rounding errors. */
+  private static final int HALVINGS = 50;
+
   private final int phases;
   private final double[] beginS;
   private final double[] position;
@@ -75,6 +78,24 @@ public final class Profile {
     return position[i] + t * (speed[i] + t * (acceleration[i] / 2 + t * (jerk[i] / 6)));
   }
 
+  /** When a distance is covered: the time of which {@link #position} is that, s. */
+  public double timeAt(double covered) {
+    if (covered >= distance) {
+      return durationS;
+    }
+    double low = 0;
+    double high = durationS;
+    for (int i = 0; i < HALVINGS; i++) {
+      double middle = 0.5 * (low + high);
+      if (position(middle) <= covered) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
+  }
+
   /** Speed at a time; after the end the speed there. */
   public double speed(double timeS) {
     if (timeS >= durationS) {
@@ -92,6 +113,24 @@ public final class Profile {
     }
     int i = phase(timeS);
     return acceleration[i] + (timeS - beginS[i]) * jerk[i];
+  }
+
+  /**
+   * The highest acceleration between two times.
+   *
+   * @param sign 1, or -1 for the lowest one
+   */
+  public double extremeAcceleration(double fromS, double toS, double sign) {
+    double extreme = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < phases; i++) {
+      double low = Math.max(fromS, beginS[i]);
+      double high = Math.min(toS, i + 1 < phases ? beginS[i + 1] : durationS);
+      if (low <= high) {
+        extreme = Math.max(extreme, sign * (acceleration[i] + (low - beginS[i]) * jerk[i]));
+        extreme = Math.max(extreme, sign * (acceleration[i] + (high - beginS[i]) * jerk[i]));
+      }
+    }
+    return extreme == Double.NEGATIVE_INFINITY ? 0 : sign * extreme;
   }
 
   private int phase(double timeS) {

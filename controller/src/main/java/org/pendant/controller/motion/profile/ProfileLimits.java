@@ -18,6 +18,9 @@ public record ProfileLimits(double speed, double acceleration, double jerk) {
   /** Halvings of an interval that bring it down to a few rounding errors. */
   private static final int HALVINGS = 60;
 
+  /** Steps that solve a cubic equation from above to a few rounding errors. */
+  private static final int NEWTON_STEPS = 6;
+
   /** Part by which a distance that was found by halving may be too short. */
   private static final double ROUNDING = 1 + 1e-8;
 
@@ -201,23 +204,42 @@ public record ProfileLimits(double speed, double acceleration, double jerk) {
     return fastest(distance, from);
   }
 
+  /** The lowest speed that can be reached from {@code from}, were the jerk no limit. */
+  public double slowestEnd(double distance, double from) {
+    return Math.sqrt(Math.max(0, from * from - 2 * acceleration * Math.max(0, distance)));
+  }
+
   private double fastest(double distance, double other) {
     if (rampDistance(other, speed) <= distance) {
       return speed;
     }
+    if (distance <= 0 || other >= speed) {
+      return Math.min(other, speed);
+    }
     if (jerk == Double.POSITIVE_INFINITY) {
       return Math.min(speed, Math.sqrt(other * other + 2 * acceleration * distance));
     }
-    double low = Math.min(other, speed);
-    double high = speed;
-    for (int i = 0; i < HALVINGS; i++) {
-      double middle = 0.5 * (low + high);
-      if (rampDistance(other, middle) <= distance) {
-        low = middle;
-      } else {
-        high = middle;
+    return Math.min(speed, other + change(distance, other));
+  }
+
+  /** By how much the speed can grow from {@code from} over a distance with limited jerk. */
+  private double change(double distance, double from) {
+    double corner = acceleration * acceleration / jerk;
+    if (rampDistance(from, from + corner) <= distance) {
+      // v² + v a² / j = from² - from a² / j + 2 a distance, for the change v - from
+      double half = from + 0.5 * corner;
+      double more = 2 * (acceleration * distance - from * corner);
+      return more / (half + Math.sqrt(half * half + more));
+    }
+    // j x³ + 2 from x = distance, for x = sqrt(change / j)
+    double x = Math.cbrt(distance / jerk);
+    if (from > 0) {
+      x = Math.min(x, 0.5 * distance / from);
+      for (int i = 0; i < NEWTON_STEPS; i++) {
+        double slope = 3 * jerk * x * x + 2 * from;
+        x -= ((jerk * x * x + 2 * from) * x - distance) / slope;
       }
     }
-    return low;
+    return jerk * x * x;
   }
 }

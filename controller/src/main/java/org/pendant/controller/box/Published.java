@@ -1,0 +1,45 @@
+package org.pendant.controller.box;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.value.Value;
+
+/** What the controller told the world at the end of the frame before, for programs to read. */
+public interface Published {
+  /** A box that nobody drives has told nothing. */
+  Published NOTHING =
+      new Published() {
+        @Override
+        public Optional<Value> field(String name) {
+          return Optional.empty();
+        }
+
+        @Override
+        public Collection<String> fieldNames() {
+          return List.of();
+        }
+
+        @Override
+        public Optional<Integer> portRegister(int address) {
+          return Optional.empty();
+        }
+
+        @Override
+        public Optional<Boolean> portBit(int address) {
+          return Optional.empty();
+        }
+      };
+
+  /** The value of an RTDE output field; empty if there is no such field (manual 18.10). */
+  Optional<Value> field(String name);
+
+  /** The names of all RTDE output fields. */
+  Collection<String> fieldNames();
+
+  /** A register as Modbus clients see it, 0 to 65535; empty if there is none. */
+  Optional<Integer> portRegister(int address);
+
+  /** A bit as Modbus clients see it; empty if there is none. */
+  Optional<Boolean> portBit(int address);
+}

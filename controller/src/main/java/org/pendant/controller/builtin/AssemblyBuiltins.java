@@ -1,0 +1,280 @@
+package org.pendant.controller.builtin;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Declaration;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.eip.AssemblyField;
+import org.pendant.controller.eip.AssemblyHandle;
+import org.pendant.controller.eip.NumberType;
+import org.pendant.controller.io.WatchdogAction;
+import org.pendant.controller.value.HandleValue;
+import org.pendant.controller.value.Kind;
+import org.pendant.controller.value.ListValue;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.StringValue;
+import org.pendant.controller.value.StructValue;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+
+/** Data that programs exchange with an EtherNet/IP scanner (manual 21). */
+final class AssemblyBuiltins {
+  private static final String MODULE = "eip";
+  private static final double MOST_WATCHDOG_HZ = 10;
+  private static final int LARGEST = 0xFFFF;
+
+  private AssemblyBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    factory(builtins, "eip_reader_factory", "21.2.1")
+        .doc(
+            "A handle by which data are read that a scanner sends. The name is the number of the"
+                + " assembly instance, which must exist with this size in bytes.")
+        .does(call -> open(call, true));
+    factory(builtins, "eip_writer_factory", "21.2.2")
+        .doc(
+            "A handle by which data are written that a scanner gets. The name is the number of the"
+                + " assembly instance, which must exist with this size in bytes.")
+        .does(call -> open(call, false));
+    declareLayout(builtins);
+    declareAccess(builtins);
+    declareWatchdog(builtins);
+    method(builtins, "close", "21.3.11")
+        .doc("Closes the handle; its labels and its watchdog go away, the data stay.")
+        .does(
+            call -> {
+              handle(call).close();
+              return call.answer();
+            });
+  }
+
+  private static Declaration factory(Builtins builtins, String name, String section) {
+    return builtins
+        .declare(name)
+        .manual(MODULE, section)
+        .needs("instance_name", Type.STRING)
+        .needs("data_size", Type.INT)
+        .returns(Type.EIP_HANDLE);
+  }
+
+  private static Declaration method(Builtins builtins, String name, String section) {
+    return builtins.declareMethod(Type.EIP_HANDLE, name).manual(MODULE, section);
+  }
+
+  private static void declareLayout(Builtins builtins) {
+    for (NumberType type : NumberType.values()) {
+      method(builtins, "define_" + type.text(), "21.3.1")
+          .doc(
+              "Gives a label to the "
+                  + type.text()
+                  + " at byte offset of the assembly. Labels must not overlap, except numbers and"
+                  + " bits.")
+          .needs("offset", Type.INT)
+          .needs("data_name", Type.STRING)
+          .does(call -> define(call, 2, new AssemblyField.Scalar(type, offset(call))));
+      method(builtins, "define_" + type.text() + "_array", "21.3.3")
+          .doc(
+              "Gives a label to an array of "
+                  + type.text()
+                  + " that begins at byte offset of the assembly. Labels must not overlap, except"
+                  + " numbers and bits.")
+          .needs("offset", Type.INT)
+          .needs("length", Type.INT)
+          .needs("data_name", Type.STRING)
+          .does(
+              call -> define(call, 3, new AssemblyField.Numbers(type, offset(call), length(call))));
+    }
+    method(builtins, "define_bit", "21.3.2")
+        .doc(
+            "Gives a label to a bit of the byte, word or double word at byte offset of the"
+                + " assembly. bitfield_width is 1, 2 or 4 bytes; bit 0 is the least significant.")
+        .needs("offset", Type.INT)
+        .needs("bit_number", Type.INT)
+        .needs("data_name", Type.STRING)
+        .takes("bitfield_width", Unit.NONE, 1)
+        .does(AssemblyBuiltins::defineBit);
+    method(builtins, "define_string", "21.3.4")
+        .doc(
+            "Gives a label to a text that begins at byte offset of the assembly. A text shorter"
+                + " than length ends with a zero byte.")
+        .needs("offset", Type.INT)
+        .needs("length", Type.INT)
+        .needs("data_name", Type.STRING)
+        .does(call -> define(call, 3, new AssemblyField.Text(offset(call), length(call))));
+  }
+
+  private static void declareAccess(Builtins builtins) {
+    method(builtins, "read", "21.3.5")
+        .doc(
+            "The newest data that the scanner has sent. One label gives its value, a list of labels"
+                + " a struct with members of these names.")
+        .needs("data_names", Type.ANY)
+        .returns(Type.ANY)
+        .does(AssemblyBuiltins::read);
+    method(builtins, "write", "21.3.6")
+        .doc(
+            "Writes the members of a struct to the labels of their names, all at once. A list"
+                + " shorter than its array makes the rest zero; a value out of range is an error.")
+        .needs("data_struct", Type.STRUCT)
+        .does(
+            call -> {
+              AssemblyHandle handle = handle(call);
+              StructValue values = call.struct(1);
+              return done(call, () -> handle.write(values));
+            });
+    method(builtins, "clear", "21.3.7")
+        .doc("Makes all bytes of the assembly zero.")
+        .does(
+            call -> {
+              AssemblyHandle handle = handle(call);
+              return done(call, handle::clear);
+            });
+  }
+
+  private static void declareWatchdog(Builtins builtins) {
+    method(builtins, "set_watchdog", "21.3.8")
+        .doc(
+            "Watches from now on that the scanner sends at least this often. action is 0 for a line"
+                + " in the log, 1 for a protective stop that pauses the program, 2 for one that"
+                + " ends it. Only for handles that read.")
+        .needs("frequency", Unit.HERTZ)
+        .needs("action", Type.INT)
+        .does(AssemblyBuiltins::setWatchdog);
+    method(builtins, "start_watchdog", "21.3.9")
+        .doc("Goes on watching after stop_watchdog. It is an error when none is set.")
+        .does(
+            call -> {
+              AssemblyHandle handle = handle(call);
+              return done(call, () -> handle.startWatchdog(call.box().timeS()));
+            });
+    method(builtins, "stop_watchdog", "21.3.10")
+        .doc("Watches no longer, until start_watchdog. It is an error when none is set.")
+        .does(
+            call -> {
+              AssemblyHandle handle = handle(call);
+              return done(call, handle::stopWatchdog);
+            });
+  }
+
+  /** What may refuse; the name of the function comes in front of the reason. */
+  @FunctionalInterface
+  private interface Work {
+    void run() throws ScriptError;
+  }
+
+  private static Outcome done(Call call, Work work) throws ScriptError {
+    try {
+      work.run();
+    } catch (ScriptError e) {
+      throw call.failure(e.code(), e.getMessage());
+    }
+    return call.answer();
+  }
+
+  private static Outcome open(Call call, boolean reading) throws ScriptError {
+    String name = call.text(0);
+    if (!name.matches("[0-9]{1,5}")) {
+      throw call.refuse(0, "must be the number of an assembly instance");
+    }
+    int bytes = call.integer(1, 1, LARGEST);
+    try {
+      int number = call.box().assemblies().open(reading, Integer.parseInt(name), bytes);
+      return call.answer(new HandleValue(Type.EIP_HANDLE, number, ""));
+    } catch (ScriptError e) {
+      throw call.failure(e.code(), e.getMessage());
+    }
+  }
+
+  private static AssemblyHandle handle(Call call) throws ScriptError {
+    // whoever only looks ahead must not change anything
+    call.program().reachesOutside();
+    if (!(call.value(0) instanceof HandleValue handle)) {
+      throw call.wrongKind(0, "an EtherNet/IP handle");
+    }
+    try {
+      return call.box().assemblies().handle(handle.id());
+    } catch (ScriptError e) {
+      throw call.failure(e.code(), e.getMessage());
+    }
+  }
+
+  private static int offset(Call call) throws ScriptError {
+    return call.integer(1, 0, LARGEST);
+  }
+
+  private static int length(Call call) throws ScriptError {
+    return call.integer(2, 1, LARGEST);
+  }
+
+  private static Outcome define(Call call, int index, AssemblyField field) throws ScriptError {
+    AssemblyHandle handle = handle(call);
+    String label = call.text(index);
+    return done(call, () -> handle.define(label, field));
+  }
+
+  private static Outcome defineBit(Call call) throws ScriptError {
+    int width = call.given(4) ? call.integer(4) : 1;
+    if (width != 1 && width != 2 && width != 4) {
+      throw call.refuse(4, "must be 1, 2 or 4");
+    }
+    int bit = call.integer(2, 0, width * Byte.SIZE - 1);
+    return define(call, 3, new AssemblyField.Bit(offset(call), bit));
+  }
+
+  private static Outcome read(Call call) throws ScriptError {
+    AssemblyHandle handle = handle(call);
+    if (call.value(1) instanceof StringValue label) {
+      return answer(call, () -> handle.read(label.bytes()));
+    }
+    List<String> labels = labels(call);
+    return answer(call, () -> handle.read(labels));
+  }
+
+  /** Something that may refuse. */
+  @FunctionalInterface
+  private interface Reading {
+    Value get() throws ScriptError;
+  }
+
+  private static Outcome answer(Call call, Reading reading) throws ScriptError {
+    try {
+      return call.answer(reading.get());
+    } catch (ScriptError e) {
+      throw call.failure(e.code(), e.getMessage());
+    }
+  }
+
+  private static List<String> labels(Call call) throws ScriptError {
+    if (!(call.value(1) instanceof ListValue list)
+        || list.length() == 0
+        || list.elementKind() != Kind.STRING) {
+      throw call.wrongKind(1, "a string or a list of strings");
+    }
+    List<String> labels = new ArrayList<>(list.length());
+    for (int i = 0; i < list.length(); i++) {
+      labels.add(list.get(i) instanceof StringValue label ? label.bytes() : "");
+    }
+    return labels;
+  }
+
+  private static Outcome setWatchdog(Call call) throws ScriptError {
+    double leastHz = call.number(1);
+    if (!(leastHz > 0 && leastHz <= MOST_WATCHDOG_HZ)) {
+      throw call.refuse(1, "must be above 0 and at most 10 Hz");
+    }
+    WatchdogAction action = action(call);
+    AssemblyHandle handle = handle(call);
+    return done(call, () -> handle.setWatchdog(leastHz, action, call.box().timeS()));
+  }
+
+  private static WatchdogAction action(Call call) throws ScriptError {
+    return switch (call.integer(2, 0, 2)) {
+      case 0 -> WatchdogAction.IGNORE;
+      case 1 -> WatchdogAction.PAUSE;
+      default -> WatchdogAction.STOP;
+    };
+  }
+}

@@ -1,0 +1,125 @@
+package org.pendant.controller.builtin;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.modbus.ModbusSignal;
+import org.pendant.controller.outside.ModbusAddress;
+import org.pendant.controller.outside.ModbusKind;
+import org.pendant.controller.value.Kind;
+import org.pendant.controller.value.NumberList;
+import org.pendant.controller.value.ScriptError;
+
+/** What the functions of Modbus signals share. */
+final class ModbusArguments {
+  static final String MODULE = "interfaces";
+
+  /** The text of most first parameters. */
+  static final String NAME = "signal_name";
+
+  private static final int LONGEST_NAME = 20;
+  private static final int HIGHEST_REGISTER = 65_535;
+
+  private ModbusArguments() {}
+
+  /** The address of a device. */
+  static ModbusAddress address(Call call, int index) throws ScriptError {
+    try {
+      return ModbusAddress.parse(call.text(index));
+    } catch (IllegalArgumentException e) {
+      throw call.refuse(index, e.getMessage());
+    }
+  }
+
+  /** A name for a new signal. */
+  static String newName(Call call, int index) throws ScriptError {
+    String name = call.text(index);
+    if (name.isEmpty() || name.length() > LONGEST_NAME) {
+      throw call.refuse(index, "must have 1 to " + LONGEST_NAME + " characters");
+    }
+    return name;
+  }
+
+  /** The signal that argument 0 names. */
+  static ModbusSignal signal(Call call) throws ScriptError {
+    try {
+      return call.box().modbus().signal(call.text(0));
+    } catch (ScriptError e) {
+      throw e.code().equals("unknown-signal") ? call.failure(e.code(), e.getMessage()) : e;
+    }
+  }
+
+  /** The output that argument 0 names; of bits or of registers, where only one of them will do. */
+  static ModbusSignal output(Call call, Optional<Boolean> digital) throws ScriptError {
+    ModbusSignal signal = signal(call);
+    ModbusKind kind = signal.exchange().kind();
+    if (!kind.output() || digital.orElse(kind.digital()) != kind.digital()) {
+      String wanted = digital.map(bits -> bits ? "a digital" : "a register").orElse("an");
+      throw call.failure(
+          "wrong-signal",
+          SocketArguments.quoted(signal.name())
+              + " is a "
+              + kind.words()
+              + ", must be "
+              + wanted
+              + " output");
+    }
+    return signal;
+  }
+
+  /** The flag of programs that the manual keeps for the controller itself. */
+  static void refuseInternalFlag(Call call, int index) throws ScriptError {
+    if (call.bool(index)) {
+      throw call.refuse(index, "must be False");
+    }
+  }
+
+  /** One register or a list of them for an output that has {@code most}. */
+  static List<Integer> registers(Call call, int index, int most) throws ScriptError {
+    if (call.kind(index) != Kind.LIST) {
+      return List.of(call.integer(index, 0, HIGHEST_REGISTER));
+    }
+    List<Integer> values = new ArrayList<>();
+    for (double number : numbers(call, index, most, "a list of ints")) {
+      if (number != (int) number || number < 0 || number > HIGHEST_REGISTER) {
+        throw call.refuse(index, "must have ints of 0 to " + HIGHEST_REGISTER);
+      }
+      values.add((int) number);
+    }
+    return values;
+  }
+
+  /** One bit or a list of them for an output that has {@code most}. */
+  static List<Integer> bits(Call call, int index, int most) throws ScriptError {
+    if (call.kind(index) != Kind.LIST) {
+      return List.of(call.bool(index) ? 1 : 0);
+    }
+    if (!(call.value(index) instanceof NumberList list)
+        || (list.length() > 0 && list.elementKind() != Kind.BOOL)) {
+      throw call.wrongKind(index, "a bool or a list of bools");
+    }
+    List<Integer> values = new ArrayList<>();
+    for (int i = 0; i < list.length(); i++) {
+      values.add(list.numberAt(i) != 0 ? 1 : 0);
+    }
+    refuseLength(call, index, values.size(), most);
+    return values;
+  }
+
+  private static double[] numbers(Call call, int index, int most, String wanted)
+      throws ScriptError {
+    if (!(call.value(index) instanceof NumberList list)
+        || (list.length() > 0 && !list.elementKind().isNumber())) {
+      throw call.wrongKind(index, "an int or " + wanted);
+    }
+    refuseLength(call, index, list.length(), most);
+    return call.numbers(index, -1);
+  }
+
+  private static void refuseLength(Call call, int index, int length, int most) throws ScriptError {
+    if (length < 1 || length > most) {
+      throw call.refuse(index, "must have 1 to " + most + " elements");
+    }
+  }
+}

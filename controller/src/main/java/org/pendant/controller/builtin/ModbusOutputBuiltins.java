@@ -1,0 +1,199 @@
+package org.pendant.controller.builtin;
+
+import java.util.Optional;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.io.InputAction;
+import org.pendant.controller.io.RunStateAction;
+import org.pendant.controller.modbus.ModbusSignal;
+import org.pendant.controller.outside.ModbusAddress;
+import org.pendant.controller.outside.ModbusKind;
+import org.pendant.controller.value.Kind;
+import org.pendant.controller.value.NoneValue;
+import org.pendant.controller.value.NumberList;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Type;
+
+/** Setting Modbus signals, and speaking to devices (manual 18.22 to 18.25, 18.30, 19.1). */
+final class ModbusOutputBuiltins {
+  private static final int HIGHEST_UNIT = 255;
+  private static final int HIGHEST_FUNCTION = 127;
+  private static final int HIGHEST_BYTE = 255;
+  private static final int MOST_BYTES = 252;
+  private static final int LAST_CHOICE = 5;
+
+  private ModbusOutputBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    declareOutputs(builtins);
+    declareActions(builtins);
+    declareDevices(builtins);
+  }
+
+  private static void declareOutputs(Builtins builtins) {
+    builtins
+        .declare("modbus_set_output_register")
+        .manual(ModbusArguments.MODULE, "18.24")
+        .doc(
+            "Sets the registers of a Modbus signal, 0 to 65535 each: the first one, or as many as"
+                + " the list has; the others keep their values.")
+        .effect(Effect.TELLS)
+        .needs(ModbusArguments.NAME, Type.STRING)
+        .needs("register_value", Type.ANY)
+        .takes("is_secondary_program", Type.BOOL, Value.of(false))
+        .does(ModbusOutputBuiltins::setRegisters);
+    builtins
+        .declare("modbus_set_output_signal")
+        .manual(ModbusArguments.MODULE, "18.25")
+        .doc(
+            "Sets the coils of a Modbus signal: the first one, or as many as the list has; the"
+                + " others keep their values.")
+        .effect(Effect.TELLS)
+        .needs(ModbusArguments.NAME, Type.STRING)
+        .needs("digital_value", Type.ANY)
+        .takes("is_secondary_program", Type.BOOL, Value.of(false))
+        .does(ModbusOutputBuiltins::setBits);
+  }
+
+  private static void declareActions(Builtins builtins) {
+    builtins
+        .declare("modbus_set_digital_input_action")
+        .manual(ModbusArguments.MODULE, "18.23")
+        .doc(
+            "Lets a digital Modbus input do nothing by itself (\"default\") or switch freedrive on"
+                + " while it is high (\"freedrive\").")
+        .needs(ModbusArguments.NAME, Type.STRING)
+        .needs("action", Type.STRING)
+        .does(ModbusOutputBuiltins::setAction);
+    builtins
+        .declare("modbus_set_runstate_dependent_choice")
+        .manual("ioconfiguration", "19.1")
+        .doc(
+            "Keeps a Modbus output preserved (0), low (1) or high (2) while no program runs, high"
+                + " only while one runs (3), low after an unexpected end (4), high from a start to"
+                + " an unexpected end (5). High registers have all bits set.")
+        .needs(ModbusArguments.NAME, Type.STRING)
+        .needs("runstate_choice", Type.INT)
+        .does(ModbusOutputBuiltins::chooseRunState);
+  }
+
+  private static void declareDevices(Builtins builtins) {
+    builtins
+        .declare("modbus_send_custom_command")
+        .manual(ModbusArguments.MODULE, "18.22")
+        .doc(
+            "Sends a request with any function code and data to a Modbus device, and goes on when"
+                + " the device has answered or had the time to. What it answers is not looked at;"
+                + " fails when it cannot be reached.")
+        .needs("IP", Type.STRING)
+        .needs("slave_number", Type.INT)
+        .needs("function_code", Type.INT)
+        .needs("data", Type.LIST)
+        .physicalTime()
+        .does(ModbusOutputBuiltins::send);
+    builtins
+        .declare("modbus_reset_connection")
+        .manual(ModbusArguments.MODULE, "18.30")
+        .doc(
+            "Closes the connection to a Modbus device and makes it again; waits until all its"
+                + " signals have been answered, unless told not to.")
+        .needs("connection_id", Type.STRING)
+        .takes("is_blocking", Type.BOOL, Value.of(true))
+        .does(ModbusOutputBuiltins::reset);
+  }
+
+  private static Outcome setRegisters(Call call) throws ScriptError {
+    ModbusArguments.refuseInternalFlag(call, 2);
+    ModbusSignal signal = ModbusArguments.output(call, Optional.of(false));
+    signal.set(ModbusArguments.registers(call, 1, signal.exchange().writeCount()));
+    return call.answer();
+  }
+
+  private static Outcome setBits(Call call) throws ScriptError {
+    ModbusArguments.refuseInternalFlag(call, 2);
+    ModbusSignal signal = ModbusArguments.output(call, Optional.of(true));
+    signal.set(ModbusArguments.bits(call, 1, signal.exchange().writeCount()));
+    return call.answer();
+  }
+
+  private static Outcome setAction(Call call) throws ScriptError {
+    ModbusSignal signal = ModbusArguments.signal(call);
+    if (signal.exchange().kind() != ModbusKind.DIGITAL_INPUT) {
+      throw call.failure(
+          "wrong-signal",
+          SocketArguments.quoted(signal.name())
+              + " is a "
+              + signal.exchange().kind().words()
+              + ", must be a digital input");
+    }
+    signal.setAction(
+        switch (call.text(1)) {
+          case "default" -> InputAction.DEFAULT;
+          case "freedrive" -> InputAction.FREEDRIVE;
+          default -> throw call.refuse(1, "must be \"default\" or \"freedrive\"");
+        });
+    return call.answer();
+  }
+
+  private static Outcome chooseRunState(Call call) throws ScriptError {
+    ModbusSignal signal = ModbusArguments.output(call, Optional.empty());
+    RunStateAction action = RunStateAction.of(call.integer(1, 0, LAST_CHOICE));
+    call.box().modbus().chooseRunState(signal, action, call.box().signals().runState().now(action));
+    return call.answer();
+  }
+
+  private static Outcome send(Call call) throws ScriptError {
+    call.program().reachesOutside();
+    ModbusAddress device = ModbusArguments.address(call, 0);
+    int unit = call.integer(1, 0, HIGHEST_UNIT);
+    int function = call.integer(2, 1, HIGHEST_FUNCTION);
+    byte[] data = bytes(call, 3);
+    try {
+      return new PendingWait(
+          "modbus_send_custom_command",
+          call.box().modbus().send(device, unit, function, data),
+          result -> NoneValue.NONE);
+    } catch (ScriptError e) {
+      throw call.failure(e.code(), e.getMessage());
+    }
+  }
+
+  private static byte[] bytes(Call call, int index) throws ScriptError {
+    if (!(call.value(index) instanceof NumberList list)
+        || (list.length() > 0 && list.elementKind() != Kind.INT)) {
+      throw call.wrongKind(index, "a list of ints");
+    }
+    if (list.length() > MOST_BYTES) {
+      throw call.refuse(index, "must have at most " + MOST_BYTES + " elements");
+    }
+    byte[] bytes = new byte[list.length()];
+    for (int i = 0; i < bytes.length; i++) {
+      double number = list.numberAt(i);
+      if (number < 0 || number > HIGHEST_BYTE) {
+        throw call.refuse(index, "must have ints of 0 to " + HIGHEST_BYTE);
+      }
+      bytes[i] = (byte) number;
+    }
+    return bytes;
+  }
+
+  private static Outcome reset(Call call) throws ScriptError {
+    call.program().reachesOutside();
+    ModbusAddress device = ModbusArguments.address(call, 0);
+    boolean everyPort = !device.toString().equals(call.text(0));
+    Optional<Integer> port = everyPort ? Optional.empty() : Optional.of(device.port());
+    if (!call.box().modbus().reconnect(device.host(), port)) {
+      throw call.failure(
+          "unknown-device",
+          "connection_id is "
+              + SocketArguments.quoted(call.text(0))
+              + ", must be a device that a signal is at");
+    }
+    return call.bool(1)
+        ? new ModbusResetWait(call.box().modbus(), device.host(), port)
+        : call.answer();
+  }
+}

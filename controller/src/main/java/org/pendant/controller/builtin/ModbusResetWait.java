@@ -1,0 +1,24 @@
+package org.pendant.controller.builtin;
+
+import java.util.Optional;
+import org.pendant.controller.call.Wait;
+import org.pendant.controller.modbus.ModbusSignals;
+import org.pendant.controller.value.NoneValue;
+import org.pendant.controller.value.Value;
+
+/**
+ * A script thread waits until a Modbus device has answered again (manual 18.30).
+ *
+ * @param port empty for every port of the host
+ */
+record ModbusResetWait(ModbusSignals signals, String host, Optional<Integer> port) implements Wait {
+  @Override
+  public Optional<Value> poll(long frame) {
+    return signals.connected(host, port) ? Optional.of(NoneValue.NONE) : Optional.empty();
+  }
+
+  @Override
+  public boolean outside() {
+    return true;
+  }
+}

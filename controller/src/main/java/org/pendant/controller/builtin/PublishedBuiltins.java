@@ -1,0 +1,45 @@
+package org.pendant.controller.builtin;
+
+import org.pendant.controller.box.Published;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Outcome;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+import org.pendant.language.check.Nearest;
+import org.pendant.language.signature.Type;
+
+/** What clients of the real-time data exchange see (manual 18.10). */
+final class PublishedBuiltins {
+  private PublishedBuiltins() {}
+
+  static void declareIn(Builtins builtins) {
+    builtins
+        .declare("get_rtde_value")
+        .manual("interfaces", "18.10")
+        .doc(
+            "The value of an RTDE output field, as clients got it at the end of the frame before:"
+                + " a bool, a number, or a list of three or six numbers.")
+        .needs("key", Type.STRING)
+        .returns(Type.ANY)
+        .does(PublishedBuiltins::rtdeValue);
+  }
+
+  private static Outcome rtdeValue(Call call) throws ScriptError {
+    String key = call.text(0);
+    Published published = call.box().published();
+    Value value =
+        published
+            .field(key)
+            .orElseThrow(
+                () ->
+                    call.refuse(
+                        0,
+                        "must be the name of an RTDE output field"
+                            + new Nearest()
+                                .to(key, published::fieldNames)
+                                .map(name -> ", such as " + name)
+                                .orElse("")));
+    return call.answer(value);
+  }
+}

@@ -1,0 +1,57 @@
+package org.pendant.controller.builtin;
+
+import java.util.Optional;
+import org.pendant.controller.call.Call;
+import org.pendant.controller.motion.FrameTime;
+import org.pendant.controller.outside.OutsideSocket;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+
+/** What the functions for sockets have in common. */
+final class SocketArguments {
+  static final String MODULE = "interfaces";
+  static final String NAME = "socket_name";
+
+  /** The socket that is meant when none is named. */
+  static final Value DEFAULT_NAME = Value.of("socket_0");
+
+  static final String TIMEOUT = "timeout";
+  static final double DEFAULT_TIMEOUT_S = 2;
+
+  /** Beyond this a wait is one for ever, s: more than a century. */
+  private static final double LONGEST_S = 4e9;
+
+  private SocketArguments() {}
+
+  /** The socket that argument {@code index} names; says so once where it is not open. */
+  static Optional<OutsideSocket> socket(Call call, String function, int index) throws ScriptError {
+    String name = call.text(index);
+    Optional<OutsideSocket> socket =
+        call.box()
+            .outside()
+            .socket(name)
+            .filter(each -> each.stage() != OutsideSocket.Stage.CONNECTING);
+    if (socket.isEmpty()) {
+      call.box().log().warnOnce(function + ": socket " + quoted(name) + " is not open");
+    }
+    return socket;
+  }
+
+  /**
+   * The frame at which a timeout is over, counted as waits are; one of 0 or less never is (manual
+   * 18.57).
+   */
+  static long deadline(Call call, int index) throws ScriptError {
+    double timeoutS = call.number(index);
+    if (Double.isNaN(timeoutS)) {
+      throw call.refuse(index, "must be a number of seconds");
+    }
+    return timeoutS <= 0 || timeoutS > LONGEST_S
+        ? Long.MAX_VALUE
+        : call.frame() + FrameTime.framesFor(timeoutS);
+  }
+
+  static String quoted(String bytes) {
+    return '"' + (bytes.length() > 80 ? bytes.substring(0, 80) + "..." : bytes) + '"';
+  }
+}

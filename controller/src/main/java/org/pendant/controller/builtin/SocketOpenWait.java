@@ -1,0 +1,63 @@
+package org.pendant.controller.builtin;
+
+import java.util.Optional;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.call.Wait;
+import org.pendant.controller.motion.FrameTime;
+import org.pendant.controller.outside.OutsideSocket;
+import org.pendant.controller.value.Value;
+
+/** A script thread waits for a connection (manual 18.56). */
+final class SocketOpenWait implements Wait {
+  private static final int LONGEST_S = 2;
+
+  private final ControlBox box;
+  private final String name;
+  private final OutsideSocket socket;
+  private final String target;
+  private final long deadline;
+
+  /**
+   * Waits from frame {@code frame} on.
+   *
+   * @param target where to, for messages
+   */
+  SocketOpenWait(ControlBox box, String name, OutsideSocket socket, String target, long frame) {
+    this.box = box;
+    this.name = name;
+    this.socket = socket;
+    this.target = target;
+    deadline = frame + FrameTime.framesFor(LONGEST_S);
+  }
+
+  @Override
+  public Optional<Value> poll(long frame) {
+    return switch (socket.stage()) {
+      case OPEN -> Optional.of(Value.of(true));
+      // opened, and lost or closed since: of the two only the first is a connection that came about
+      case CLOSED ->
+          Optional.of(Value.of(box.outside().socket(name).filter(socket::equals).isPresent()));
+      case FAILED -> failed(socket.failure());
+      case CONNECTING ->
+          frame < deadline
+              ? Optional.empty()
+              : failed("no answer within " + LONGEST_S + " seconds");
+    };
+  }
+
+  private Optional<Value> failed(String why) {
+    box.log().warnOnce("socket_open: " + target + ": " + why);
+    cancel();
+    return Optional.of(Value.of(false));
+  }
+
+  @Override
+  public boolean outside() {
+    return true;
+  }
+
+  @Override
+  public void cancel() {
+    box.outside().close(name, socket);
+  }
+}

@@ -1,0 +1,39 @@
+package org.pendant.controller.builtin;
+
+import java.util.Optional;
+import org.pendant.controller.call.Wait;
+import org.pendant.controller.outside.OutsideSocket;
+import org.pendant.controller.outside.SocketRead;
+import org.pendant.controller.value.Value;
+
+/** A script thread waits for what it reads from a socket. */
+final class SocketReadWait implements Wait {
+  private final OutsideSocket socket;
+  private final SocketRead read;
+  private final long deadline;
+
+  /** Waits until frame {@code deadline}. */
+  SocketReadWait(OutsideSocket socket, SocketRead read, long deadline) {
+    this.socket = socket;
+    this.read = read;
+    this.deadline = deadline;
+  }
+
+  /** A read from a socket that is not open takes its frame as well, and fails. */
+  static Wait notOpen(SocketRead read) {
+    return frame -> Optional.of(read.failed());
+  }
+
+  @Override
+  public Optional<Value> poll(long frame) {
+    // first: what arrives after this is left for the next frame, what arrived before is read
+    boolean ended = socket.received().ended();
+    Optional<Value> value = read.from(socket.received());
+    return value.isEmpty() && (ended || frame >= deadline) ? Optional.of(read.failed()) : value;
+  }
+
+  @Override
+  public boolean outside() {
+    return true;
+  }
+}

@@ -1,0 +1,42 @@
+package org.pendant.controller.builtin;
+
+import java.util.Optional;
+import org.pendant.controller.box.ToolLine;
+import org.pendant.controller.call.Wait;
+import org.pendant.controller.motion.FrameTime;
+import org.pendant.controller.outside.ToolSerialDoor;
+import org.pendant.controller.value.NoneValue;
+import org.pendant.controller.value.Value;
+
+/**
+ * A script thread waits until the tool's serial line is set up, so that what it sends next arrives
+ * and trouble is logged where it began. A device that takes too long is not waited for.
+ */
+final class ToolSerialWait implements Wait {
+  private static final int LONGEST_S = 2;
+
+  private final ToolLine line;
+  private final ToolSerialDoor.SetUp setUp;
+  private final long deadline;
+
+  /** Waits from frame {@code frame} on. */
+  ToolSerialWait(ToolLine line, ToolSerialDoor.SetUp setUp, long frame) {
+    this.line = line;
+    this.setUp = setUp;
+    deadline = frame + FrameTime.framesFor(LONGEST_S);
+  }
+
+  @Override
+  public Optional<Value> poll(long frame) {
+    if (!setUp.over() && frame < deadline) {
+      return Optional.empty();
+    }
+    line.step();
+    return Optional.of(NoneValue.NONE);
+  }
+
+  @Override
+  public boolean outside() {
+    return true;
+  }
+}

@@ -1,0 +1,179 @@
+package org.pendant.controller.eip;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.pendant.controller.value.ScriptError;
+
+/**
+ * The configured assemblies, and the handles by which the running program reaches them. Assemblies
+ * and their bytes outlive programs, handles do not. Owned by the frame loop; times are those of the
+ * controller, s.
+ */
+public final class Assemblies {
+  /** Most pairs that can be configured. */
+  public static final int MOST_PAIRS = 16;
+
+  /** Most handles that a program may open. */
+  public static final int MOST_HANDLES = 128;
+
+  private final List<AssemblyPair> pairs = new ArrayList<>();
+  private final Map<Integer, AssemblyData> toPlc = new LinkedHashMap<>();
+  private final Map<Integer, AssemblyData> fromPlc = new LinkedHashMap<>();
+  private final List<AssemblyHandle> handles = new ArrayList<>();
+  private AssemblyImage image = AssemblyImage.EMPTY;
+  private boolean changed;
+
+  /**
+   * Makes the assemblies of a pair, all zero; one that is there already, with the same sizes, stays
+   * as it is.
+   *
+   * @return why not; empty when the pair is there
+   */
+  public Optional<String> configure(AssemblyPair pair) {
+    if (pairs.contains(pair)) {
+      return Optional.empty();
+    }
+    for (int id : List.of(pair.toPlcId(), pair.fromPlcId())) {
+      if (toPlc.containsKey(id) || fromPlc.containsKey(id)) {
+        return Optional.of("instance " + id + " exists already");
+      }
+    }
+    if (pairs.size() >= MOST_PAIRS) {
+      return Optional.of("there are " + MOST_PAIRS + " pairs of assemblies, which is the most");
+    }
+    pairs.add(pair);
+    toPlc.put(pair.toPlcId(), AssemblyData.zero(pair.toPlcBytes()));
+    fromPlc.put(pair.fromPlcId(), AssemblyData.zero(pair.fromPlcBytes()));
+    changed = true;
+    return Optional.empty();
+  }
+
+  /**
+   * The scanner has written an assembly.
+   *
+   * @return why it has no effect; empty when it has
+   */
+  public Optional<String> received(int instance, AssemblyData data, double nowS) {
+    AssemblyData before = fromPlc.get(instance);
+    if (before == null) {
+      return Optional.of("there is no instance " + instance + " from scanner to robot");
+    }
+    if (before.size() != data.size()) {
+      return Optional.of(
+          "instance "
+              + instance
+              + " has "
+              + before.size()
+              + " bytes, "
+              + data.size()
+              + " were sent");
+    }
+    if (!before.equals(data)) {
+      fromPlc.put(instance, data);
+      changed = true;
+    }
+    for (AssemblyHandle handle : handles) {
+      if (handle.reads(instance)) {
+        handle.watchdog().ifPresent(watchdog -> watchdog.begin(nowS));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** What the scanner has written. */
+  AssemblyData fromPlc(int instance) {
+    return fromPlc.get(instance);
+  }
+
+  /** What the program has written. */
+  AssemblyData toPlc(int instance) {
+    return toPlc.get(instance);
+  }
+
+  /** The program writes an assembly. */
+  void write(int instance, AssemblyData data) {
+    if (!data.equals(toPlc.put(instance, data))) {
+      changed = true;
+    }
+  }
+
+  /**
+   * Opens a handle.
+   *
+   * @param reading whether it is for what the scanner writes, or for what the robot does
+   * @param bytes how large the program believes the assembly to be
+   * @return its number, from 1
+   * @throws ScriptError when there is no such assembly, it has another size, or there are too many
+   *     handles
+   */
+  public int open(boolean reading, int instance, int bytes) throws ScriptError {
+    String direction = reading ? "scanner to robot" : "robot to scanner";
+    AssemblyData data = (reading ? fromPlc : toPlc).get(instance);
+    if (data == null) {
+      throw new ScriptError(
+          "unknown-assembly",
+          "there is no instance "
+              + instance
+              + " from "
+              + direction
+              + ", add_configuration of the service at port 40000 makes one");
+    }
+    if (data.size() != bytes) {
+      throw new ScriptError(
+          "value-out-of-range",
+          "data_size is " + bytes + ", must be " + data.size() + " for instance " + instance);
+    }
+    if (handles.size() >= MOST_HANDLES) {
+      throw new ScriptError(
+          "too-many-handles",
+          "a program opens more than " + MOST_HANDLES + " handles, use one again");
+    }
+    handles.add(new AssemblyHandle(this, reading, instance, bytes));
+    return handles.size();
+  }
+
+  /**
+   * The handle with that number.
+   *
+   * @throws ScriptError when it is closed, or of an earlier program
+   */
+  public AssemblyHandle handle(int number) throws ScriptError {
+    if (number > handles.size() || handles.get(number - 1).closed()) {
+      throw new ScriptError("handle-closed", "this handle is closed, open a new one");
+    }
+    return handles.get(number - 1);
+  }
+
+  /**
+   * Watchdogs of handles that are late in this frame and were not before.
+   *
+   * @param running whether the program runs
+   */
+  public List<AssemblyWatchdog.Violation> step(boolean running, double nowS) {
+    if (handles.isEmpty()) {
+      return List.of();
+    }
+    List<AssemblyWatchdog.Violation> violations = new ArrayList<>();
+    for (AssemblyHandle handle : handles) {
+      handle.watchdog().flatMap(each -> each.step(running, nowS)).ifPresent(violations::add);
+    }
+    return violations;
+  }
+
+  /** Closes all handles. */
+  public void programEnded() {
+    handles.clear();
+  }
+
+  /** The assemblies now; the same object until one changes. */
+  public AssemblyImage image() {
+    if (changed) {
+      changed = false;
+      image = new AssemblyImage(pairs, toPlc, fromPlc);
+    }
+    return image;
+  }
+}

@@ -1,0 +1,25 @@
+package org.pendant.controller.eip;
+
+/** A value that a part of an assembly cannot hold; the message goes on after its label. */
+final class WrongFieldValue extends Exception {
+  private static final long serialVersionUID = 1L;
+
+  private final String code;
+
+  private WrongFieldValue(String code, String message) {
+    super(message);
+    this.code = code;
+  }
+
+  static WrongFieldValue outOfRange(String found, String expected) {
+    return new WrongFieldValue("value-out-of-range", "is " + found + ", must be " + expected);
+  }
+
+  static WrongFieldValue wrongType(String found, String expected) {
+    return new WrongFieldValue("wrong-type", "is " + found + ", must be " + expected);
+  }
+
+  String code() {
+    return code;
+  }
+}
