@@ -3,13 +3,17 @@ package org.pendant.protocols.net;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
+import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
 
 /**
- * One peer of a port. Sending never waits for the peer: messages go to a bounded outbox, and a
- * thread of the connection's own carries them out.
+ * One peer of a port. Sending never waits for the peer: what it does not take at once goes to a
+ * bounded outbox, and a thread of the connection's own carries that out. Most messages go out in
+ * the sender's thread for this reason: waking another one for each would make the intervals of what
+ * is sent at a rate as uneven as the machine is busy.
  */
 public final class Connection {
   private static final int RECEIVE_BYTES = 1 << 16;
@@ -17,14 +21,32 @@ public final class Connection {
   private final String name;
   private final InetSocketAddress peer;
   private final SocketChannel channel;
-  private final Outbox outbox = new Outbox();
+  private final Readiness readable;
+  private final Readiness writable;
+  private final Outbox outbox;
   private final AtomicBoolean open = new AtomicBoolean(true);
   private final AtomicLong dropped = new AtomicLong();
+  private final Consumer<Connection> afterwards;
+  private volatile boolean sendingFailed;
+  private volatile boolean receivingEnded;
 
-  Connection(String name, InetSocketAddress peer, SocketChannel channel) {
+  /**
+   * Takes a channel over.
+   *
+   * @param afterwards called when it is closed, more than once perhaps
+   * @throws IOException if it is closed already
+   */
+  Connection(
+      String name, InetSocketAddress peer, SocketChannel channel, Consumer<Connection> afterwards)
+      throws IOException {
     this.name = name;
     this.peer = peer;
     this.channel = channel;
+    this.afterwards = afterwards;
+    channel.configureBlocking(false);
+    outbox = new Outbox(channel::write);
+    readable = new Readiness(channel, SelectionKey.OP_READ);
+    writable = new Readiness(channel, SelectionKey.OP_WRITE);
   }
 
   /** Protocol and address, such as {@code RTDE client 127.0.0.1:53422}. */
@@ -48,7 +70,7 @@ public final class Connection {
    * @param message not changed any more by the caller
    */
   public void send(byte[] message) {
-    if (!outbox.offer(message) && open.get()) {
+    if (!offer(message) && !outbox.closed()) {
       close();
     }
   }
@@ -60,8 +82,17 @@ public final class Connection {
    * @param message not changed any more by the caller
    */
   public void stream(byte[] message) {
-    if (!outbox.offer(message)) {
+    if (!offer(message)) {
       dropped.incrementAndGet();
+    }
+  }
+
+  private boolean offer(byte[] message) {
+    try {
+      return outbox.offer(message);
+    } catch (IOException e) {
+      sendingFailed();
+      return false;
     }
   }
 
@@ -78,8 +109,9 @@ public final class Connection {
   /** Ends the connection at once. */
   public void close() {
     open.set(false);
-    outbox.close();
+    outbox.abandon();
     closeChannel();
+    afterwards.accept(this);
   }
 
   private void closeChannel() {
@@ -89,34 +121,59 @@ public final class Connection {
       // it is gone for us either way
       open.set(false);
     }
+    readable.wake();
+    writable.wake();
   }
 
-  /** Carries out what is sent, until the end. */
+  /** Carries out what waits to be sent, until the end. */
   void write() {
-    try {
-      for (byte[] next = outbox.take(); next != null; next = outbox.take()) {
-        ByteBuffer bytes = ByteBuffer.wrap(next);
-        while (bytes.hasRemaining()) {
-          channel.write(bytes);
+    try (writable) {
+      while (outbox.awaitWaiting()) {
+        while (!outbox.writeWaiting()) {
+          writable.await();
         }
       }
     } catch (IOException e) {
-      // the peer has gone; the reading side notices as well
-      open.set(false);
+      sendingFailed();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    close();
+    if (!sendingFailed) {
+      close();
+    }
+  }
+
+  /** Who sends and is gone at once still has what it sent read. */
+  private void sendingFailed() {
+    open.set(false);
+    sendingFailed = true;
+    outbox.abandon();
+    if (receivingEnded) {
+      close();
+    }
+  }
+
+  /** Nothing more comes: who has closed only its sending side still gets its answers. */
+  void receivingEnded() {
+    outbox.close();
+    receivingEnded = true;
+    if (sendingFailed) {
+      close();
+    }
   }
 
   /** Hands everything that comes to a session, until the end. */
   void read(Session session) throws ProtocolException {
     ByteBuffer bytes = ByteBuffer.allocate(RECEIVE_BYTES);
-    try {
-      while (channel.read(bytes) >= 0) {
-        bytes.flip();
-        session.received(bytes);
-        bytes.clear();
+    try (readable) {
+      for (int count = channel.read(bytes); count >= 0; count = channel.read(bytes)) {
+        if (count == 0) {
+          readable.await();
+        } else {
+          bytes.flip();
+          session.received(bytes);
+          bytes.clear();
+        }
       }
     } catch (IOException e) {
       // reset by the peer, or closed by us

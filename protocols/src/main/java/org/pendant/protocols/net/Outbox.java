@@ -1,60 +1,134 @@
 package org.pendant.protocols.net;
 
+import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
-/** What waits to be sent to one peer, with a bound on its bytes. */
+/**
+ * What is sent to one peer. It goes out at once, in the sender's thread, as far as the peer's
+ * window has room; the rest waits here, with a bound on its bytes, for a thread that carries it
+ * out.
+ */
 final class Outbox {
   /** Most bytes that wait. */
   static final int CAPACITY = 1 << 20;
 
+  /** Where bytes go. */
+  @FunctionalInterface
+  interface Sink {
+    /** Writes what it takes without waiting. */
+    int write(ByteBuffer bytes) throws IOException;
+  }
+
+  private final Sink sink;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
-  private final Queue<byte[]> waiting = new ArrayDeque<>();
+  private final Queue<ByteBuffer> waiting = new ArrayDeque<>();
   private int bytes;
   private boolean closed;
 
-  /** Puts a message at the end; answers whether there was room. */
-  boolean offer(byte[] message) {
+  Outbox(Sink sink) {
+    this.sink = sink;
+  }
+
+  /**
+   * Sends a message, or puts it at the end.
+   *
+   * @return whether there was room
+   * @throws IOException if the sink fails
+   */
+  boolean offer(byte[] message) throws IOException {
     lock.lock();
     try {
       if (closed || bytes + message.length > CAPACITY) {
         return false;
       }
-      bytes += message.length;
-      waiting.add(message);
-      changed.signal();
+      ByteBuffer rest = ByteBuffer.wrap(message);
+      if (waiting.isEmpty()) {
+        sink.write(rest);
+      }
+      if (rest.hasRemaining()) {
+        bytes += rest.remaining();
+        waiting.add(rest);
+        changed.signal();
+      }
       return true;
     } finally {
       lock.unlock();
     }
   }
 
-  /** Waits for the next message; null when the outbox is closed and empty. */
-  byte[] take() throws InterruptedException {
+  /**
+   * Waits until something waits.
+   *
+   * @return false when the outbox is closed and empty
+   */
+  boolean awaitWaiting() throws InterruptedException {
     lock.lock();
     try {
       while (waiting.isEmpty() && !closed) {
         changed.await();
       }
-      byte[] message = waiting.poll();
-      if (message != null) {
-        bytes -= message.length;
-      }
-      return message;
+      return !waiting.isEmpty();
     } finally {
       lock.unlock();
     }
   }
 
-  /** Nothing more comes; what waits may still be taken. */
+  /**
+   * Writes what the sink takes.
+   *
+   * @return whether nothing waits any more
+   * @throws IOException if the sink fails
+   */
+  boolean writeWaiting() throws IOException {
+    lock.lock();
+    try {
+      for (ByteBuffer next = waiting.peek(); next != null; next = waiting.peek()) {
+        bytes -= sink.write(next);
+        if (next.hasRemaining()) {
+          return false;
+        }
+        waiting.remove();
+      }
+      return true;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Nothing more comes; what waits still goes out. */
   void close() {
     lock.lock();
     try {
       closed = true;
       changed.signal();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Nothing more comes, and what waits is dropped. */
+  void abandon() {
+    lock.lock();
+    try {
+      closed = true;
+      waiting.clear();
+      bytes = 0;
+      changed.signal();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Whether nothing more comes. */
+  boolean closed() {
+    lock.lock();
+    try {
+      return closed;
     } finally {
       lock.unlock();
     }

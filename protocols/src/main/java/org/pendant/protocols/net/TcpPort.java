@@ -72,12 +72,21 @@ public final class TcpPort implements AutoCloseable {
   private void accept() {
     while (server.isOpen()) {
       try {
-        greet(server.accept());
+        accept(server.accept());
       } catch (IOException e) {
         if (server.isOpen()) {
           log.write(Level.WARNING, listening.name() + ": a connection failed: " + e.getMessage());
         }
       }
+    }
+  }
+
+  private void accept(SocketChannel channel) throws IOException {
+    try {
+      greet(channel);
+    } catch (IOException e) {
+      channel.close();
+      throw e;
     }
   }
 
@@ -93,18 +102,15 @@ public final class TcpPort implements AutoCloseable {
       return;
     }
     channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
-    Connection connection = new Connection(name, peer, channel);
+    Connection connection = new Connection(name, peer, channel, connections::remove);
     connections.add(connection);
-    Thread.ofVirtual().name(name + " sending").start(() -> write(connection));
-    Thread.ofVirtual().name(name).start(() -> converse(connection));
-  }
-
-  private void write(Connection connection) {
-    try {
-      connection.write();
-    } finally {
-      connections.remove(connection);
+    if (!server.isOpen()) {
+      // closed meanwhile, perhaps too early to find this one
+      connection.close();
+      return;
     }
+    Thread.ofVirtual().name(name + " sending").start(connection::write);
+    Thread.ofVirtual().name(name).start(() -> converse(connection));
   }
 
   private void converse(Connection connection) {
@@ -112,12 +118,10 @@ public final class TcpPort implements AutoCloseable {
       Session session = protocol.connected(connection);
       try {
         connection.read(session);
-        // who has closed only its sending side still gets its answers
-        connection.closeAfterSending();
       } catch (ProtocolException e) {
         log.write(Level.WARNING, connection.name() + " was disconnected: " + e.getMessage());
-        connection.closeAfterSending();
       } finally {
+        connection.receivingEnded();
         session.closed();
       }
     } catch (RuntimeException e) {

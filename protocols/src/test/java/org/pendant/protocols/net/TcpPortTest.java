@@ -110,6 +110,41 @@ class TcpPortTest {
   }
 
   @Test
+  void readsWhatAPeerHasSentThatIsGoneAlready() throws Exception {
+    CountDownLatch gone = new CountDownLatch(1);
+    BlockingQueue<String> received = new LinkedBlockingQueue<>();
+    Protocol slow =
+        connection -> {
+          connected.add(connection);
+          awaitUninterrupted(gone);
+          return bytes -> received.add(StandardCharsets.ISO_8859_1.decode(bytes).toString());
+        };
+    try (TcpPort slowPort =
+        TcpPort.open(new Listening("Slow", LOOPBACK, 0), slow, new PeerLog((level, text) -> {}))) {
+      try (Socket socket = new Socket(LOOPBACK, slowPort.number())) {
+        socket.getOutputStream().write(bytes("set_digital_out(1, True)"));
+        socket.setSoLinger(true, 0);
+      }
+      Connection connection = connected.poll(GIVE_UP_MS, TimeUnit.MILLISECONDS);
+      long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(GIVE_UP_MS);
+      while (connection.open()) {
+        assertTrue(System.nanoTime() < end, "sending never fails");
+        connection.stream(bytes("state"));
+      }
+      gone.countDown();
+      assertEquals("set_digital_out(1, True)", received.poll(GIVE_UP_MS, TimeUnit.MILLISECONDS));
+    }
+  }
+
+  private static void awaitUninterrupted(CountDownLatch latch) {
+    try {
+      assertTrue(latch.await(GIVE_UP_MS, TimeUnit.MILLISECONDS));
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  @Test
   void takesOnlySoManyConnections() throws Exception {
     try (Socket one = connect();
         Socket two = connect()) {

@@ -1,0 +1,64 @@
+package org.pendant.protocols.dashboard;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import org.pendant.protocols.net.Connection;
+import org.pendant.protocols.net.LineCutter;
+import org.pendant.protocols.net.ProtocolException;
+import org.pendant.protocols.net.Session;
+
+/** One client of the dashboard server: an answer to every line, in their order. */
+final class DashboardSession implements Session {
+  private static final int LONGEST_LINE = 1 << 16;
+  private static final String GREETING = "Connected: Universal Robots Dashboard Server";
+  private static final String LOCAL =
+      "Command is not allowed due to safety reasons, please switch robot to Remote Control mode"
+          + " and reconnect to port 29999";
+
+  private final Connection connection;
+  private final DashboardDesk desk;
+  private final boolean mayControl;
+  private final LineCutter lines = new LineCutter(LONGEST_LINE);
+  private boolean left;
+
+  /**
+   * Greets the client.
+   *
+   * @param mayControl whether it may do more than ask, as long as it stays connected
+   */
+  DashboardSession(Connection connection, DashboardDesk desk, boolean mayControl) {
+    this.connection = connection;
+    this.desk = desk;
+    this.mayControl = mayControl;
+    send(GREETING);
+  }
+
+  @Override
+  public void received(ByteBuffer bytes) throws ProtocolException {
+    for (String line : lines.take(bytes)) {
+      if (!left) {
+        answer(line);
+      }
+    }
+  }
+
+  private void answer(String line) {
+    Optional<Request> request = Request.read(line);
+    if (request.isEmpty()) {
+      send("could not understand: '" + line.strip() + "'");
+    } else if (request.get().word().acts() && !mayControl) {
+      send(LOCAL);
+    } else {
+      send(desk.answer(request.get()));
+      if (request.get().word() == Word.QUIT) {
+        left = true;
+        connection.closeAfterSending();
+      }
+    }
+  }
+
+  private void send(String line) {
+    connection.send((line + "\n").getBytes(StandardCharsets.ISO_8859_1));
+  }
+}

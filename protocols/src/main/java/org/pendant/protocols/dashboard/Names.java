@@ -1,0 +1,51 @@
+package org.pendant.protocols.dashboard;
+
+import org.pendant.controller.safety.SafetyMode;
+
+/** How the dashboard server calls the safety modes. */
+final class Names {
+  private Names() {}
+
+  /** With all differences. */
+  static String status(SafetyMode mode) {
+    return switch (mode) {
+      case UNDEFINED -> "UNDEFINED_SAFETY_MODE";
+      case TEACH_PENDANT_THREE_POSITION_ENABLING_STOP -> "TP_THREE_POSITION_ENABLING_STOP";
+      case NORMAL,
+          REDUCED,
+          PROTECTIVE_STOP,
+          RECOVERY,
+          SAFEGUARD_STOP,
+          SYSTEM_EMERGENCY_STOP,
+          ROBOT_EMERGENCY_STOP,
+          VIOLATION,
+          FAULT,
+          VALIDATE_JOINT_ID,
+          AUTOMATIC_MODE_SAFEGUARD_STOP,
+          SYSTEM_THREE_POSITION_ENABLING_STOP ->
+          mode.name();
+    };
+  }
+
+  /** With one name for everything that is a safeguard stop. */
+  static String mode(SafetyMode mode) {
+    return switch (mode) {
+      case AUTOMATIC_MODE_SAFEGUARD_STOP,
+          SYSTEM_THREE_POSITION_ENABLING_STOP,
+          TEACH_PENDANT_THREE_POSITION_ENABLING_STOP ->
+          SafetyMode.SAFEGUARD_STOP.name();
+      case NORMAL,
+          REDUCED,
+          PROTECTIVE_STOP,
+          RECOVERY,
+          SAFEGUARD_STOP,
+          SYSTEM_EMERGENCY_STOP,
+          ROBOT_EMERGENCY_STOP,
+          VIOLATION,
+          FAULT,
+          VALIDATE_JOINT_ID,
+          UNDEFINED ->
+          status(mode);
+    };
+  }
+}

@@ -1,0 +1,80 @@
+package org.pendant.protocols.eip;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.List;
+import org.pendant.controller.rtde.FieldType;
+import org.pendant.controller.rtde.InputField;
+import org.pendant.controller.rtde.InputFields;
+import org.pendant.controller.rtde.InputRecipe;
+import org.pendant.controller.rtde.InputUpdate;
+
+/**
+ * The built-in assembly from scanner to robot, instance 112: speed slider, outputs, and input
+ * registers. It has the fields of an RTDE package, with floats where that has doubles, and so they
+ * are taken, checked and owned in the same way.
+ */
+final class ControlAssembly {
+  /** Its size. */
+  static final int BYTES = 224;
+
+  /** Registers of each kind in one of the two groups. */
+  private static final int GROUP = 12;
+
+  /** What it writes. */
+  static final InputRecipe RECIPE = new InputRecipe(fields());
+
+  private ControlAssembly() {}
+
+  private static List<InputField> fields() {
+    List<String> names =
+        new ArrayList<>(
+            List.of(
+                "speed_slider_mask",
+                "speed_slider_fraction",
+                "standard_digital_output_mask",
+                "configurable_digital_output_mask",
+                "standard_digital_output",
+                "configurable_digital_output",
+                "standard_analog_output_mask",
+                "standard_analog_output_type",
+                "tool_digital_output_mask",
+                "tool_digital_output",
+                "standard_analog_output_0",
+                "standard_analog_output_1"));
+    addGroup(names, "input_bit_registers0_to_31", 0);
+    addGroup(names, "input_bit_registers32_to_63", GROUP);
+    return names.stream().map(name -> InputFields.of(name).orElseThrow()).toList();
+  }
+
+  private static void addGroup(List<String> names, String bits, int first) {
+    names.add(bits);
+    for (int i = first; i < first + GROUP; i++) {
+      names.add("input_int_register_" + i);
+    }
+    for (int i = first; i < first + GROUP; i++) {
+      names.add("input_double_register_" + i);
+    }
+  }
+
+  /**
+   * What the scanner asks for.
+   *
+   * @param data {@link #BYTES} bytes
+   */
+  static InputUpdate decode(ByteBuffer data) {
+    ByteBuffer in = data.slice().order(ByteOrder.LITTLE_ENDIAN);
+    ByteBuffer values = ByteBuffer.allocate(RECIPE.bytes());
+    for (InputField field : RECIPE.fields()) {
+      if (field.type() == FieldType.DOUBLE) {
+        values.putDouble(in.getFloat());
+      } else if (field.type() == FieldType.UINT8) {
+        values.put(in.get());
+      } else {
+        values.putInt(in.getInt());
+      }
+    }
+    return RECIPE.decode(values.flip());
+  }
+}

@@ -1,0 +1,167 @@
+package org.pendant.protocols.eip;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Supplier;
+import org.pendant.controller.eip.AssemblyPair;
+import org.pendant.protocols.eip.service.AssemblyService;
+import org.pendant.protocols.eip.service.Configuration;
+import org.pendant.protocols.net.Listening;
+import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.serve.Outside;
+import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.serve.Server;
+
+/**
+ * The EtherNet/IP adapter of a control box, with the service that configures its assemblies. Local
+ * control does not keep scanners from writing: what they reach are inputs and outputs, not
+ * commands.
+ */
+public final class EipServer implements Server {
+  /** Where it listens for messages on a real box, by TCP and UDP. */
+  public static final int STANDARD_PORT = 44_818;
+
+  private final TcpPort messages;
+  private final TcpPort service;
+  private final UdpPort discovery;
+  private final UdpPort io;
+  private final Connections connections;
+
+  private EipServer(
+      TcpPort messages, TcpPort service, UdpPort discovery, UdpPort io, Connections connections) {
+    this.messages = messages;
+    this.service = service;
+    this.discovery = discovery;
+    this.io = io;
+    this.connections = connections;
+  }
+
+  /**
+   * Begins to listen.
+   *
+   * @throws IOException if one of the ports cannot be had
+   */
+  public static EipServer open(Outside outside, PortNumbers numbers) throws IOException {
+    UdpPort io =
+        UdpPort.open(
+            numbers.listening("EtherNet/IP I/O", ConnectionDesk.STANDARD_IO_PORT), outside.log());
+    AssemblyDesk desk = new AssemblyDesk(outside.controller());
+    Connections connections = new Connections(desk, io, outside.log());
+    Listening listening = numbers.listening("EtherNet/IP", STANDARD_PORT);
+    Supplier<ByteBuffer> identity =
+        () ->
+            Encapsulation.identity(
+                new InetSocketAddress(
+                    listening.host(), listening.port() == 0 ? STANDARD_PORT : listening.port()),
+                connections.status());
+    MessageRouter router = router(listening, desk, connections);
+    AtomicInteger sessions = new AtomicInteger();
+    try {
+      TcpPort messages =
+          TcpPort.open(
+              listening,
+              connection ->
+                  new EipSession(
+                      connection, sessions.incrementAndGet(), router, connections, identity),
+              outside.log());
+      try {
+        return complete(outside, numbers, io, connections, messages, identity);
+      } catch (IOException e) {
+        messages.close();
+        throw e;
+      }
+    } catch (IOException e) {
+      connections.close();
+      io.close();
+      throw e;
+    }
+  }
+
+  private static MessageRouter router(
+      Listening listening, AssemblyDesk desk, Connections connections) {
+    Map<Integer, CipObject> objects =
+        new HashMap<>(DeviceObjects.of(listening.host(), connections::status));
+    objects.put(DeviceObjects.ASSEMBLY, new AssemblyObject(desk, connections::received));
+    return new MessageRouter(objects, new ConnectionDesk(connections, desk));
+  }
+
+  private static EipServer complete(
+      Outside outside,
+      PortNumbers numbers,
+      UdpPort io,
+      Connections connections,
+      TcpPort messages,
+      Supplier<ByteBuffer> identity)
+      throws IOException {
+    AssemblyDesk desk = new AssemblyDesk(outside.controller());
+    UdpPort discovery =
+        UdpPort.open(
+            new Listening("EtherNet/IP discovery", numbers.host(), messages.number()),
+            outside.log());
+    try {
+      Configuration configuration =
+          new Configuration() {
+            @Override
+            public boolean add(AssemblyPair pair) throws InterruptedException {
+              return desk.configure(pair);
+            }
+
+            @Override
+            public boolean connected(int fromScanner) {
+              return connections.connected(fromScanner);
+            }
+          };
+      TcpPort service = AssemblyService.open(numbers, configuration, outside.log());
+      io.receive(connections::datagram);
+      discovery.receive((bytes, from) -> discover(discovery, bytes, from, identity));
+      return new EipServer(messages, service, discovery, io, connections);
+    } catch (IOException e) {
+      discovery.close();
+      throw e;
+    }
+  }
+
+  /** Answers who only wants to know what there is; sessions are for TCP. */
+  private static void discover(
+      UdpPort port, ByteBuffer bytes, InetSocketAddress from, Supplier<ByteBuffer> identity) {
+    if (bytes.remaining() < EncapsulationFrame.HEADER
+        || bytes.remaining()
+            != EncapsulationFrame.HEADER + Short.toUnsignedInt(bytes.getShort(2))) {
+      return;
+    }
+    EncapsulationFrame frame = EncapsulationFrame.decode(bytes);
+    ByteBuffer answer =
+        switch (frame.command()) {
+          case Encapsulation.LIST_SERVICES -> Encapsulation.services();
+          case Encapsulation.LIST_IDENTITY -> identity.get();
+          case Encapsulation.LIST_INTERFACES -> Encapsulation.items();
+          default -> Encapsulation.nothing();
+        };
+    if (answer.hasRemaining()) {
+      port.send(frame.answer(Encapsulation.SUCCESS, answer).encode(), from);
+    }
+  }
+
+  @Override
+  public List<TcpPort> ports() {
+    return List.of(messages, service);
+  }
+
+  /** The number of the UDP port for cyclic data. */
+  int ioPort() {
+    return io.number();
+  }
+
+  @Override
+  public void close() {
+    ports().forEach(TcpPort::close);
+    connections.close();
+    discovery.close();
+    io.close();
+  }
+}

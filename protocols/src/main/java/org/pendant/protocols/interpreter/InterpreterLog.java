@@ -1,0 +1,84 @@
+package org.pendant.protocols.interpreter;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
+import org.pendant.controller.machine.InterpreterJournal;
+import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.protocols.serve.Outside;
+
+/** Keeps the log files up to date, in a thread of its own. */
+final class InterpreterLog implements AutoCloseable {
+  private final Outside outside;
+  private final InterpreterJournal journal;
+  private final LogFiles files;
+  private final Consumer<ControllerState> listener = this::look;
+  private final Thread thread;
+  private volatile boolean closing;
+  private volatile long written;
+  private boolean failed;
+
+  private InterpreterLog(Outside outside, Path folder) {
+    this.outside = outside;
+    journal = outside.controller().interpreterJournal();
+    files = new LogFiles(folder);
+    written = journal.newest();
+    thread = Thread.ofVirtual().name("interpreter log").unstarted(this::run);
+  }
+
+  static InterpreterLog start(Outside outside, Path folder) {
+    InterpreterLog log = new InterpreterLog(outside, folder);
+    log.thread.start();
+    outside.frames().add(log.listener);
+    return log;
+  }
+
+  private void look(ControllerState state) {
+    if (journal.newest() != written) {
+      LockSupport.unpark(thread);
+    }
+  }
+
+  private void run() {
+    while (!closing) {
+      write();
+      LockSupport.park(this);
+    }
+    write();
+  }
+
+  private void write() {
+    for (InterpreterJournal.Entry each : journal.since(written)) {
+      try {
+        files.write(each.event());
+        failed = false;
+      } catch (IOException e) {
+        complain(e);
+      }
+      written = each.number();
+    }
+  }
+
+  /** Once, until writing works again. */
+  private void complain(IOException trouble) {
+    if (!failed) {
+      failed = true;
+      outside.log().write(Level.WARNING, "interpreter log: " + trouble);
+    }
+  }
+
+  /** Writes what is left and ends. */
+  @Override
+  public void close() {
+    outside.frames().remove(listener);
+    closing = true;
+    LockSupport.unpark(thread);
+    try {
+      thread.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

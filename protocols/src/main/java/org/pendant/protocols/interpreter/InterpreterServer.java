@@ -1,0 +1,52 @@
+package org.pendant.protocols.interpreter;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.serve.Outside;
+import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.serve.Server;
+
+/** The port of interpreter mode (manual 13). */
+public final class InterpreterServer implements Server {
+  /** Where it listens on a real box. */
+  public static final int STANDARD_PORT = 30_020;
+
+  private final TcpPort port;
+  private final InterpreterLog log;
+
+  private InterpreterServer(TcpPort port, InterpreterLog log) {
+    this.port = port;
+    this.log = log;
+  }
+
+  /**
+   * Begins to listen.
+   *
+   * @param logs folder for the log files; made when something is logged
+   * @throws IOException if the port cannot be had
+   */
+  public static InterpreterServer open(Outside outside, PortNumbers numbers, Path logs)
+      throws IOException {
+    TcpPort port =
+        TcpPort.open(
+            numbers.listening("Interpreter", STANDARD_PORT),
+            connection ->
+                new InterpreterSession(
+                    connection, outside.controller(), outside.remote().mayControl()),
+            outside.log());
+    return new InterpreterServer(port, InterpreterLog.start(outside, logs));
+  }
+
+  @Override
+  public List<TcpPort> ports() {
+    return List.of(port);
+  }
+
+  @Override
+  public void close() {
+    port.close();
+    log.close();
+  }
+}

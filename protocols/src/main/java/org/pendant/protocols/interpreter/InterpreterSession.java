@@ -1,0 +1,152 @@
+package org.pendant.protocols.interpreter;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import java.util.concurrent.Semaphore;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.Reply;
+import org.pendant.controller.machine.InterpretedLine;
+import org.pendant.controller.machine.Interpreter;
+import org.pendant.controller.machine.InterpreterStatus;
+import org.pendant.protocols.net.Connection;
+import org.pendant.protocols.net.LineCutter;
+import org.pendant.protocols.net.ProtocolException;
+import org.pendant.protocols.net.Session;
+
+/**
+ * One client of interpreter mode. Lines are answered when the controller has dealt with them;
+ * control lines are not held up by statements that wait.
+ */
+final class InterpreterSession implements Session {
+  private static final int LONGEST_LINE = 1 << 16;
+
+  /** Most control lines of one client in a frame. */
+  private static final int MOST_UNANSWERED = 16;
+
+  private static final String NOT_REMOTE = "the robot is not in remote control";
+
+  private final Connection connection;
+  private final Controller controller;
+  private final boolean mayControl;
+  private final LineCutter lines = new LineCutter(LONGEST_LINE);
+  private final LineQueue statements;
+  private final Semaphore unanswered = new Semaphore(MOST_UNANSWERED);
+
+  /**
+   * A client that has just connected.
+   *
+   * @param mayControl whether it may do more than ask, as long as it stays connected
+   */
+  InterpreterSession(Connection connection, Controller controller, boolean mayControl) {
+    this.connection = connection;
+    this.controller = controller;
+    this.mayControl = mayControl;
+    statements = new LineQueue(controller, (line, reply) -> send(answer(reply, line.text())));
+  }
+
+  @Override
+  public void received(ByteBuffer bytes) throws ProtocolException {
+    for (String line : lines.take(bytes)) {
+      if (line.isBlank()) {
+        continue;
+      }
+      Optional<ControlLine> control = ControlLine.of(line);
+      if (control.isPresent()) {
+        obey(control.get());
+      } else {
+        interpret(line);
+      }
+    }
+  }
+
+  private void obey(ControlLine line) {
+    String word = line.word();
+    switch (line) {
+      case ABORT -> act(new Command.AbortMove(), word);
+      case SKIPBUFFER -> act(new Command.SkipInterpreted(), word);
+      case STATELASTEXECUTED, STATELASTINTERPRETED, STATELASTCLEARED, STATEUNEXECUTED ->
+          submit(
+              new Command.AskInterpreter(), reply -> "state: " + value(line, reply) + ": " + word);
+    }
+  }
+
+  /** What comes of it is of no interest to clients (manual 13.5, 13.6); they wait for a line. */
+  private void act(Command command, String word) {
+    if (mayControl) {
+      submit(command, reply -> "ack: 0: " + word);
+    } else {
+      send(discard(NOT_REMOTE, word));
+    }
+  }
+
+  private static int value(ControlLine line, Reply reply) {
+    if (!(reply instanceof Reply.InterpreterState(InterpreterStatus status))) {
+      return 0;
+    }
+    return switch (line) {
+      case STATELASTEXECUTED -> status.lastExecuted();
+      case STATELASTINTERPRETED -> status.lastInterpreted();
+      case STATELASTCLEARED -> status.lastCleared();
+      case STATEUNEXECUTED -> status.unexecuted();
+      case ABORT, SKIPBUFFER -> 0;
+    };
+  }
+
+  private void interpret(String line) {
+    if (!mayControl) {
+      send(discard(NOT_REMOTE, line));
+      return;
+    }
+    try {
+      statements.add(InterpretedLine.read(line));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private static String answer(Reply reply, String line) {
+    return switch (reply) {
+      case Reply.Interpreted(Interpreter.Reply.Acknowledged acknowledged) ->
+          "ack: " + acknowledged.id() + ": " + line;
+      case Reply.Interpreted(Interpreter.Reply.Discarded discarded) ->
+          discard(discarded.reason(), line);
+      case Reply.Refused refused -> discard(refused.reason(), line);
+      case Reply.Done _, Reply.InterpreterState _ ->
+          throw new IllegalStateException("not an answer to a line: " + reply);
+    };
+  }
+
+  private static String discard(String reason, String line) {
+    return "discard: " + reason + ": " + line;
+  }
+
+  @FunctionalInterface
+  private interface Wording {
+    String of(Reply reply);
+  }
+
+  /** Has the controller carry out a command; the answer goes out when it has. */
+  private void submit(Command command, Wording wording) {
+    try {
+      unanswered.acquire();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return;
+    }
+    // in the frame loop: this puts a short line into the connection's outbox and returns
+    var _ =
+        controller
+            .submit(command)
+            .thenAccept(
+                reply -> {
+                  unanswered.release();
+                  send(wording.of(reply));
+                });
+  }
+
+  private void send(String line) {
+    connection.send((line + "\n").getBytes(StandardCharsets.ISO_8859_1));
+  }
+}

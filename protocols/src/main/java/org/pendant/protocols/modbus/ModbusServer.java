@@ -1,0 +1,58 @@
+package org.pendant.protocols.modbus;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.concurrent.locks.ReadWriteLock;
+import java.util.concurrent.locks.ReentrantReadWriteLock;
+import org.pendant.protocols.net.Listening;
+import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.serve.Outside;
+import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.serve.Server;
+
+/**
+ * The Modbus server of a control box. Every request is answered from one snapshot; what is written
+ * shows in the next one. Local control does not keep clients from writing: what they reach are
+ * signals, not commands.
+ */
+public final class ModbusServer implements Server {
+  /** Where it listens on a real box. */
+  public static final int STANDARD_PORT = 502;
+
+  private final TcpPort port;
+
+  private ModbusServer(TcpPort port) {
+    this.port = port;
+  }
+
+  /**
+   * Begins to listen.
+   *
+   * @throws IOException if the port cannot be had
+   */
+  public static ModbusServer open(Outside outside, PortNumbers numbers) throws IOException {
+    return open(outside, numbers.listening("Modbus", STANDARD_PORT));
+  }
+
+  /**
+   * Begins to listen anywhere.
+   *
+   * @throws IOException if the port cannot be had
+   */
+  public static ModbusServer open(Outside outside, Listening listening) throws IOException {
+    ReadWriteLock changing = new ReentrantReadWriteLock();
+    return new ModbusServer(
+        TcpPort.open(
+            listening,
+            connection -> {
+              SignalDesk desk = new SignalDesk(outside.controller(), connection.name());
+              return new ModbusSession(connection, new Answers(desk, changing), outside.log());
+            },
+            outside.log()));
+  }
+
+  @Override
+  public List<TcpPort> ports() {
+    return List.of(port);
+  }
+}

@@ -1,0 +1,26 @@
+package org.pendant.protocols.modbusclient;
+
+import java.util.List;
+
+/** What a device says to a question. */
+sealed interface Answer {
+  /**
+   * What was read.
+   *
+   * @param values bits as 0 and 1, registers 0 to 65535
+   */
+  record Values(List<Integer> values) implements Answer {}
+
+  /** It has done what it was told. */
+  record Done() implements Answer {}
+
+  /**
+   * It will not.
+   *
+   * @param code the exception code, 1 to 255
+   */
+  record Refused(int code) implements Answer {}
+
+  /** It says something that is no answer to this question. */
+  record Nonsense() implements Answer {}
+}

@@ -1,0 +1,53 @@
+package org.pendant.protocols.modbusclient;
+
+import java.io.DataInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.ProtocolException;
+import java.nio.ByteBuffer;
+import java.util.Arrays;
+
+/** Cuts the answers out of what a device sends. */
+final class AnswerFrame {
+  /** Transaction (2 bytes), protocol (2), length of the rest (2); the unit counts to the rest. */
+  static final int PREFIX = 6;
+
+  /** Where the function code is. */
+  static final int FUNCTION = PREFIX + 1;
+
+  /** Unit, function and one more byte, as in a refusal. */
+  static final int SHORTEST_REST = 3;
+
+  /** Unit and the longest answer, 253 bytes. */
+  static final int LONGEST_REST = 254;
+
+  private AnswerFrame() {}
+
+  /**
+   * Waits for an answer.
+   *
+   * @return the answer with its prefix
+   * @throws EOFException when the device has closed the connection
+   * @throws ProtocolException if this is no Modbus
+   */
+  static byte[] read(InputStream bytes) throws IOException {
+    DataInputStream in = new DataInputStream(bytes);
+    byte[] prefix = new byte[PREFIX];
+    in.readFully(prefix);
+    ByteBuffer head = ByteBuffer.wrap(prefix);
+    int protocol = head.getShort(2) & 0xFFFF;
+    int rest = head.getShort(4) & 0xFFFF;
+    if (protocol != 0 || rest < SHORTEST_REST || rest > LONGEST_REST) {
+      throw new ProtocolException("protocol " + protocol + ", length " + rest);
+    }
+    byte[] frame = Arrays.copyOf(prefix, PREFIX + rest);
+    in.readFully(frame, PREFIX, rest);
+    return frame;
+  }
+
+  /** The number of the question that a frame answers. */
+  static int transaction(byte[] frame) {
+    return ByteBuffer.wrap(frame).getShort(0) & 0xFFFF;
+  }
+}

@@ -1,0 +1,59 @@
+package org.pendant.protocols.modbusclient;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.pendant.controller.outside.ModbusAddress;
+import org.pendant.controller.outside.ModbusDoor;
+import org.pendant.controller.outside.ModbusExchange;
+import org.pendant.controller.outside.ModbusPoint;
+import org.pendant.controller.outside.Pending;
+import org.pendant.protocols.reach.Reach;
+
+/** Speaks to the Modbus devices of one controller; signals at the same address share it. */
+public final class ModbusClients implements ModbusDoor, AutoCloseable {
+  private final Reach reach;
+  private final Map<ModbusAddress, Device> devices = new ConcurrentHashMap<>();
+
+  /** Devices that are no farther than {@code reach}. */
+  public ModbusClients(Reach reach) {
+    this.reach = reach;
+  }
+
+  @Override
+  public ModbusPoint add(ModbusExchange exchange) {
+    while (true) {
+      Device device = device(exchange.device());
+      Point point = new Point(exchange, device);
+      if (device.add(point)) {
+        return point;
+      }
+      devices.remove(exchange.device(), device);
+    }
+  }
+
+  @Override
+  public Pending send(ModbusAddress address, int unit, int function, byte[] data) {
+    while (true) {
+      Device device = device(address);
+      CustomCommand command = new CustomCommand(Question.made(unit, function, data), device);
+      if (device.add(command)) {
+        return command;
+      }
+      devices.remove(address, device);
+    }
+  }
+
+  private Device device(ModbusAddress address) {
+    return devices.computeIfAbsent(
+        address, each -> new Device(each, reach, gone -> devices.remove(each, gone)));
+  }
+
+  /** Ends all signals, and waits until what was set has been written, a few seconds at most. */
+  @Override
+  public void close() {
+    List<Device> left = List.copyOf(devices.values());
+    left.forEach(Device::close);
+    left.forEach(Device::awaitEnd);
+  }
+}

@@ -1,0 +1,213 @@
+package org.pendant.protocols.panel;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.ReentrantLock;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.Reply;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.message.Popup;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.StateFeed;
+
+/**
+ * The teach pendant of one control box. Any thread may use it; most methods wait until what they do
+ * is done, so none is for a thread that must not wait. A refusal says why, in words; nothing has
+ * changed then.
+ */
+public final class Panel {
+  /** A frame takes 2 ms: a box that has not answered by then stands still. */
+  private static final long PATIENCE_MS = 2000;
+
+  /** How long a pause may take to come about before it is called under way. */
+  private static final long PAUSE_NS = TimeUnit.MILLISECONDS.toNanos(800);
+
+  private static final String POPUP_TITLE = "Popup";
+
+  private final Controller controller;
+  private final PanelSetup setup;
+  private final Identity identity;
+  private final ProgramShelf shelf;
+  private final Reports reports;
+
+  /** One change of the program at a time. */
+  private final ReentrantLock changing = new ReentrantLock();
+
+  private volatile Optional<LoadedProgram> loaded = Optional.empty();
+  private volatile String installation = "default";
+  private volatile OperationalMode mode = OperationalMode.NONE;
+
+  /** A pendant without a loaded program. */
+  public Panel(Controller controller, PanelSetup setup) {
+    this.controller = controller;
+    this.setup = setup;
+    identity = Identity.of(setup.robotId());
+    shelf = new ProgramShelf(setup.programs(), controller);
+    reports = new Reports(controller, setup, this::loaded);
+  }
+
+  /** What stands on the type plate. */
+  public Identity identity() {
+    return identity;
+  }
+
+  /** What it belongs to. */
+  public PanelSetup setup() {
+    return setup;
+  }
+
+  /** The newest snapshot of the controller. */
+  public ControllerState state() {
+    return controller.state();
+  }
+
+  /** Files with what there is to know about the box. */
+  public Reports reports() {
+    return reports;
+  }
+
+  /** The program that {@link #play} starts. Programs that others upload do not change it. */
+  public Optional<LoadedProgram> loaded() {
+    return loaded;
+  }
+
+  /** Name of the loaded installation. Nothing in it is used. */
+  public String installation() {
+    return installation;
+  }
+
+  /**
+   * Loads a program of the programs folder; a program that runs is stopped.
+   *
+   * @param name bytes, one {@code char} a byte
+   */
+  public LoadedProgram load(String name) throws LoadTrouble {
+    changing.lock();
+    try {
+      LoadedProgram found = shelf.load(name);
+      if (running()) {
+        var _ = ask(new Command.StopProgram());
+      }
+      loaded = Optional.of(found);
+      installation = found.installation().isEmpty() ? installation : found.installation();
+      return found;
+    } finally {
+      changing.unlock();
+    }
+  }
+
+  /**
+   * Loads an installation of the programs folder.
+   *
+   * @param name bytes, one {@code char} a byte
+   */
+  public void loadInstallation(String name) throws LoadTrouble {
+    installation = shelf.installation(name);
+    log(Level.INFO, "installation " + name + ": nothing in it changes the simulated robot");
+  }
+
+  /** Starts the loaded program, or goes on with one that is paused. */
+  public Optional<String> play() {
+    changing.lock();
+    try {
+      return switch (state().program().state()) {
+        case RUNNING -> Optional.of("program " + state().program().name() + " runs already");
+        case PAUSED -> ask(new Command.ResumeProgram());
+        case STOPPED ->
+            loaded.isPresent()
+                ? ask(new Command.StartProgram(loaded.get().program()))
+                : Optional.of("no program is loaded");
+      };
+    } finally {
+      changing.unlock();
+    }
+  }
+
+  /** Pauses the program and waits until it stands. */
+  public Optional<String> pause() {
+    try (StateFeed.Follower frames = controller.feed().follow()) {
+      Optional<String> refusal = ask(new Command.PauseProgram());
+      long begunNs = System.nanoTime();
+      while (refusal.isEmpty()
+          && state().program().state() == ProgramState.RUNNING
+          && System.nanoTime() - begunNs < PAUSE_NS) {
+        var _ = frames.take();
+      }
+      return refusal;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return Optional.of("interrupted");
+    }
+  }
+
+  /**
+   * Stops the program; refused when there has been none and none is loaded. One that has just ended
+   * by itself is no refusal: some clients end their program and then make sure of it.
+   */
+  public Optional<String> stop() {
+    return running() || loaded.isPresent() || state().program().ending().isPresent()
+        ? ask(new Command.StopProgram())
+        : Optional.of("no program is loaded or runs");
+  }
+
+  private boolean running() {
+    return state().program().state() != ProgramState.STOPPED;
+  }
+
+  /** The chosen operational mode. */
+  public OperationalMode operationalMode() {
+    return mode;
+  }
+
+  /** Chooses an operational mode; NONE leaves the choice to nobody, as AUTOMATIC for the robot. */
+  public void setOperationalMode(OperationalMode chosen) {
+    mode = chosen;
+    var _ = ask(new Command.SetManualMode(chosen == OperationalMode.MANUAL));
+    log(Level.INFO, "operational mode: " + chosen);
+  }
+
+  /**
+   * Shows a popup.
+   *
+   * @param text bytes, one {@code char} a byte
+   */
+  public Optional<String> showPopup(String text) {
+    return ask(new Command.ShowPopup(POPUP_TITLE, text));
+  }
+
+  /** Closes the newest popup, whoever has shown it; a program that waits for it goes on. */
+  public Optional<String> closePopup() {
+    List<Popup> open = state().openPopups();
+    return open.isEmpty()
+        ? Optional.of("no popup is open")
+        : ask(new Command.AnswerPopup(open.getLast().number()));
+  }
+
+  /** Writes a line to the log of the controller; does not wait. */
+  public void log(Level level, String text) {
+    var _ = controller.submit(new Command.WriteLog(level, text));
+  }
+
+  /** Has the controller carry out a command, and waits until it has. */
+  public Optional<String> ask(Command command) {
+    try {
+      Reply reply = controller.submit(command).get(PATIENCE_MS, TimeUnit.MILLISECONDS);
+      return switch (reply) {
+        case Reply.Refused refused -> Optional.of(refused.reason());
+        case Reply.Done _, Reply.Interpreted _, Reply.InterpreterState _ -> Optional.empty();
+      };
+    } catch (TimeoutException e) {
+      return Optional.of("the controller does not answer");
+    } catch (ExecutionException e) {
+      return Optional.of("the controller has failed: " + e.getCause());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return Optional.of("interrupted");
+    }
+  }
+}

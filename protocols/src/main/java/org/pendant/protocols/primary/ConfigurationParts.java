@@ -1,0 +1,119 @@
+package org.pendant.protocols.primary;
+
+import java.nio.ByteBuffer;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.DhLengths;
+import org.pendant.models.arm.JointLimits;
+import org.pendant.models.arm.Joints;
+
+/**
+ * The two parts of a full robot state that never change: kinematics (type 5) and configuration
+ * (type 6).
+ */
+final class ConfigurationParts {
+  static final int KINEMATICS_BYTES = 225;
+  static final int CONFIGURATION_BYTES = 445;
+
+  private static final byte KINEMATICS = 5;
+  private static final byte CONFIGURATION = 6;
+
+  /** Checksum of a joint without calibration. */
+  private static final int NOT_CALIBRATED = -1;
+
+  private static final double[] ALPHA_RAD = {Math.PI / 2, 0, 0, Math.PI / 2, -Math.PI / 2, 0};
+
+  /** How far behind the range of a joint the box's own limit is, rad. */
+  private static final double BEYOND_RANGE_RAD = Math.toRadians(3);
+
+  /** What is sent for a joint that turns without end, rad. */
+  private static final double ENDLESS_RAD = 1e6;
+
+  /** How much faster than its largest speed a joint may turn, rad/s. */
+  private static final double BEYOND_SPEED_RAD_PER_S = 0.2;
+
+  private static final double MOST_ACCELERATION_RAD_PER_S2 = 40;
+  private static final double DEFAULT_JOINT_SPEED_RAD_PER_S = Math.toRadians(60);
+  private static final double DEFAULT_JOINT_ACCELERATION_RAD_PER_S2 = Math.toRadians(80);
+  private static final double DEFAULT_TOOL_SPEED_M_PER_S = 0.25;
+  private static final double DEFAULT_TOOL_ACCELERATION_M_PER_S2 = 1.2;
+  private static final double EQUIVALENT_RADIUS_M = 0.25;
+
+  private static final int MASTERBOARD_VERSION = 6;
+  private static final int CONTROLLER_BOX_TYPE = 4;
+  private static final int ROBOT_SUB_TYPE = 3;
+
+  private ConfigurationParts() {}
+
+  /** Lengths of the chain; no joint is calibrated. */
+  static byte[] kinematics(ArmDescription arm) {
+    ByteBuffer out = ByteBuffer.allocate(KINEMATICS_BYTES);
+    out.putInt(KINEMATICS_BYTES).put(KINEMATICS);
+    for (int i = 0; i < Joints.COUNT; i++) {
+      out.putInt(NOT_CALIBRATED);
+    }
+    put(out, new double[Joints.COUNT]);
+    put(out, a(arm.dh()));
+    put(out, d(arm.dh()));
+    put(out, ALPHA_RAD);
+    out.putInt(0);
+    return out.array();
+  }
+
+  /** Limits, defaults and kind of the arm. */
+  static byte[] configuration(ArmDescription arm) {
+    ByteBuffer out = ByteBuffer.allocate(CONFIGURATION_BYTES);
+    out.putInt(CONFIGURATION_BYTES).put(CONFIGURATION);
+    for (JointLimits joint : arm.joints()) {
+      out.putDouble(joint.unlimited() ? -ENDLESS_RAD : joint.minRad() - BEYOND_RANGE_RAD)
+          .putDouble(joint.unlimited() ? ENDLESS_RAD : joint.maxRad() + BEYOND_RANGE_RAD);
+    }
+    for (JointLimits joint : arm.joints()) {
+      out.putDouble(joint.maxSpeedRadPerS() + BEYOND_SPEED_RAD_PER_S)
+          .putDouble(MOST_ACCELERATION_RAD_PER_S2);
+    }
+    out.putDouble(DEFAULT_JOINT_SPEED_RAD_PER_S)
+        .putDouble(DEFAULT_JOINT_ACCELERATION_RAD_PER_S2)
+        .putDouble(DEFAULT_TOOL_SPEED_M_PER_S)
+        .putDouble(DEFAULT_TOOL_ACCELERATION_M_PER_S2)
+        .putDouble(EQUIVALENT_RADIUS_M);
+    put(out, a(arm.dh()));
+    put(out, d(arm.dh()));
+    put(out, ALPHA_RAD);
+    put(out, new double[Joints.COUNT]);
+    out.putInt(MASTERBOARD_VERSION)
+        .putInt(CONTROLLER_BOX_TYPE)
+        .putInt(robotType(arm.id()))
+        .putInt(ROBOT_SUB_TYPE);
+    return out.array();
+  }
+
+  /** The number of an arm model; those that are made from another one share its number. */
+  static int robotType(String armId) {
+    return switch (armId) {
+      case "ur5", "ur5e", "ur7e" -> 1;
+      case "ur10", "ur10e", "ur12e" -> 2;
+      case "ur3", "ur3e" -> 3;
+      case "ur16e" -> 4;
+      case "ur18" -> 5;
+      case "ur8long" -> 6;
+      case "ur20" -> 7;
+      case "ur30" -> 8;
+      case "ur15" -> 9;
+      default -> throw new IllegalArgumentException("arm " + armId + " has no robot type");
+    };
+  }
+
+  private static double[] a(DhLengths dh) {
+    return new double[] {0, dh.a2(), dh.a3(), 0, 0, 0};
+  }
+
+  private static double[] d(DhLengths dh) {
+    return new double[] {dh.d1(), 0, 0, dh.d4(), dh.d5(), dh.d6()};
+  }
+
+  private static void put(ByteBuffer out, double[] values) {
+    for (double value : values) {
+      out.putDouble(value);
+    }
+  }
+}

@@ -1,0 +1,63 @@
+package org.pendant.protocols.rtde;
+
+import java.nio.ByteBuffer;
+import java.util.List;
+
+/** What a client asks for. */
+sealed interface Request {
+  /** To speak a version of the protocol from now on. */
+  record ProtocolVersion(int version) implements Request {}
+
+  /** Which software the controller runs. */
+  record ControllerVersion() implements Request {}
+
+  /**
+   * To get fields.
+   *
+   * @param frequencyHz how often; any number
+   * @param names of the fields, in their order
+   */
+  record SetupOutputs(double frequencyHz, List<String> names) implements Request {
+    /** Copies the list. */
+    public SetupOutputs {
+      names = List.copyOf(names);
+    }
+  }
+
+  /**
+   * To write fields.
+   *
+   * @param names of the fields, in their order
+   */
+  record SetupInputs(List<String> names) implements Request {
+    /** Copies the list. */
+    public SetupInputs {
+      names = List.copyOf(names);
+    }
+  }
+
+  /** To get data packages. */
+  record Start() implements Request {}
+
+  /** To get none any more. */
+  record Pause() implements Request {}
+
+  /**
+   * Values to write.
+   *
+   * @param recipe number of the recipe
+   * @param values the rest of the package
+   */
+  record Data(int recipe, ByteBuffer values) implements Request {}
+
+  /** Something for the log. */
+  record Text(TextLevel level, String text) implements Request {}
+
+  /**
+   * A package that cannot be understood and is passed over.
+   *
+   * @param level how bad that is
+   * @param reason what was found and what was expected
+   */
+  record Malformed(TextLevel level, String reason) implements Request {}
+}

@@ -1,0 +1,143 @@
+package org.pendant.protocols.rtde;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Packages of clients as requests. */
+final class RequestCodec {
+  /** Most bytes that the names of a recipe may take together. */
+  static final int LONGEST_NAMES = 2048;
+
+  /** How often version 1 sends, Hz: its requests name no frequency. */
+  static final double VERSION_1_HZ = 125;
+
+  private RequestCodec() {}
+
+  /**
+   * Decodes a package.
+   *
+   * @param version of the protocol that is spoken, 1 or 2
+   */
+  static Request decode(Packet packet, int version) {
+    ByteBuffer payload = packet.payload();
+    return switch (packet.type()) {
+      case PacketType.PROTOCOL_VERSION ->
+          payload.remaining() == Short.BYTES
+              ? new Request.ProtocolVersion(Short.toUnsignedInt(payload.getShort()))
+              : wrongLength("protocol version", payload, "2");
+      case PacketType.CONTROLLER_VERSION ->
+          empty("controller version", payload, new Request.ControllerVersion());
+      case PacketType.SETUP_OUTPUTS -> outputs(payload, version);
+      case PacketType.SETUP_INPUTS -> inputs(payload);
+      case PacketType.START -> empty("start", payload, new Request.Start());
+      case PacketType.PAUSE -> empty("pause", payload, new Request.Pause());
+      case PacketType.DATA ->
+          payload.hasRemaining()
+              ? new Request.Data(Byte.toUnsignedInt(payload.get()), payload)
+              : wrongLength("data", payload, "at least 1");
+      case PacketType.TEXT_MESSAGE -> version == 1 ? plainText(payload) : text(payload);
+      default ->
+          new Request.Malformed(
+              TextLevel.WARNING, "a package has type " + packet.type() + ", which is not known");
+    };
+  }
+
+  private static Request empty(String what, ByteBuffer payload, Request request) {
+    return payload.hasRemaining() ? wrongLength(what, payload, "0") : request;
+  }
+
+  private static Request wrongLength(String what, ByteBuffer payload, String expected) {
+    return new Request.Malformed(
+        TextLevel.ERROR,
+        "a package for "
+            + what
+            + " has "
+            + payload.remaining()
+            + " bytes behind its type, must have "
+            + expected);
+  }
+
+  private static Request outputs(ByteBuffer payload, int version) {
+    if (version == 1) {
+      return names(payload, names -> new Request.SetupOutputs(VERSION_1_HZ, names));
+    }
+    if (payload.remaining() < Double.BYTES) {
+      return wrongLength("an output recipe", payload, "at least 8");
+    }
+    double frequencyHz = payload.getDouble();
+    return names(payload, names -> new Request.SetupOutputs(frequencyHz, names));
+  }
+
+  private static Request inputs(ByteBuffer payload) {
+    return names(payload, Request.SetupInputs::new);
+  }
+
+  private interface Named {
+    Request with(List<String> names);
+  }
+
+  private static Request names(ByteBuffer payload, Named request) {
+    if (payload.remaining() > LONGEST_NAMES) {
+      return new Request.Malformed(
+          TextLevel.ERROR,
+          "the names of a recipe take "
+              + payload.remaining()
+              + " bytes, must be at most "
+              + LONGEST_NAMES);
+    }
+    List<String> names = split(StandardCharsets.ISO_8859_1.decode(payload).toString());
+    return names.isEmpty()
+        ? new Request.Malformed(TextLevel.ERROR, "a recipe names no variable")
+        : request.with(names);
+  }
+
+  /** The names between commas; some clients write a comma behind the last one as well. */
+  private static List<String> split(String text) {
+    List<String> names = new ArrayList<>();
+    int from = 0;
+    for (int comma = text.indexOf(','); comma >= 0; comma = text.indexOf(',', from)) {
+      names.add(text.substring(from, comma));
+      from = comma + 1;
+    }
+    if (from < text.length()) {
+      names.add(text.substring(from));
+    }
+    return names;
+  }
+
+  private static Request text(ByteBuffer payload) {
+    int length = payload.remaining();
+    int message = skipText(payload, 0);
+    int source = skipText(payload, message);
+    if (source < 0 || source + 1 != length) {
+      return wrongLength(
+          "a text message", payload, "a text, a source and a level with their lengths");
+    }
+    String said = StandardCharsets.ISO_8859_1.decode(payload.slice(1, message - 1)).toString();
+    String by =
+        StandardCharsets.ISO_8859_1
+            .decode(payload.slice(message + 1, source - message - 1))
+            .toString();
+    return new Request.Text(
+        TextLevel.of(payload.get(source)), by.isEmpty() ? said : by + ": " + said);
+  }
+
+  /** Where a text ends that begins with its length at {@code from}; -1 when it is cut off. */
+  private static int skipText(ByteBuffer payload, int from) {
+    if (from < 0 || from >= payload.limit()) {
+      return -1;
+    }
+    int end = from + 1 + Byte.toUnsignedInt(payload.get(from));
+    return end > payload.limit() ? -1 : end;
+  }
+
+  private static Request plainText(ByteBuffer payload) {
+    if (!payload.hasRemaining()) {
+      return wrongLength("a text message", payload, "at least 1");
+    }
+    TextLevel level = TextLevel.of(payload.get());
+    return new Request.Text(level, StandardCharsets.ISO_8859_1.decode(payload).toString());
+  }
+}

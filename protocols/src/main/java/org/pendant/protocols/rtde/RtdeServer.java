@@ -1,0 +1,40 @@
+package org.pendant.protocols.rtde;
+
+import java.io.IOException;
+import java.util.List;
+import org.pendant.protocols.net.Listening;
+import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.serve.Outside;
+import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.serve.Server;
+
+/**
+ * The real-time data exchange of a control box. Local control does not keep clients from writing:
+ * what they reach are inputs and outputs, not commands.
+ */
+public final class RtdeServer implements Server {
+  /** Where it listens on a real box. */
+  public static final int STANDARD_PORT = 30004;
+
+  private final TcpPort port;
+
+  private RtdeServer(TcpPort port) {
+    this.port = port;
+  }
+
+  /**
+   * Begins to listen.
+   *
+   * @throws IOException if the port cannot be had
+   */
+  public static RtdeServer open(Outside outside, PortNumbers numbers) throws IOException {
+    Listening listening = numbers.listening("RTDE", STANDARD_PORT);
+    return new RtdeServer(
+        TcpPort.open(listening, connection -> new RtdeSession(connection, outside), outside.log()));
+  }
+
+  @Override
+  public List<TcpPort> ports() {
+    return List.of(port);
+  }
+}

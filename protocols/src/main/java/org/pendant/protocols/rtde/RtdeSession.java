@@ -1,0 +1,162 @@
+package org.pendant.protocols.rtde;
+
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.rtde.InputField;
+import org.pendant.controller.rtde.InputFields;
+import org.pendant.controller.rtde.InputRecipe;
+import org.pendant.controller.rtde.OutputField;
+import org.pendant.controller.rtde.OutputFields;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.SoftwareVersion;
+import org.pendant.protocols.net.Connection;
+import org.pendant.protocols.net.PeerLog;
+import org.pendant.protocols.net.ProtocolException;
+import org.pendant.protocols.net.Session;
+import org.pendant.protocols.serve.Outside;
+
+/** One client. Requests are answered in their order; nothing comes unasked before a start. */
+final class RtdeSession implements Session {
+  private static final int NEWEST_VERSION = 2;
+  private static final double LEAST_HZ = 1;
+  private static final String NOT_FOUND = "NOT_FOUND";
+  private static final String IN_USE = "IN_USE";
+
+  /** The number of a recipe that cannot be used. */
+  private static final int UNUSABLE = 0;
+
+  private final Connection connection;
+  private final PeerLog log;
+  private final PacketCutter cutter = new PacketCutter();
+  private final DataFlow flow;
+  private final InputDesk inputs;
+  private final Runnable leave;
+  private int version = 1;
+
+  RtdeSession(Connection connection, Outside outside) {
+    this.connection = connection;
+    log = outside.log();
+    flow = new DataFlow(connection::stream);
+    inputs = new InputDesk(outside.controller(), connection.name());
+    Consumer<ControllerState> frames = flow::frame;
+    outside.frames().add(frames);
+    leave = () -> outside.frames().remove(frames);
+  }
+
+  @Override
+  public void received(ByteBuffer bytes) throws ProtocolException {
+    try {
+      for (Optional<Packet> packet = cutter.next(bytes);
+          packet.isPresent();
+          packet = cutter.next(bytes)) {
+        answer(RequestCodec.decode(packet.get(), version));
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  @Override
+  public void closed() {
+    leave.run();
+    try {
+      inputs.release();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void answer(Request request) throws InterruptedException {
+    switch (request) {
+      case Request.ProtocolVersion wanted -> speak(wanted.version());
+      case Request.ControllerVersion _ ->
+          connection.send(ReplyCodec.controllerVersion(SoftwareVersion.REPORTED));
+      case Request.SetupOutputs wanted -> setUpOutputs(wanted);
+      case Request.SetupInputs wanted -> setUpInputs(wanted.names());
+      case Request.Start _ -> start();
+      case Request.Pause _ -> {
+        flow.pause();
+        connection.send(ReplyCodec.accepted(PacketType.PAUSE, true));
+      }
+      case Request.Data data ->
+          inputs.write(data).ifPresent(reason -> complain(TextLevel.ERROR, reason));
+      case Request.Text text ->
+          log.write(text.level().logged(), connection.name() + " says: " + text.text());
+      case Request.Malformed wrong -> complain(wrong.level(), wrong.reason());
+    }
+  }
+
+  private void speak(int wanted) {
+    boolean known = wanted >= 1 && wanted <= NEWEST_VERSION;
+    if (known) {
+      version = wanted;
+    }
+    connection.send(ReplyCodec.accepted(PacketType.PROTOCOL_VERSION, known));
+  }
+
+  private void setUpOutputs(Request.SetupOutputs wanted) {
+    List<OutputField> fields = new ArrayList<>();
+    List<String> types = new ArrayList<>();
+    for (String name : wanted.names()) {
+      Optional<OutputField> field = OutputFields.of(name);
+      field.ifPresent(fields::add);
+      types.add(field.map(each -> each.type().name()).orElse(NOT_FOUND));
+    }
+    boolean usable =
+        fields.size() == wanted.names().size() && Double.isFinite(wanted.frequencyHz());
+    if (usable) {
+      double frequencyHz = Math.clamp(wanted.frequencyHz(), LEAST_HZ, Pacing.FRAMES_HZ);
+      flow.setUp(new OutputRecipe(fields, version > 1), frequencyHz);
+    } else {
+      flow.clear();
+    }
+    connection.send(
+        version == 1
+            ? ReplyCodec.recipe(PacketType.SETUP_OUTPUTS, types)
+            : ReplyCodec.recipe(
+                PacketType.SETUP_OUTPUTS, usable ? OutputRecipe.ID : UNUSABLE, types));
+  }
+
+  private void setUpInputs(List<String> names) throws InterruptedException {
+    List<Optional<InputField>> fields = names.stream().map(InputFields::of).toList();
+    InputRecipe recipe = new InputRecipe(fields.stream().flatMap(Optional::stream).toList());
+    boolean known = recipe.fields().size() == names.size() && inputs.hasRoom();
+    Set<String> inUse = known ? inputs.claim(recipe) : Set.of();
+    List<String> types =
+        fields.stream()
+            .map(field -> field.map(each -> type(each, inUse)).orElse(NOT_FOUND))
+            .toList();
+    int id = known && inUse.isEmpty() ? inputs.add(recipe) : UNUSABLE;
+    connection.send(ReplyCodec.recipe(PacketType.SETUP_INPUTS, id, types));
+    if (!inputs.hasRoom() && id == UNUSABLE) {
+      tell(
+          TextLevel.ERROR,
+          "a connection has " + InputDesk.MOST_RECIPES + " input recipes, which is the most");
+    }
+  }
+
+  private static String type(InputField field, Set<String> inUse) {
+    return inUse.contains(field.name()) ? IN_USE : field.type().name();
+  }
+
+  private void start() {
+    // the answer has to come before the first data
+    connection.send(ReplyCodec.accepted(PacketType.START, flow.ready()));
+    flow.start();
+  }
+
+  /** Tells the client, and the log too: many clients pass texts over. */
+  private void complain(TextLevel level, String reason) {
+    log.write(Level.WARNING, connection.name() + ": " + reason);
+    tell(level, reason);
+  }
+
+  private void tell(TextLevel level, String text) {
+    connection.send(ReplyCodec.text(level, text, version));
+  }
+}

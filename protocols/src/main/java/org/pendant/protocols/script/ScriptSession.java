@@ -1,0 +1,64 @@
+package org.pendant.protocols.script;
+
+import java.nio.ByteBuffer;
+import java.util.Optional;
+import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.protocols.net.Connection;
+import org.pendant.protocols.net.PeerLog;
+import org.pendant.protocols.net.ProtocolException;
+import org.pendant.protocols.net.Session;
+
+/** What one client sends, item by item. */
+final class ScriptSession implements Session {
+  private final Client client;
+  private final ScriptDesk desk;
+  private final PeerLog log;
+  private final ScriptFramer framer;
+
+  /**
+   * Who sends.
+   *
+   * @param mayControl whether it may control the robot, for as long as it stays
+   * @param left runs when it has gone
+   */
+  record Client(Connection connection, boolean mayControl, Runnable left) {
+    String name() {
+      return connection.name();
+    }
+  }
+
+  ScriptSession(Client client, ScriptDesk desk, PeerLog log, ScriptFramer framer) {
+    this.client = client;
+    this.desk = desk;
+    this.log = log;
+    this.framer = framer;
+  }
+
+  @Override
+  public void received(ByteBuffer bytes) throws ProtocolException {
+    for (Optional<ScriptItem> item = framer.next(bytes);
+        item.isPresent();
+        item = framer.next(bytes)) {
+      if (client.mayControl()) {
+        desk.accept(item.get(), client.name());
+      } else {
+        desk.refuse(client.name());
+      }
+    }
+  }
+
+  @Override
+  public void closed() {
+    client.left().run();
+    if (framer.unfinished() > 0) {
+      log.write(
+          Level.WARNING,
+          client.name()
+              + " left with an unfinished script of "
+              + framer.unfinished()
+              + " bytes, which is thrown away: a program ends with end in the first column and a"
+              + " line end");
+    }
+    framer.close();
+  }
+}

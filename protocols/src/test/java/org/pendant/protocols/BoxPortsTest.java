@@ -1,0 +1,100 @@
+package org.pendant.protocols;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.ConnectException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.protocols.modbus.ModbusServer;
+import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.panel.Panel;
+import org.pendant.protocols.panel.PanelSetup;
+import org.pendant.protocols.script.RunningBox;
+import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.serve.RemoteControl;
+
+class BoxPortsTest {
+  private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
+
+  @TempDir Path folder;
+
+  private RunningBox box;
+  private Panel panel;
+
+  @BeforeEach
+  void start() {
+    box = new RunningBox(ControllerOptions.headless(), RemoteControl.disabled());
+    panel = new Panel(box.controller(), new PanelSetup("ur5e", ProgramsFolder.at(folder), folder));
+  }
+
+  @AfterEach
+  void end() {
+    box.close();
+  }
+
+  /** A port that nobody uses. */
+  private static int free() throws IOException {
+    try (ServerSocket probe = new ServerSocket(0, 1, LOOPBACK)) {
+      return probe.getLocalPort();
+    }
+  }
+
+  private static void connect(int port) throws IOException {
+    try (Socket socket = new Socket(LOOPBACK, port)) {
+      assertTrue(socket.isConnected());
+    }
+  }
+
+  @Test
+  void everyPortListensUnderANameOfItsOwn() throws IOException {
+    Set<String> names = new HashSet<>();
+    try (BoxPorts ports = BoxPorts.open(box.outside(), PortNumbers.anyFree(), panel)) {
+      for (TcpPort each : ports.ports()) {
+        connect(each.number());
+        names.add(each.name());
+      }
+      assertEquals(ports.ports().size(), names.size());
+      assertTrue(names.contains("Dashboard"), names.toString());
+    }
+  }
+
+  @Test
+  void closingClosesAllOfThem() throws IOException {
+    BoxPorts ports = BoxPorts.open(box.outside(), PortNumbers.anyFree(), panel);
+    List<Integer> numbers = ports.ports().stream().map(TcpPort::number).toList();
+    ports.close();
+    for (int each : numbers) {
+      assertThrows(ConnectException.class, () -> connect(each));
+    }
+  }
+
+  @Test
+  void nothingStaysOpenWhenOneCannotBeHad() throws IOException {
+    int dashboardPort = free();
+    try (ServerSocket taken = new ServerSocket(0, 1, LOOPBACK)) {
+      PortNumbers numbers =
+          PortNumbers.anyFree()
+              .with(29_999, dashboardPort)
+              .with(ModbusServer.STANDARD_PORT, taken.getLocalPort());
+      String message =
+          assertThrows(IOException.class, () -> BoxPorts.open(box.outside(), numbers, panel))
+              .getMessage();
+      assertTrue(message.startsWith("Modbus: port " + taken.getLocalPort()), message);
+      assertThrows(ConnectException.class, () -> connect(dashboardPort));
+    }
+  }
+}

@@ -1,0 +1,100 @@
+package org.pendant.protocols;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.VirtualClock;
+import org.pendant.controller.machine.Loaded;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.language.source.Source;
+import org.pendant.protocols.reach.AllowedHosts;
+
+/** Runs programs that reach for the outside, in virtual time, and keeps what they say. */
+public final class ScriptRun implements AutoCloseable {
+  private static final int MOST_FRAMES = 10_000;
+
+  private final ScriptDoors doors;
+  private final Controller controller;
+  private final VirtualClock clock = new VirtualClock();
+  private final List<LogEntry> entries = new ArrayList<>();
+
+  /** A controller that may reach everything. */
+  public ScriptRun() {
+    this(AllowedHosts.ANY);
+  }
+
+  /** A controller that may reach {@code allowed} computers. */
+  public ScriptRun(AllowedHosts allowed) {
+    doors = new ScriptDoors(allowed);
+    controller = new Controller(ControllerOptions.headless().withOutside(doors.doors()));
+  }
+
+  /** Runs the lines of a program to its end; answers what it has written with textmsg. */
+  public List<String> run(String lines) throws InterruptedException {
+    start(lines);
+    for (int i = 0; controller.state().program().state() == ProgramState.RUNNING; i++) {
+      assertTrue(i < MOST_FRAMES, () -> "still running, said " + said());
+      advance();
+    }
+    return said();
+  }
+
+  /** Starts the lines of a program. */
+  public void start(String lines) throws InterruptedException {
+    Loaded loaded =
+        controller.load(
+            Source.of(
+                "test.script",
+                ("def test():\n" + lines + "end\n").getBytes(StandardCharsets.ISO_8859_1)));
+    assertTrue(loaded.program().isPresent(), () -> loaded.diagnostics().toString());
+    var _ = controller.submit(new Command.StartProgram(loaded.program().get()));
+    advance();
+  }
+
+  /** Runs one frame, at the pace of the wall clock while somebody outside is waited for. */
+  public void advance() throws InterruptedException {
+    clock.awaitFrame(controller::waitsForOutside);
+    controller.advance();
+    entries.addAll(controller.state().newEntries());
+  }
+
+  /** Stops the program. */
+  public void stop() throws InterruptedException {
+    var _ = controller.submit(new Command.StopProgram());
+    advance();
+  }
+
+  /** The frame that has just run. */
+  public long frame() {
+    return controller.state().frame();
+  }
+
+  /** What the program has written with textmsg. */
+  public List<String> said() {
+    return texts(true);
+  }
+
+  /** What the controller has written itself. */
+  public List<String> reported() {
+    return texts(false);
+  }
+
+  private List<String> texts(boolean script) {
+    return entries.stream()
+        .filter(entry -> (entry.origin() == LogEntry.Origin.SCRIPT) == script)
+        .map(LogEntry::text)
+        .toList();
+  }
+
+  /** Closes what the program has left open. */
+  @Override
+  public void close() {
+    doors.close();
+  }
+}

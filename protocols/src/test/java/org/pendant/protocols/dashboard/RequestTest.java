@@ -1,0 +1,59 @@
+package org.pendant.protocols.dashboard;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Locale;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+class RequestTest {
+  private static void assertReads(Word word, String argument, String line) {
+    assertEquals(Optional.of(new Request(word, argument)), Request.read(line), line);
+  }
+
+  private static void assertUnknown(String line) {
+    assertEquals(Optional.empty(), Request.read(line), line);
+  }
+
+  @Test
+  void everyWordIsReadAsItself() {
+    for (Word word : Word.values()) {
+      String line = String.join(" ", word.words());
+      assertReads(word, "", line);
+      assertReads(word, "", line.toUpperCase(Locale.ROOT));
+      assertReads(word, "", "  " + line.replace(" ", "   ") + " \t");
+    }
+  }
+
+  @Test
+  void argumentsKeepTheirCapitalsAndBlanks() {
+    assertReads(Word.LOAD, "My  Program.urp", "LOAD   My  Program.urp ");
+    assertReads(Word.POPUP, "Close the Door", "popup Close the Door");
+    assertReads(Word.ADD_TO_LOG, "one", "addToLog one");
+  }
+
+  @Test
+  void anInstallationIsNoProgram() {
+    assertReads(
+        Word.LOAD_INSTALLATION, "default.installation", "load installation default.installation");
+    assertReads(Word.LOAD, "installations.urp", "load installations.urp");
+  }
+
+  @Test
+  void refusesArgumentsThatNothingTakes() {
+    assertUnknown("play now");
+    assertUnknown("power on please");
+    assertUnknown("quit 1");
+  }
+
+  @Test
+  void refusesWhatIsNoCommand() {
+    assertUnknown("");
+    assertUnknown("   ");
+    assertUnknown("power");
+    assertUnknown("poweron");
+    assertUnknown("loader x.urp");
+    assertUnknown("setUserRole locked");
+    assertUnknown("\0\u00ff");
+  }
+}
