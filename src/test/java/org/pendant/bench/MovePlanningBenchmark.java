@@ -132,12 +132,12 @@ public class MovePlanningBenchmark {
 
   /** A frame of a movec; it begins anew when it is done, which counts. */
   @Benchmark
-  public Joints frameOfCircle() throws ScriptError {
+  public double frameOfCircle() throws ScriptError {
     if (!running.moving()) {
       running = new MotionControl(arm, READY);
       running.start(circle);
     }
     running.step();
-    return running.positionRad();
+    return running.scaling();
   }
 }

@@ -66,13 +66,13 @@ public class OffsetBenchmark {
 
   /** One frame. */
   @Benchmark
-  public Joints frame() {
+  public double frame() {
     if (frame++ % FRAMES == 0) {
       turnRound();
     }
     encoders.step(io);
     motion.step();
-    return motion.positionRad();
+    return motion.scaling();
   }
 
   private void turnRound() {

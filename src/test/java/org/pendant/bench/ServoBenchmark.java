@@ -89,13 +89,13 @@ public class ServoBenchmark {
 
   /** One frame. */
   @Benchmark
-  public Joints frame() throws ScriptError {
+  public double frame() throws ScriptError {
     frame++;
     if (does.equals("torque")) {
       servoing.giveTorque(READY, true);
       control.step();
       control.guide(READY, Joints.ZERO);
-      return control.positionRad();
+      return control.scaling();
     }
     if (ticket.finished()) {
       ticket = control.goOn(next());
@@ -104,6 +104,6 @@ public class ServoBenchmark {
     if (ticket.failure().isPresent()) {
       throw new IllegalStateException(ticket.failure().get().message());
     }
-    return control.positionRad();
+    return control.scaling();
   }
 }

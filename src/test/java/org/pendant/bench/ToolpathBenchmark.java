@@ -76,12 +76,12 @@ public class ToolpathBenchmark {
 
   /** One frame. */
   @Benchmark
-  public Joints frame() throws ScriptError {
+  public double frame() throws ScriptError {
     if (ticket.finished()) {
       begin();
     }
     motion.step();
-    return motion.positionRad();
+    return motion.scaling();
   }
 
   /** All of the planning. */

@@ -14,7 +14,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 
 /** Starts {@code ./pendant} on the classes under test. */
-final class Launcher {
+public final class Launcher {
   /** Far longer than anything here takes; a process that is still there then hangs. */
   private static final int PATIENCE_S = 60;
 
@@ -33,16 +33,14 @@ final class Launcher {
   }
 
   /** The project's folder. */
-  static Path home() {
+  public static Path home() {
     // Maven sets it; other test runners start in the project's folder.
     return Path.of(System.getProperty("pendant.home", ".")).toAbsolutePath().normalize();
   }
 
   /** Runs {@code ./pendant words} in {@code folder} to its end. */
   static Result pendant(Path folder, String... words) {
-    List<String> command = new ArrayList<>(List.of(home().resolve("pendant").toString()));
-    command.addAll(List.of(words));
-    return run(folder, command);
+    return run(folder, commandLine(words));
   }
 
   /** Runs {@code line} with a shell in which {@code $PENDANT} is the launcher. */
@@ -65,18 +63,12 @@ final class Launcher {
 
   /** Starts {@code ./pendant words}; its standard error goes where that of the tests goes. */
   static Process start(Path folder, String... words) {
-    List<String> command = new ArrayList<>(List.of(home().resolve("pendant").toString()));
-    command.addAll(List.of(words));
-    return start(folder, command);
+    return start(folder, commandLine(words));
   }
 
   private static Process start(Path folder, List<String> command) {
-    ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
-    builder.environment().put("PENDANT", home().resolve("pendant").toString());
-    builder.environment().put("PENDANT_JAVA_HOME", System.getProperty("java.home"));
-    builder.environment().put("PENDANT_CLASSPATH", System.getProperty("java.class.path"));
     try {
-      Process process = builder.start();
+      Process process = prepare(folder, command).start();
       process.getOutputStream().close();
       return process;
     } catch (IOException e) {
@@ -84,8 +76,27 @@ final class Launcher {
     }
   }
 
+  /** Describes how {@code ./pendant words} is started in {@code folder}. */
+  public static ProcessBuilder prepare(Path folder, String... words) {
+    return prepare(folder, commandLine(words));
+  }
+
+  private static List<String> commandLine(String... words) {
+    List<String> command = new ArrayList<>(List.of(home().resolve("pendant").toString()));
+    command.addAll(List.of(words));
+    return command;
+  }
+
+  private static ProcessBuilder prepare(Path folder, List<String> command) {
+    ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
+    builder.environment().put("PENDANT", home().resolve("pendant").toString());
+    builder.environment().put("PENDANT_JAVA_HOME", System.getProperty("java.home"));
+    builder.environment().put("PENDANT_CLASSPATH", System.getProperty("java.class.path"));
+    return builder;
+  }
+
   /** Waits for the end of {@code process} and answers its exit code. */
-  static int await(Process process) {
+  public static int await(Process process) {
     try {
       if (!process.waitFor(PATIENCE_S, TimeUnit.SECONDS)) {
         process.destroyForcibly();

@@ -301,8 +301,29 @@ final class RunTest {
         () -> assertEquals(1, result.exitCode()),
         () -> assertEquals("on\naside\n", result.output()),
         () -> assertTrue(result.errors().contains("paused in line 2"), result.errors()),
-        () -> assertTrue(result.errors().contains("heavy.script: error: "), result.errors()),
+        () -> assertTrue(result.errors().contains("heavy.script:3: error: "), result.errors()),
         () -> assertTrue(result.errors().contains("Runtime is too much behind"), result.errors()));
+  }
+
+  @Test
+  void warningsNameTheLineThatTheProgramWasAt() {
+    script(
+        "blends.script",
+        "def blends():",
+        "  movej([0, -1.57, -1.57, -1.57, 1.57, 0])",
+        "  movej([0.01, -1.57, -1.57, -1.57, 1.57, 0], r=0.5)",
+        "  movej([0.02, -1.57, -1.57, -1.57, 1.57, 0], r=0.5)",
+        "  movej([0.03, -1.57, -1.57, -1.57, 1.57, 0])",
+        "end");
+
+    Result result = Launcher.pendant(folder, "run", "blends.script");
+
+    assertAll(
+        () -> assertEquals(0, result.exitCode()),
+        () ->
+            assertTrue(
+                result.errors().contains("blends.script:4: warning: Overlapping Blends"),
+                result.errors()));
   }
 
   @Test

@@ -173,7 +173,7 @@ final class HeadlessRun {
   /** One frame, and what it brought to print and record. */
   private void advance() {
     try {
-      clock.awaitFrame();
+      clock.awaitFrame(controller::waitsForOutside);
     } catch (InterruptedException e) {
       throw new IllegalStateException("nobody interrupts the thread that runs the frames", e);
     }

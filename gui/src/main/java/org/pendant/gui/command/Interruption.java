@@ -1,5 +1,6 @@
 package org.pendant.gui.command;
 
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
@@ -14,8 +15,9 @@ final class Interruption implements AutoCloseable {
   /** A run that has not ended by then never will. */
   private static final int PATIENCE_S = 10;
 
+  private final CountDownLatch wanted = new CountDownLatch(1);
   private final CountDownLatch ended = new CountDownLatch(1);
-  private volatile boolean requested;
+  private volatile Optional<ExitCode> exitCode = Optional.empty();
 
   private Interruption() {}
 
@@ -28,19 +30,42 @@ final class Interruption implements AutoCloseable {
 
   /** Whether somebody wants the run to end. */
   boolean requested() {
-    return requested;
+    return wanted.getCount() == 0;
+  }
+
+  /** Waits until somebody does, or for {@code timeMs}; answers whether somebody does. */
+  boolean awaitRequest(long timeMs) {
+    try {
+      return wanted.await(timeMs, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return true;
+    }
   }
 
   private void shutDown() {
-    requested = true;
+    boolean signalled = ended.getCount() > 0;
+    wanted.countDown();
     try {
       if (!ended.await(PATIENCE_S, TimeUnit.SECONDS)) {
         System.err.println("pendant: the run did not end within " + PATIENCE_S + " s");
+      }
+      if (signalled) {
+        exitCode.ifPresent(code -> Runtime.getRuntime().halt(code.number()));
       }
     } catch (InterruptedException e) {
       // The process ends either way.
       Thread.currentThread().interrupt();
     }
+  }
+
+  /**
+   * As {@link #close}, but the process ends with {@code code} even after a signal: for a service
+   * this is the way it is meant to end.
+   */
+  void closeWith(ExitCode code) {
+    exitCode = Optional.of(code);
+    close();
   }
 
   /** The run has ended and everything is written: the process may go. */

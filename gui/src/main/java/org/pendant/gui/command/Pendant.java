@@ -25,6 +25,7 @@ public final class Pendant {
             new RunCommand(),
             new CheckCommand(),
             new RenderCommand(),
+            new ServeCommand(),
             new FunctionsCommand(StandardBuiltins::create),
             new RobotsCommand());
   }

@@ -19,6 +19,7 @@ import org.pendant.gui.scene.gl.OffscreenScene;
 import org.pendant.gui.scene.gl.SceneUnavailable;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.protocols.ScriptDoors;
 
 /** {@code pendant render FILE}: runs a program and draws the arm at one moment. */
 final class RenderCommand implements Subcommand {
@@ -50,7 +51,15 @@ final class RenderCommand implements Subcommand {
       throw new UsageException("expected one file, there are " + arguments.operands().size());
     }
     Source source = SourceFiles.read(arguments.operands()).getFirst();
-    Controller controller = new Controller(options.run().controller());
+    try (ScriptDoors doors = new ScriptDoors(options.run().hosts())) {
+      Controller controller = new Controller(options.run().controller().withOutside(doors.doors()));
+      return run(source, controller, options, console);
+    }
+  }
+
+  private static ExitCode run(
+      Source source, Controller controller, RenderOptions options, Console console)
+      throws UsageException {
     Loaded loaded = controller.load(source);
     Report.diagnostics(source, loaded.diagnostics()).forEach(console::complain);
     if (loaded.program().isEmpty()) {

@@ -53,15 +53,21 @@ final class Report {
     return source.name() + ": note: " + message;
   }
 
-  /** A log line of the controller. */
+  /** A log line of the controller: where the program was if it knows, else its file. */
   static String logEntry(Source source, LogEntry entry) {
+    return (entry.place().isEmpty() ? source.name() + ": " : "") + logEntry(entry);
+  }
+
+  /** A log line of a controller, with the place that the program was at if it knows. */
+  static String logEntry(LogEntry entry) {
+    String place = entry.place().map(each -> each.source() + ":" + each.line() + ": ").orElse("");
     String kind =
         switch (entry.level()) {
           case INFO -> "note";
           case WARNING -> "warning";
           case ERROR -> "error";
         };
-    return source.name() + ": " + kind + ": " + ByteText.decoded(entry.text());
+    return place + kind + ": " + ByteText.decoded(entry.text());
   }
 
   /** A popup, as there is no screen to show it on. */

@@ -1,12 +1,19 @@
 package org.pendant.gui.command;
 
+import java.io.IOException;
+import java.net.InetAddress;
 import java.util.List;
 import org.pendant.controller.Controller;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.machine.Loaded;
 import org.pendant.controller.machine.Program;
+import org.pendant.controller.outside.Doors;
 import org.pendant.language.source.Source;
+import org.pendant.protocols.ScriptDoors;
+import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.toolserial.ToolSerialLine;
+import org.pendant.protocols.toolserial.ToolSerialServer;
 
 /** {@code pendant run FILE...}: runs programs, each in a controller of its own. */
 final class RunCommand implements Subcommand {
@@ -65,7 +72,41 @@ final class RunCommand implements Subcommand {
       Interruption interruption,
       Console console)
       throws UsageException {
-    Controller controller = new Controller(options.controller(), builtins);
+    // closed last: what a program has sent on its last line still goes out
+    try (ScriptDoors doors = new ScriptDoors(options.hosts())) {
+      if (options.toolDevice().isEmpty()) {
+        Controller controller =
+            new Controller(options.controller().withOutside(doors.doors()), builtins);
+        return run(source, controller, options, columns, interruption, console);
+      }
+      try (ToolSerialLine tool = ToolSerialOption.line(options.toolDevice())) {
+        Doors all = doors.doors().withToolSerial(tool);
+        Controller controller = new Controller(options.controller().withOutside(all), builtins);
+        try (var _ = open(tool, controller)) {
+          return run(source, controller, options, columns, interruption, console);
+        }
+      } catch (IOException e) {
+        console.complain("pendant run: " + e.getMessage());
+        return ExitCode.UNAVAILABLE;
+      }
+    }
+  }
+
+  /** Programs reach the tool's serial line as they do on a robot, by a socket. */
+  private static ToolSerialServer open(ToolSerialLine tool, Controller controller)
+      throws IOException {
+    PortNumbers numbers = new PortNumbers(InetAddress.getLoopbackAddress(), 0, false);
+    return ToolSerialServer.open(tool, numbers, ServerLog.of(controller));
+  }
+
+  private static ExitCode run(
+      Source source,
+      Controller controller,
+      RunOptions options,
+      RecordColumns columns,
+      Interruption interruption,
+      Console console)
+      throws UsageException {
     Loaded loaded = controller.load(source);
     Report.diagnostics(source, loaded.diagnostics()).forEach(console::complain);
     if (loaded.program().isEmpty()) {

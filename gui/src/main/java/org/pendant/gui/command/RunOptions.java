@@ -20,20 +20,25 @@ import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.PreparedAnswer;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.language.source.ByteText;
+import org.pendant.protocols.reach.AllowedHosts;
 
 /**
  * What {@code pendant run} was asked for.
  *
  * @param controller how each controller is switched on
+ * @param hosts where programs may connect to
  * @param speedFactor how fast time goes against the wall clock; empty for as fast as possible
  * @param record the file to record to, by name
  * @param timeoutS robot time after which a program is stopped, s
+ * @param toolDevice the serial device at the tool connector
  */
 record RunOptions(
     ControllerOptions controller,
+    AllowedHosts hosts,
     Optional<Double> speedFactor,
     Optional<String> record,
-    Optional<Double> timeoutS) {
+    Optional<Double> timeoutS,
+    Optional<String> toolDevice) {
 
   private static final Option ROBOT =
       new Option("--robot", "NAME", "the arm, default ur5e; pendant robots lists them");
@@ -64,7 +69,14 @@ record RunOptions(
   /** What says how a program runs, whatever is made of the run. */
   static final List<Option> OF_PROGRAM =
       Stream.concat(
-              Stream.of(ROBOT, INPUT, ENCODER, ANSWER, TIMEOUT, SEED), Surroundings.ALL.stream())
+              Stream.of(ROBOT, INPUT, ENCODER, ANSWER, TIMEOUT, SEED, HostsOption.OPTION),
+              Surroundings.ALL.stream())
+          .toList();
+
+  /** What says what a controller is and what surrounds it, whatever it is to do. */
+  static final List<Option> OF_CONTROLLER =
+      Stream.concat(
+              Stream.of(ROBOT, INPUT, ENCODER, SEED, HostsOption.OPTION), Surroundings.ALL.stream())
           .toList();
 
   /** For the usage text. */
@@ -79,26 +91,39 @@ record RunOptions(
                   RECORD,
                   RecordColumns.OPTION,
                   TIMEOUT,
-                  SEED),
+                  SEED,
+                  HostsOption.OPTION,
+                  ToolSerialOption.OPTION),
               Surroundings.ALL.stream())
           .toList();
 
   static RunOptions of(Arguments arguments) throws UsageException {
+    ControllerOptions controller =
+        controller(arguments).withOperator(Operator.headless(answers(arguments)));
+    Optional<Double> speedFactor = speedFactor(arguments);
+    if (speedFactor.isPresent()) {
+      // Nobody expects the same result twice from a run on the wall clock, but the right date.
+      controller = controller.withSystemTime(InstantSource.system());
+    }
+    return new RunOptions(
+        controller,
+        HostsOption.of(arguments),
+        speedFactor,
+        arguments.value(RECORD),
+        timeoutS(arguments),
+        ToolSerialOption.of(arguments));
+  }
+
+  /** What {@link #OF_CONTROLLER} say. */
+  static ControllerOptions controller(Arguments arguments) throws UsageException {
     ControllerOptions controller =
         ControllerOptions.headless()
             .withRobot(robot(arguments))
             .withSeed(seed(arguments))
             .withInputs(safetyInputs(arguments))
             .withSignals(signals(arguments))
-            .withEncoders(encoders(arguments))
-            .withOperator(Operator.headless(answers(arguments)));
-    controller = Surroundings.in(controller, arguments);
-    Optional<Double> speedFactor = speedFactor(arguments);
-    if (speedFactor.isPresent()) {
-      // Nobody expects the same result twice from a run on the wall clock, but the right date.
-      controller = controller.withSystemTime(InstantSource.system());
-    }
-    return new RunOptions(controller, speedFactor, arguments.value(RECORD), timeoutS(arguments));
+            .withEncoders(encoders(arguments));
+    return Surroundings.in(controller, arguments);
   }
 
   /** A clock for one run. */

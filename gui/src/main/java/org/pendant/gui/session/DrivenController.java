@@ -12,7 +12,7 @@ import org.pendant.controller.SteerableClock;
 
 /** One controller with the thread that drives it, until it is switched off. */
 final class DrivenController implements AutoCloseable {
-  private final ControllerOptions options;
+  private final SwitchedOn on;
   private final Controller controller;
   private final SteerableClock clock;
   private final FrameLoop loop;
@@ -21,16 +21,11 @@ final class DrivenController implements AutoCloseable {
   /**
    * Starts driving a controller.
    *
-   * @param options it was made with
    * @param listeners told of every frame; may change at any time, so it must allow that
    */
-  DrivenController(
-      ControllerOptions options,
-      Controller controller,
-      Pace pace,
-      List<? extends FrameListener> listeners) {
-    this.options = options;
-    this.controller = controller;
+  DrivenController(SwitchedOn on, Pace pace, List<? extends FrameListener> listeners) {
+    this.on = on;
+    controller = on.controller();
     clock = new SteerableClock(pace);
     loop =
         FrameLoop.start(
@@ -38,7 +33,7 @@ final class DrivenController implements AutoCloseable {
   }
 
   ControllerOptions options() {
-    return options;
+    return on.options();
   }
 
   Controller controller() {
@@ -74,5 +69,6 @@ final class DrivenController implements AutoCloseable {
     if (loop.failure().isEmpty()) {
       controller.advance();
     }
+    on.doors().close();
   }
 }

@@ -28,7 +28,7 @@ public final class Session implements AutoCloseable {
   private volatile DrivenController driven;
 
   private Session(ControllerOptions options) {
-    driven = new DrivenController(options, new Controller(options), Pace.REAL_TIME, listeners);
+    driven = new DrivenController(SwitchedOn.with(options), Pace.REAL_TIME, listeners);
   }
 
   /**
@@ -136,9 +136,9 @@ public final class Session implements AutoCloseable {
    */
   public void restart(ControllerOptions options) {
     // Made first: where that fails, the old one goes on.
-    Controller next = new Controller(options);
+    SwitchedOn next = SwitchedOn.with(options);
     driven.close();
-    driven = new DrivenController(options, next, pace(), listeners);
+    driven = new DrivenController(next, pace(), listeners);
   }
 
   /** Switches the controller off. */

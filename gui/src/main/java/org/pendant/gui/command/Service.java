@@ -1,0 +1,147 @@
+package org.pendant.gui.command;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.stream.Stream;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.FrameLoop;
+import org.pendant.controller.WallClock;
+import org.pendant.protocols.BoxPorts;
+import org.pendant.protocols.ScriptDoors;
+import org.pendant.protocols.net.FrameFan;
+import org.pendant.protocols.net.PeerLog;
+import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.panel.Panel;
+import org.pendant.protocols.serve.Outside;
+import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.toolserial.ToolSerialLine;
+import org.pendant.protocols.toolserial.ToolSerialServer;
+
+/** One controller in real time with all its ports, from its start to its end. */
+final class Service {
+  /** How often the main thread looks whether it should end, ms. */
+  private static final long LOOK_MS = 50;
+
+  /** An arm that is not at rest by then never will be. */
+  private static final long REST_NS = TimeUnit.SECONDS.toNanos(3);
+
+  private final ServeOptions options;
+  private final Interruption interruption;
+  private final Console console;
+
+  Service(ServeOptions options, Interruption interruption, Console console) {
+    this.options = options;
+    this.interruption = interruption;
+    this.console = console;
+  }
+
+  /** Serves until somebody ends it. */
+  ExitCode run() {
+    // closed last: what a program has sent before its end still goes out
+    try (ToolSerialLine tool = ToolSerialOption.line(options.toolDevice());
+        ScriptDoors doors = new ScriptDoors(options.hosts())) {
+      return run(
+          new Controller(options.controller().withOutside(doors.doors().withToolSerial(tool))),
+          tool);
+    }
+  }
+
+  private ExitCode run(Controller controller, ToolSerialLine tool) {
+    PeerLog log = ServerLog.of(controller);
+    FrameLoop loop = FrameLoop.start(controller, new WallClock());
+    try (loop;
+        FrameFan frames = new FrameFan(controller.feed(), log)) {
+      Outside outside = new Outside(controller, frames, log, options.remote());
+      return serve(outside, loop, tool);
+    } catch (IOException e) {
+      console.complain("pendant serve: " + e.getMessage());
+      return ExitCode.UNAVAILABLE;
+    }
+  }
+
+  private ExitCode serve(Outside outside, FrameLoop loop, ToolSerialLine tool) throws IOException {
+    Panel panel = new Panel(outside.controller(), options.panel());
+    PortNumbers numbers = numbers();
+    try (BoxPorts ports = BoxPorts.open(outside, numbers, panel);
+        ToolSerialServer serial = ToolSerialServer.open(tool, numbers, outside.log())) {
+      announce(Stream.concat(ports.ports().stream(), serial.ports().stream()).toList());
+      try (LogPrinter printer = new LogPrinter(outside.controller(), console)) {
+        outside.frames().add(printer::look);
+        awaitEnd(outside.controller(), loop);
+        comeToRest(outside.controller(), loop);
+      }
+    }
+    return loop.failure().map(this::failed).orElse(ExitCode.DONE);
+  }
+
+  private PortNumbers numbers() {
+    PortNumbers numbers = options.numbers();
+    if (!numbers.host().isLoopbackAddress()) {
+      console.complain(
+          "pendant serve: warning: whoever reaches "
+              + numbers.host().getHostAddress()
+              + " can move this robot; nobody is asked for a password");
+    }
+    if (options.modbusChosen() || !PrivilegedPort.forbidden(numbers, ServeOptions.MODBUS)) {
+      return numbers;
+    }
+    int instead = 1000 + ServeOptions.MODBUS + numbers.offset();
+    console.complain(
+        "pendant serve: note: this process may not use port "
+            + (ServeOptions.MODBUS + numbers.offset())
+            + ": Modbus listens at "
+            + instead
+            + "; --modbus-port chooses another one");
+    return numbers.with(ServeOptions.MODBUS, instead);
+  }
+
+  private void announce(List<TcpPort> ports) {
+    for (TcpPort each : ports) {
+      String host = options.numbers().host().getHostAddress();
+      console.print(
+          each.name() + " " + (host.contains(":") ? "[" + host + "]" : host) + ":" + each.number());
+    }
+    console.print("ready");
+    console.flush();
+  }
+
+  private void awaitEnd(Controller controller, FrameLoop loop) {
+    while (!interruption.awaitRequest(LOOK_MS)
+        && !controller.state().safety().shutDown()
+        && loop.failure().isEmpty()) {
+      // nothing to do: everything happens in other threads
+    }
+  }
+
+  /** Ends the program and lets the arm stop on its path. */
+  private static void comeToRest(Controller controller, FrameLoop loop) {
+    long begunNs = System.nanoTime();
+    try {
+      controller.submit(new Command.StopProgram()).get(REST_NS, TimeUnit.NANOSECONDS);
+      while (controller.state().arm().moving()
+          && loop.failure().isEmpty()
+          && System.nanoTime() - begunNs < REST_NS) {
+        TimeUnit.MILLISECONDS.sleep(2);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (ExecutionException | TimeoutException e) {
+      // the loop has failed: that is what will be told
+      return;
+    }
+  }
+
+  private ExitCode failed(Throwable fault) {
+    StringWriter details = new StringWriter();
+    fault.printStackTrace(new PrintWriter(details, true));
+    console.complain("pendant serve: internal error: " + fault);
+    console.complain(details.toString().stripTrailing());
+    return ExitCode.INTERNAL_ERROR;
+  }
+}

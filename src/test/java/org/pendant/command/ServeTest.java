@@ -1,0 +1,141 @@
+package org.pendant.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** {@code pendant serve} as a system starts and ends it. */
+final class ServeTest {
+  private static final int DASHBOARD = 29_999;
+  private static final int GIVE_UP_MS = 60_000;
+
+  /** Tests that run at the same time on one machine get ports of their own. */
+  private static final int OFFSET = 1000 + (int) (ProcessHandle.current().pid() % 10_000);
+
+  @TempDir Path folder;
+
+  private Process serve(String... options) {
+    List<String> words =
+        new ArrayList<>(
+            List.of("serve", "--port-offset", String.valueOf(OFFSET), "--logs", "logs"));
+    words.addAll(List.of(options));
+    return Launcher.start(folder, words.toArray(String[]::new));
+  }
+
+  /** Reads what stands before the line {@code ready}. */
+  private static List<String> untilReady(BufferedReader output) throws IOException {
+    List<String> ports = new ArrayList<>();
+    for (String line = output.readLine(); !"ready".equals(line); line = output.readLine()) {
+      ports.add(String.valueOf(line));
+      assertTrue(line != null, "never ready: " + ports);
+    }
+    return ports;
+  }
+
+  /** Sends lines to the dashboard server and answers what it said to the last. */
+  private static String dashboard(String... lines) throws IOException {
+    try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), DASHBOARD + OFFSET)) {
+      socket.setSoTimeout(GIVE_UP_MS);
+      BufferedReader answers =
+          new BufferedReader(
+              new InputStreamReader(socket.getInputStream(), StandardCharsets.ISO_8859_1));
+      String answer = answers.readLine();
+      for (String line : lines) {
+        socket.getOutputStream().write((line + "\n").getBytes(StandardCharsets.ISO_8859_1));
+        answer = answers.readLine();
+      }
+      return answer;
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"TERM", "INT"})
+  void aSignalEndsProgramAndServiceInOrder(String signal) throws Exception {
+    Launcher.script(
+        folder, "turns.script", "def turns():\n  textmsg(\"on \", 1)\n  sleep(1000)\nend\n");
+    Process process = serve("--ready");
+    try (BufferedReader output = process.inputReader(StandardCharsets.UTF_8)) {
+      List<String> ports = untilReady(output);
+      assertTrue(ports.contains("Dashboard 127.0.0.1:" + (DASHBOARD + OFFSET)), ports.toString());
+      assertEquals("Starting program", dashboard("load turns.script", "play"));
+      assertEquals("on 1", output.readLine());
+      Process kill = new ProcessBuilder("kill", "-" + signal, Long.toString(process.pid())).start();
+      assertEquals(0, kill.waitFor());
+      assertEquals(0, Launcher.await(process));
+    }
+  }
+
+  @Test
+  void shuttingTheBoxDownEndsTheService() throws IOException {
+    Process process = serve();
+    try (BufferedReader output = process.inputReader(StandardCharsets.UTF_8)) {
+      untilReady(output);
+      assertEquals("Robotmode: POWER_OFF", dashboard("robotmode"));
+      assertEquals("Shutting down", dashboard("shutdown"));
+      assertEquals(0, Launcher.await(process));
+    }
+  }
+
+  @Test
+  void readyMeansRunningAndInRemoteControl() throws IOException {
+    Process process = serve("--ready");
+    try (BufferedReader output = process.inputReader(StandardCharsets.UTF_8)) {
+      untilReady(output);
+      assertEquals("Robotmode: RUNNING", dashboard("robotmode"));
+      assertEquals("true", dashboard("is in remote control"));
+      dashboard("shutdown");
+      assertEquals(0, Launcher.await(process));
+    }
+  }
+
+  @Test
+  void aPortThatIsTakenIsNamed() throws IOException {
+    try (ServerSocket taken =
+        new ServerSocket(DASHBOARD + OFFSET, 1, InetAddress.getLoopbackAddress())) {
+      Launcher.Result result =
+          Launcher.pendant(folder, "serve", "--port-offset", String.valueOf(OFFSET));
+      assertEquals(69, result.exitCode());
+      assertEquals("", result.output());
+      assertTrue(
+          result
+              .errors()
+              .startsWith(
+                  "pendant serve: Dashboard: port "
+                      + taken.getLocalPort()
+                      + " of 127.0.0.1 cannot be had"),
+          result.errors());
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--port-offset=-1 | --port-offset is -1, must be a number from 0 to 11214",
+        "--modbus-port=x | --modbus-port is x, must be a number from 1 to 65535",
+        "--programs=none | must be a folder",
+        "--remote-control=on | --remote-control is on, must be enabled or disabled",
+        "--power-time=-1 | --power-time is -1, must be 0 to 60 seconds",
+        "--host=no.such.invalid | --host is no.such.invalid, must be an address of this machine",
+        "a.script | takes no file, it was given a.script"
+      })
+  void refusesWrongOptions(String option, String message) {
+    Launcher.Result result = Launcher.pendant(folder, "serve", option);
+    assertEquals(2, result.exitCode());
+    assertTrue(result.errors().contains(message), result.errors());
+  }
+}
