@@ -166,4 +166,16 @@ public final class ArmDynamics {
   public void linearMomentum(double[] q, double[] qd, double[] momentum) {
     composite.linearMomentum(q, qd, momentum);
   }
+
+  /**
+   * The same for joint positions whose frames are known already.
+   *
+   * @param frames of the links in the base frame, as {@link
+   *     org.pendant.models.kinematics.ForwardKinematics#frames} gives them for the nominal arm
+   * @param qd six joint speeds, rad/s
+   * @param momentum three numbers, kg m/s, overwritten
+   */
+  public void linearMomentum(double[][] frames, double[] qd, double[] momentum) {
+    composite.linearMomentum(frames, qd, momentum);
+  }
 }

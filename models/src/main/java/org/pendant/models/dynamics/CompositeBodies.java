@@ -111,6 +111,43 @@ final class CompositeBodies {
     momentum[2] = z;
   }
 
+  /** Each joint turns the mass behind it, gathered from the last link on, about its axis. */
+  void linearMomentum(double[][] frames, double[] qd, double[] momentum) {
+    double m = 0;
+    double hx = 0;
+    double hy = 0;
+    double hz = 0;
+    double x = 0;
+    double y = 0;
+    double z = 0;
+    for (int i = N - 1; i >= 0; i--) {
+      double[] f = frames[i];
+      double[] own = moments[i];
+      m += own[0];
+      hx += f[0] * own[1] + f[1] * own[2] + f[2] * own[3] + own[0] * f[9];
+      hy += f[3] * own[1] + f[4] * own[2] + f[5] * own[3] + own[0] * f[10];
+      hz += f[6] * own[1] + f[7] * own[2] + f[8] * own[3] + own[0] * f[11];
+      if (i == 0) {
+        x -= qd[0] * hy;
+        y += qd[0] * hx;
+      } else {
+        double[] axis = frames[i - 1];
+        double wx = qd[i] * axis[2];
+        double wy = qd[i] * axis[5];
+        double wz = qd[i] * axis[8];
+        double rx = hx - m * axis[9];
+        double ry = hy - m * axis[10];
+        double rz = hz - m * axis[11];
+        x += wy * rz - wz * ry;
+        y += wz * rx - wx * rz;
+        z += wx * ry - wy * rx;
+      }
+    }
+    momentum[0] = x;
+    momentum[1] = y;
+    momentum[2] = z;
+  }
+
   private void gather(double[] q) {
     for (int i = N - 1; i >= 0; i--) {
       double c = Math.cos(q[i]);

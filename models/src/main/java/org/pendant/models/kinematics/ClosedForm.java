@@ -54,6 +54,8 @@ final class ClosedForm {
   private double s3;
   private double direction;
   private double lead;
+  private double c2;
+  private double s2;
   private double q234;
   private double c234;
   private double s234;
@@ -230,6 +232,11 @@ final class ClosedForm {
     q4 = q234 - q2 - q3;
   }
 
+  /** True if joint 1 is more than a quarter turn apart in both. */
+  boolean shouldersFarApart() {
+    return shoulderRoot > Math.abs(dh.d4());
+  }
+
   /** True if both shoulders give the same. */
   boolean oneShoulder() {
     return shoulderRoot == 0;
@@ -261,8 +268,6 @@ final class ClosedForm {
     }
     double along = dh.a2() + dh.a3() * c3;
     double across = dh.a3() * s3;
-    double c2;
-    double s2;
     if (shoulderFree) {
       c2 = Math.cos(q2);
       s2 = Math.sin(q2);
@@ -284,6 +289,16 @@ final class ClosedForm {
         s6,
         reached);
     return PoseError.within(reached, target, tolerance);
+  }
+
+  /**
+   * Frames of the links (see {@link ForwardKinematics#frames}) at the joints that {@link #reaches}
+   * has just been asked about.
+   */
+  void frames(double[][] frames) {
+    double c23 = c2 * c3 - s2 * s3;
+    double s23 = s2 * c3 + c2 * s3;
+    forward.frames(c1, s1, c2, s2, c23, s23, c234, s234, c5, s5, c6, s6, frames);
   }
 
   private static boolean isUnit(double cosine, double sine) {

@@ -132,7 +132,26 @@ public final class ForwardKinematics {
     double s234 = Math.sin(q23 + q[3]);
     double c5 = Math.cos(q[4]);
     double s5 = Math.sin(q[4]);
+    double c6 = Math.cos(q[5]);
+    double s6 = Math.sin(q[5]);
+    frames(c1, s1, c2, s2, c23, s23, c234, s234, c5, s5, c6, s6, frames);
+  }
 
+  /** As {@link #frames(double[], double[][])} for the nominal arm, from sines and cosines. */
+  void frames(
+      double c1,
+      double s1,
+      double c2,
+      double s2,
+      double c23,
+      double s23,
+      double c234,
+      double s234,
+      double c5,
+      double s5,
+      double c6,
+      double s6,
+      double[][] frames) {
     double v = dh.d1();
     axis(c1, s1, 1, 0, 0, frames[0], 0);
     axis(c1, s1, 0, 1, 0, frames[0], 1);
@@ -165,8 +184,6 @@ public final class ForwardKinematics {
     axis(c1, s1, -s5 * c234, -s5 * s234, c5, frames[4], 2);
     origin(c1, s1, u, v, dh.d4(), frames[4]);
 
-    double c6 = Math.cos(q[5]);
-    double s6 = Math.sin(q[5]);
     flange(c1, s1, u, v, c234, s234, c5, s5, c6, s6, frames[5]);
   }
 

@@ -206,6 +206,20 @@ public final class InverseKinematics {
     return i >= 0;
   }
 
+  /**
+   * The frames of the links at the joints that {@link #track} has just found, which knows their
+   * sines and cosines already; allocates nothing.
+   *
+   * @param q these joints, six positions, rad
+   * @param frames six rows of twelve numbers, overwritten, as {@link ForwardKinematics#frames} has
+   *     them
+   */
+  public void trackedFrames(double[] q, double[][] frames) {
+    if (!search.frames(frames)) {
+      forward.frames(q, frames);
+    }
+  }
+
   /** The error that is left between a wanted pose of the flange and the one {@code q} gives. */
   public PoseError poseError(Joints q, Pose flange) {
     double[] wanted = new double[Transforms.SIZE];

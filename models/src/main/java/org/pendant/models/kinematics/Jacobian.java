@@ -49,13 +49,24 @@ public final class Jacobian {
    */
   public void at(double[] q, Pose tcpInFlange, double[] jacobian) {
     forward.frames(q, frames);
-    double[] flange = frames[N - 1];
+    at(frames, tcpInFlange, jacobian);
+  }
+
+  /**
+   * The Jacobian where the links are in known frames.
+   *
+   * @param linkFrames six rows of twelve numbers, as {@link ForwardKinematics#frames} has them
+   * @param tcpInFlange the TCP offset; only its position matters
+   * @param jacobian 36 numbers, overwritten
+   */
+  public void at(double[][] linkFrames, Pose tcpInFlange, double[] jacobian) {
+    double[] flange = linkFrames[N - 1];
     for (int axis = 0; axis < 3; axis++) {
       tcp[axis] = flange[9 + axis] + turned(flange, 3 * axis, tcpInFlange);
     }
     column(0, 0, 1, tcp[0], tcp[1], tcp[2], 0, jacobian);
     for (int i = 1; i < N; i++) {
-      double[] before = frames[i - 1];
+      double[] before = linkFrames[i - 1];
       column(
           before[2],
           before[5],
@@ -163,7 +174,33 @@ public final class Jacobian {
    * @return false if the arm is singular; {@code qd} is then undefined
    */
   public boolean solve(double[] jacobian, double[] twist, double[] qd) {
-    return solver.solve(jacobian, twist, qd);
+    if (!factorise(jacobian)) {
+      return false;
+    }
+    solve(twist, qd);
+    return true;
+  }
+
+  /**
+   * Takes a matrix to solve for several twists: {@link #solve(double[], double[])} answers for it
+   * until another one is taken, or {@link #solveDamped} is called.
+   *
+   * @param jacobian 36 numbers
+   * @return false if the arm is singular; there is then nothing to solve
+   */
+  public boolean factorise(double[] jacobian) {
+    return solver.factorise(jacobian);
+  }
+
+  /**
+   * As {@link #solve(double[], double[], double[])} for the matrix that {@link #factorise} has
+   * taken.
+   *
+   * @param twist six numbers
+   * @param qd six joint speeds in rad/s, overwritten; must not be {@code twist}
+   */
+  public void solve(double[] twist, double[] qd) {
+    solver.solve(twist, qd);
   }
 
   /**

@@ -16,26 +16,24 @@ public enum Singularity {
    */
   SHOULDER {
     @Override
-    public double measure(DhLengths dh, Joints q) {
+    double measure(DhLengths dh, double q1, double q2, double q3, double q4) {
       double u =
-          dh.a2() * Math.cos(q.q1())
-              + dh.a3() * Math.cos(q.q1() + q.q2())
-              + dh.d5() * Math.sin(q.q1() + q.q2() + q.q3());
+          dh.a2() * Math.cos(q1) + dh.a3() * Math.cos(q1 + q2) + dh.d5() * Math.sin(q1 + q2 + q3);
       return Math.abs(u) / (Math.abs(dh.a2()) + Math.abs(dh.a3()));
     }
   },
   /** Upper arm and forearm are in one line: the wrist cannot move along it. Two elbows meet. */
   ELBOW {
     @Override
-    public double measure(DhLengths dh, Joints q) {
-      return Math.abs(Math.sin(q.q2()));
+    double measure(DhLengths dh, double q1, double q2, double q3, double q4) {
+      return Math.abs(Math.sin(q2));
     }
   },
   /** The axes of joints 4 and 6 are parallel: they turn against each other freely. */
   WRIST {
     @Override
-    public double measure(DhLengths dh, Joints q) {
-      return Math.abs(Math.sin(q.q4()));
+    double measure(DhLengths dh, double q1, double q2, double q3, double q4) {
+      return Math.abs(Math.sin(q4));
     }
   };
 
@@ -43,5 +41,19 @@ public enum Singularity {
    * How far joint positions (rad) are from this singularity: 0 in it, about 1 far from it. That of
    * a calibrated arm is nearby.
    */
-  public abstract double measure(DhLengths dh, Joints q);
+  public double measure(DhLengths dh, Joints q) {
+    return measure(dh, q.q1(), q.q2(), q.q3(), q.q4());
+  }
+
+  /**
+   * As {@link #measure(DhLengths, Joints)}, without allocating.
+   *
+   * @param q six joint positions, rad
+   */
+  public double measure(DhLengths dh, double[] q) {
+    return measure(dh, q[1], q[2], q[3], q[4]);
+  }
+
+  /** The same; none depends on the first joint or the last. */
+  abstract double measure(DhLengths dh, double q1, double q2, double q3, double q4);
 }

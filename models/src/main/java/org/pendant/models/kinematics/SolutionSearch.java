@@ -12,6 +12,9 @@ final class SolutionSearch {
   /** Step in rad that no longer counts as continuing a path; a frame moves 0.006 rad. */
   private static final double LARGE_STEP = 0.3;
 
+  /** Nearer than this, rad, no other shoulder is nearer if they are a quarter turn apart. */
+  private static final double NEARER_SHOULDER = 0.7;
+
   private final ClosedForm form;
   private final JointRanges ranges;
   private final Candidates candidates;
@@ -22,6 +25,12 @@ final class SolutionSearch {
   private double[] near;
   private boolean sawTooFar;
   private boolean sawTooFolded;
+
+  /** Whether the closed form stands at what {@link #continueFrom} has found. */
+  private boolean continued;
+
+  /** The side of the shoulder that was nearer the last time, +1 or -1. */
+  private int lastShoulder = 1;
 
   SolutionSearch(ArmDescription arm, DhDeltas deltas) {
     form = new ClosedForm(arm.dh());
@@ -35,6 +44,7 @@ final class SolutionSearch {
   Candidates collect(double[] flange, double[] nearQ) {
     target = flange;
     near = nearQ;
+    continued = false;
     candidates.start(near);
     sawTooFar = false;
     sawTooFolded = false;
@@ -91,6 +101,7 @@ final class SolutionSearch {
   boolean continueFrom(double[] flange, double[] nearQ, double[] q) {
     target = flange;
     near = nearQ;
+    continued = false;
     boolean found = nominal ? decideNear(q) : refineNear(q);
     if (!found || !ranges.turnNear(q, near)) {
       return false;
@@ -100,7 +111,20 @@ final class SolutionSearch {
         return false;
       }
     }
+    continued = nominal;
     return true;
+  }
+
+  /**
+   * Frames of the links at the joints that {@link #continueFrom} has just found.
+   *
+   * @return false if they are not known
+   */
+  boolean frames(double[][] frames) {
+    if (continued) {
+      form.frames(frames);
+    }
+    return continued;
   }
 
   private boolean refineNear(double[] q) {
@@ -111,14 +135,9 @@ final class SolutionSearch {
   /** Makes each decision of the closed form for the nearer side. */
   private boolean decideNear(double[] q) {
     form.aimAt(target);
-    form.shoulder(1, free(0));
-    double offset = JointRanges.offset(form.q1, near[0]);
-    form.shoulder(-1, free(0));
-    if (offset < JointRanges.offset(form.q1, near[0])) {
-      form.shoulder(1, free(0));
-    }
+    decideShoulder();
     form.wrist(free(5));
-    offset = wristOffset();
+    double offset = wristOffset();
     if (!form.wristFree) {
       form.otherWrist();
       if (offset < wristOffset()) {
@@ -131,6 +150,24 @@ final class SolutionSearch {
     }
     form.copyTo(q);
     return form.reaches(InverseKinematics.DEFAULT_ERROR);
+  }
+
+  /** Takes the nearer shoulder, beginning with that of the last time: a path rarely changes it. */
+  private void decideShoulder() {
+    double free = free(0);
+    form.shoulder(lastShoulder, free);
+    double offset = JointRanges.offset(form.q1, near[0]);
+    if (offset < NEARER_SHOULDER && form.shouldersFarApart()) {
+      return;
+    }
+    form.shoulder(-lastShoulder, free);
+    double other = JointRanges.offset(form.q1, near[0]);
+    // what is exactly between them is said to be behind the axis
+    if (offset < other || (offset == other && lastShoulder < 0)) {
+      form.shoulder(lastShoulder, free);
+    } else {
+      lastShoulder = -lastShoulder;
+    }
   }
 
   private double wristOffset() {

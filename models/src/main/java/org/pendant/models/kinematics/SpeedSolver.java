@@ -19,32 +19,80 @@ final class SpeedSolver {
   private final double[] work = new double[N * N];
   private final double[] side = new double[N];
 
-  /** Gauss elimination with row pivoting; see {@link Jacobian#solve}. */
-  boolean solve(double[] jacobian, double[] twist, double[] qd) {
-    System.arraycopy(jacobian, 0, work, 0, work.length);
-    System.arraycopy(twist, 0, side, 0, N);
+  /** The matrix in rows, of which elimination leaves the upper half; what is below is waste. */
+  private final double[][] upper = new double[N][N];
+
+  /** What was subtracted from each row of the rows above it. */
+  private final double[][] lower = new double[N][N];
+
+  /** The row of the matrix that each of these was made of. */
+  private final int[] rows = new int[N];
+
+  /**
+   * Takes a matrix for {@link #solve}: Gauss elimination with row pivoting.
+   *
+   * @return false if the arm is singular
+   */
+  boolean factorise(double[] jacobian) {
+    for (int i = 0; i < N; i++) {
+      System.arraycopy(jacobian, N * i, upper[i], 0, N);
+      rows[i] = i;
+    }
     for (int step = 0; step < N; step++) {
       swapRows(step, pivotRow(step));
-      double pivot = work[N * step + step];
+      double[] above = upper[step];
+      double pivot = above[step];
       if (!(Math.abs(pivot) >= SINGULAR_PIVOT)) {
         return false;
       }
       for (int row = step + 1; row < N; row++) {
-        double factor = work[N * row + step] / pivot;
-        for (int i = step + 1; i < N; i++) {
-          work[N * row + i] -= factor * work[N * step + i];
+        double factor = upper[row][step] / pivot;
+        lower[row][step] = factor;
+        if (factor != 0) {
+          subtract(factor, above, upper[row]);
         }
-        side[row] -= factor * side[step];
       }
-    }
-    for (int row = N - 1; row >= 0; row--) {
-      double sum = side[row];
-      for (int i = row + 1; i < N; i++) {
-        sum -= work[N * row + i] * qd[i];
-      }
-      qd[row] = sum / work[N * row + row];
     }
     return true;
+  }
+
+  /** Takes whole rows: a loop of a fixed length is the fastest. */
+  private static void subtract(double factor, double[] above, double[] row) {
+    for (int i = 0; i < N; i++) {
+      row[i] -= factor * above[i];
+    }
+  }
+
+  /** Solves for the matrix of the last {@link #factorise}, which has found it regular. */
+  void solve(double[] twist, double[] qd) {
+    double[] l1 = lower[1];
+    double[] l2 = lower[2];
+    double[] l3 = lower[3];
+    double[] l4 = lower[4];
+    double[] l5 = lower[5];
+    double y0 = twist[rows[0]];
+    double y1 = twist[rows[1]] - l1[0] * y0;
+    double y2 = twist[rows[2]] - l2[0] * y0 - l2[1] * y1;
+    double y3 = twist[rows[3]] - l3[0] * y0 - l3[1] * y1 - l3[2] * y2;
+    double y4 = twist[rows[4]] - l4[0] * y0 - l4[1] * y1 - l4[2] * y2 - l4[3] * y3;
+    double y5 = twist[rows[5]] - l5[0] * y0 - l5[1] * y1 - l5[2] * y2 - l5[3] * y3 - l5[4] * y4;
+    double[] u0 = upper[0];
+    double[] u1 = upper[1];
+    double[] u2 = upper[2];
+    double[] u3 = upper[3];
+    double[] u4 = upper[4];
+    double x5 = y5 / upper[5][5];
+    double x4 = (y4 - u4[5] * x5) / u4[4];
+    double x3 = (y3 - u3[4] * x4 - u3[5] * x5) / u3[3];
+    double x2 = (y2 - u2[3] * x3 - u2[4] * x4 - u2[5] * x5) / u2[2];
+    double x1 = (y1 - u1[2] * x2 - u1[3] * x3 - u1[4] * x4 - u1[5] * x5) / u1[1];
+    double x0 = (y0 - u0[1] * x1 - u0[2] * x2 - u0[3] * x3 - u0[4] * x4 - u0[5] * x5) / u0[0];
+    qd[0] = x0;
+    qd[1] = x1;
+    qd[2] = x2;
+    qd[3] = x3;
+    qd[4] = x4;
+    qd[5] = x5;
   }
 
   /** The normal equations, by their Cholesky factor; see {@link Jacobian#solveDamped}. */
@@ -95,8 +143,11 @@ final class SpeedSolver {
 
   private int pivotRow(int step) {
     int best = step;
+    double largest = Math.abs(upper[step][step]);
     for (int row = step + 1; row < N; row++) {
-      if (Math.abs(work[N * row + step]) > Math.abs(work[N * best + step])) {
+      double candidate = Math.abs(upper[row][step]);
+      if (candidate > largest) {
+        largest = candidate;
         best = row;
       }
     }
@@ -107,13 +158,14 @@ final class SpeedSolver {
     if (a == b) {
       return;
     }
-    for (int i = 0; i < N; i++) {
-      double kept = work[N * a + i];
-      work[N * a + i] = work[N * b + i];
-      work[N * b + i] = kept;
-    }
-    double kept = side[a];
-    side[a] = side[b];
-    side[b] = kept;
+    double[] kept = upper[a];
+    upper[a] = upper[b];
+    upper[b] = kept;
+    kept = lower[a];
+    lower[a] = lower[b];
+    lower[b] = kept;
+    int origin = rows[a];
+    rows[a] = rows[b];
+    rows[b] = origin;
   }
 }

@@ -10,6 +10,9 @@ import org.junit.jupiter.params.Parameter;
 import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.pose.Transforms;
 import org.pendant.models.reference.ReferenceStates;
 
 /** Dynamics against an independent implementation, at 100 random states of each arm. */
@@ -91,12 +94,16 @@ final class DynamicsReferenceTest {
   @Test
   void momentumAndKineticEnergyWithPayload() {
     double[] momentum = new double[3];
+    double[][] frames = new double[Joints.COUNT][Transforms.SIZE];
     for (ReferenceStates.State state : states) {
       load(state);
       double[] q = state.numbers("q", 6);
       double[] qd = state.numbers("qd", 6);
       dynamics.linearMomentum(q, qd, momentum);
       assertClose(state.numbers("momentum", 3), momentum, "momentum");
+      new ForwardKinematics(ArmLibrary.load(armId).dh()).frames(q, frames);
+      dynamics.linearMomentum(frames, qd, momentum);
+      assertClose(state.numbers("momentum", 3), momentum, "momentum by frames");
       double energy = state.number("kinetic_energy");
       assertEquals(energy, dynamics.kineticEnergyJ(q, qd), RELATIVE * energy);
     }

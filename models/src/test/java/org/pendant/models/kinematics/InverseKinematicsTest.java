@@ -288,6 +288,30 @@ class InverseKinematicsTest {
   }
 
   @Test
+  void framesThatTrackingKnowsAreThoseOfTheJointsItFound() {
+    Random random = new Random(61);
+    double[] transform = new double[Transforms.SIZE];
+    double[][] known = new double[Joints.COUNT][Transforms.SIZE];
+    double[][] expected = new double[Joints.COUNT][Transforms.SIZE];
+    for (int n = 0; n < CASES; n++) {
+      Joints goal = Arms.joints(random);
+      // every fourth one is far away, where the path cannot simply be continued
+      double step = n % 4 == 0 ? 4 : 1e-2;
+      double[] q = goal.toArray();
+      for (int i = 0; i < q.length; i++) {
+        q[i] += step * (random.nextDouble() - 0.5);
+      }
+      forward.flange(goal.toArray(), transform);
+      assertTrue(inverse.track(transform, q), goal::toString);
+      inverse.trackedFrames(q, known);
+      forward.frames(q, expected);
+      for (int i = 0; i < Joints.COUNT; i++) {
+        assertArrayEquals(expected[i], known[i], 1e-9, goal.toString());
+      }
+    }
+  }
+
+  @Test
   void trackingBeyondTheReachLeavesTheJointsAlone() {
     double[] q = {0.1, -1.5, 1.2, -1, -1.4, 0.3};
     double[] before = q.clone();

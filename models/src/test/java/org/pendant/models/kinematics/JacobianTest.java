@@ -117,6 +117,24 @@ class JacobianTest {
   }
 
   @Test
+  void oneFactorisationAnswersForSeveralTwists() {
+    Random random = new Random(74);
+    double[] j = new double[Jacobian.SIZE];
+    double[] qd = new double[Joints.COUNT];
+    double[] alone = new double[Joints.COUNT];
+    for (int n = 0; n < CASES; n++) {
+      jacobian.at(Arms.joints(random).toArray(), Pose.ZERO, j);
+      assertTrue(jacobian.factorise(j));
+      for (int k = 0; k < 3; k++) {
+        double[] twist = Arms.joints(random).toArray();
+        jacobian.solve(twist, qd);
+        assertTrue(new Jacobian(dh).solve(j, twist, alone));
+        assertArrayEquals(alone, qd);
+      }
+    }
+  }
+
+  @Test
   void speedsFoundGiveTheTwistAsked() {
     Random random = new Random(73);
     double[] j = new double[Jacobian.SIZE];
