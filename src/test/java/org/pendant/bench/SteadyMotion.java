@@ -276,7 +276,7 @@ public final class SteadyMotion {
   }
 
   private void start(Move move) throws ScriptError {
-    motion.start(move).orElseThrow();
+    MotionTicket _ = motion.start(move).orElseThrow();
   }
 
   private void goOn(MotionPlan plan) throws ScriptError {

@@ -17,6 +17,7 @@ public final class TcpPort implements AutoCloseable {
   private final Protocol protocol;
   private final PeerLog log;
   private final ServerSocketChannel server;
+  private final Thread acceptor;
   private final Set<Connection> connections = ConcurrentHashMap.newKeySet();
 
   private TcpPort(Listening listening, Protocol protocol, PeerLog log, ServerSocketChannel server) {
@@ -24,6 +25,7 @@ public final class TcpPort implements AutoCloseable {
     this.protocol = protocol;
     this.log = log;
     this.server = server;
+    acceptor = Thread.ofVirtual().name(listening.name() + " port").unstarted(this::accept);
   }
 
   /**
@@ -50,7 +52,7 @@ public final class TcpPort implements AutoCloseable {
               + e.getMessage());
     }
     TcpPort port = new TcpPort(listening, protocol, log, server);
-    Thread.ofVirtual().name(listening.name() + " port").start(port::accept);
+    port.acceptor.start();
     return port;
   }
 
@@ -144,5 +146,21 @@ public final class TcpPort implements AutoCloseable {
       log.write(Level.WARNING, listening.name() + ": " + e.getMessage());
     }
     disconnectAll();
+    awaitEnd();
+  }
+
+  /** The system lets the port go only when nobody waits for a connection any more. */
+  private void awaitEnd() {
+    boolean interrupted = false;
+    while (acceptor.isAlive()) {
+      try {
+        acceptor.join();
+      } catch (InterruptedException e) {
+        interrupted = true;
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
   }
 }

@@ -206,4 +206,18 @@ class TcpPortTest {
       assertEquals(List.of(), List.copyOf(logged));
     }
   }
+
+  @Test
+  void aPortThatWasClosedCanBeHadAtOnce() throws Exception {
+    int number = port.number();
+    port.close();
+    for (int i = 0; i < 20; i++) {
+      TcpPort.open(
+              new Listening("Echo", LOOPBACK, number),
+              this::echo,
+              new PeerLog((level, text) -> logged.add(text)))
+          .close();
+    }
+    assertEquals(List.of(), List.copyOf(logged));
+  }
 }
