@@ -125,7 +125,7 @@ public final class SteadyMotion {
     this.kind = kind;
     arm = box.armDescription();
     forward = box.forward();
-    box.setTool(new ToolCentre(TCP, "tool"));
+    box.flange().setTool(new ToolCentre(TCP, "tool"));
     SpeedCaps caps = new SpeedCaps(arm, box.model().dynamics(), box.safety());
     caps.setTool(TCP);
     motion =

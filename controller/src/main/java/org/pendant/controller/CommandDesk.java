@@ -153,9 +153,11 @@ final class CommandDesk {
             granted(box.signals().owners().claim(claim.signal(), claim.owner()));
         case Command.ReleaseSignals release ->
             done(() -> box.signals().owners().release(release.owner()));
-        case Command.ConfigureAssemblies made -> granted(box.assemblies().configure(made.pair()));
+        case Command.ConfigureAssemblies made ->
+            granted(box.links().assemblies().configure(made.pair()));
         case Command.ReceiveAssembly got ->
-            granted(box.assemblies().received(got.instance(), got.data(), box.timeS()));
+            granted(
+                box.links().assemblies().received(got.instance(), got.data(), box.clock().timeS()));
         case Command.RunEncoder run ->
             done(() -> box.encoders().get(run.index()).run(run.ticksPerS()));
         case Command.SetSpeedFraction set -> granted(setSpeed(set.writer(), set.fraction()));
@@ -174,7 +176,11 @@ final class CommandDesk {
                 () ->
                     box.popups()
                         .show(
-                            box.timeS(), show.title(), show.text(), Popup.Severity.MESSAGE, false));
+                            box.clock().timeS(),
+                            show.title(),
+                            show.text(),
+                            Popup.Severity.MESSAGE,
+                            false));
         case Command.AbortMove abort ->
             machine.abortMove() ? DONE : new Reply.Refused("no move is under way");
         case Command.PowerOn on -> granted(box.safety().powerOn());
@@ -273,8 +279,8 @@ final class CommandDesk {
     }
     update.writes().forEach(box.signals()::write);
     update.speedFraction().ifPresent(box.motion()::setSpeedFraction);
-    update.externalWrench().ifPresent(box.externalForceSensor()::read);
-    box.inputWatchdogs().received(update.recipe().names(), box.timeS());
+    update.externalWrench().ifPresent(box.flange().externalForceSensor()::read);
+    box.links().inputWatchdogs().received(update.recipe().names(), box.clock().timeS());
     return Optional.empty();
   }
 
@@ -284,7 +290,7 @@ final class CommandDesk {
   }
 
   private void attach(Optional<Payload> load) {
-    load.ifPresentOrElse(box::attachLoad, box::followDeclaredPayload);
+    load.ifPresentOrElse(box.flange()::attachLoad, box.flange()::followDeclaredPayload);
   }
 
   private Reply start(Program program) {

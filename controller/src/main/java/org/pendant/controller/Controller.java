@@ -117,7 +117,7 @@ public final class Controller {
    * devices are asked again and again. Only for the thread that drives the frames.
    */
   public boolean waitsForOutside() {
-    return machine.waitsForOutside() || box.modbus().active();
+    return machine.waitsForOutside() || box.links().modbus().active();
   }
 
   /** The newest snapshot; any thread. */

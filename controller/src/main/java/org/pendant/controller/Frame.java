@@ -78,11 +78,11 @@ final class Frame {
     sampler = new VariableSampler(machine);
     state = snapshot();
     feed.publish(state);
-    box.setPublished(new PublishedState(this::state));
+    box.links().setPublished(new PublishedState(this::state));
   }
 
   void advance() {
-    beganNs = box.inRealTime() ? System.nanoTime() : 0;
+    beganNs = box.clock().inRealTime() ? System.nanoTime() : 0;
     if (!held) {
       box.beginFrame();
     }
@@ -110,19 +110,20 @@ final class Frame {
   }
 
   private void applyCommands() {
-    box.modbus().step(box.timeS());
-    box.toolLine().step();
+    box.links().modbus().step(box.clock().timeS());
+    box.links().toolLine().step();
     desk.drain(this::followProgram);
     followWatchdogs();
     followAssemblies();
-    box.signals().runState().power(box.drivePower());
+    box.signals().runState().power(box.drive().powered());
     followProgram();
   }
 
   /** Inputs that were not written in time hold or end the program. */
   private void followWatchdogs() {
     boolean running = machine.state() == ProgramState.RUNNING;
-    for (InputWatchdogs.Violation late : box.inputWatchdogs().step(running, box.timeS())) {
+    for (InputWatchdogs.Violation late :
+        box.links().inputWatchdogs().step(running, box.clock().timeS())) {
       String what =
           "RTDE input "
               + late.input()
@@ -146,7 +147,8 @@ final class Frame {
   /** Assemblies that no scanner has written in time stop the arm and hold or end the program. */
   private void followAssemblies() {
     boolean running = machine.state() == ProgramState.RUNNING;
-    for (AssemblyWatchdog.Violation late : box.assemblies().step(running, box.timeS())) {
+    for (AssemblyWatchdog.Violation late :
+        box.links().assemblies().step(running, box.clock().timeS())) {
       String what =
           "EtherNet/IP instance "
               + late.instance()
@@ -197,7 +199,7 @@ final class Frame {
   }
 
   private void stepArm() {
-    box.stepArm();
+    box.drive().step();
   }
 
   private void checkSafety() {
@@ -222,17 +224,17 @@ final class Frame {
     }
     followStop();
     witness.look(box, line);
-    box.settle();
+    box.drive().settle();
   }
 
   private FrameFacts facts() {
     return new FrameFacts(
-        box.timeS(),
-        box.drivenPositionRad(),
+        box.clock().timeS(),
+        box.drive().drivenPositionRad(),
         box.motion().speedRadPerS(),
         box.arm().sensors(),
-        box.tool().inFlange(),
-        box.flangeWrenchInBase(),
+        box.flange().tool().inFlange(),
+        box.flange().wrenchInBase(),
         box.motion().steady(),
         box.motion().moving(),
         machine.state() == ProgramState.RUNNING,
@@ -270,8 +272,8 @@ final class Frame {
     if (box.motion().fault().isEmpty()) {
       faultFrame = 0;
     } else if (faultFrame == 0) {
-      faultFrame = box.frame();
-    } else if (box.frame() == faultFrame + 2 && !failed()) {
+      faultFrame = box.clock().frame();
+    } else if (box.clock().frame() == faultFrame + 2 && !failed()) {
       box.log().safety(Level.ERROR, "", "protective stop: " + box.motion().fault().get().message());
       machine.stop();
       followProgram();
@@ -400,9 +402,9 @@ final class Frame {
     ArmState arm = armState();
     ArmReadings readings = ArmReadings.of(box);
     return new ControllerState(
-        box.frame(),
-        box.timeS(),
-        box.inRealTime() ? NS * (System.nanoTime() - beganNs) : 0,
+        box.clock().frame(),
+        box.clock().timeS(),
+        box.clock().inRealTime() ? NS * (System.nanoTime() - beganNs) : 0,
         arm,
         readings,
         new ArmGeometry(arm, readings),
@@ -411,10 +413,10 @@ final class Frame {
         debugger.state(),
         box.io().levels(),
         box.signals().state(),
-        box.modbus().state(),
-        box.assemblies().image(),
+        box.links().modbus().state(),
+        box.links().assemblies().image(),
         box.encoders().counts(),
-        box.freedrive().state(box.actualPositionRad()),
+        box.freedrive().state(box.drive().actualPositionRad()),
         sampler.read(),
         tracer.read(),
         box.popups().open(),
@@ -432,9 +434,9 @@ final class Frame {
         motion.positionRad(),
         motion.speedRadPerS(),
         motion.accelerationRadPerS2(),
-        box.actualPositionRad(),
+        box.drive().actualPositionRad(),
         box.arm().speedRadPerS(),
-        box.tool(),
+        box.flange().tool(),
         box.armDescription(),
         box.forward(),
         controlMode(),

@@ -40,7 +40,7 @@ final class HandDesk {
     jogging.step();
     guiding.step();
     guiding.followInput(
-        box.signals().freedriveDemanded() || box.modbus().freedriveDemanded(),
+        box.signals().freedriveDemanded() || box.links().modbus().freedriveDemanded(),
         () -> programRefusal("an input asks for freedrive"));
   }
 
@@ -84,7 +84,7 @@ final class HandDesk {
       refusal = Optional.of("the rotation of the TCP is " + tool.inFlange() + ", must be finite");
     }
     if (refusal.isEmpty()) {
-      box.setTool(tool);
+      box.flange().setTool(tool);
     }
     return refusal;
   }
@@ -106,11 +106,12 @@ final class HandDesk {
     }
     if (refusal.isEmpty()) {
       Inertia i = inertia.orElse(Inertia.NONE);
-      box.declarePayload(
-          new Payload(
-              massKg, cogM.x(), cogM.y(), cogM.z(), i.ixx(), i.iyy(), i.izz(), i.ixy(), i.ixz(),
-              i.iyz()),
-          0);
+      box.flange()
+          .declarePayload(
+              new Payload(
+                  massKg, cogM.x(), cogM.y(), cogM.z(), i.ixx(), i.iyy(), i.izz(), i.ixy(), i.ixz(),
+                  i.iyz()),
+              0);
     }
     return refusal;
   }

@@ -46,7 +46,7 @@ final class HandGuiding {
       box.motion().clearFault();
       hold = Optional.of(new Hold(mode, refusal(box.freedrive().start(mode))));
     }
-    hold.get().lastFrame = box.frame() + DEAD_MAN_FRAMES;
+    hold.get().lastFrame = box.clock().frame() + DEAD_MAN_FRAMES;
     noticeEnd(hold.get());
     return hold.get().reason;
   }
@@ -83,7 +83,7 @@ final class HandGuiding {
   }
 
   private void watch(Hold present) {
-    if (box.frame() > present.lastFrame) {
+    if (box.clock().frame() > present.lastFrame) {
       release();
     } else {
       noticeEnd(present);
@@ -91,7 +91,8 @@ final class HandGuiding {
   }
 
   private void noticeEnd(Hold present) {
-    boolean guided = box.freedrive().state(box.actualPositionRad()).heldBy(FreedriveHolder.HAND);
+    boolean guided =
+        box.freedrive().state(box.drive().actualPositionRad()).heldBy(FreedriveHolder.HAND);
     if (!guided && present.reason.isEmpty()) {
       present.reason =
           Optional.of(box.safety().programRefusal().orElse("freedrive has been ended"));

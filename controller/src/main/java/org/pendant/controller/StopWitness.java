@@ -23,7 +23,9 @@ final class StopWitness {
     // one stop may turn into a worse one, which finds the program ended
     int reached = line == 0 ? place.map(StopPlace::line).orElse(0) : line;
     stop = now;
-    place = now.map(each -> new StopPlace(reached, box.actualTcpInBase(), box.actualPositionRad()));
+    place =
+        now.map(
+            each -> new StopPlace(reached, box.actualTcpInBase(), box.drive().actualPositionRad()));
   }
 
   /** Where the present stop began. */

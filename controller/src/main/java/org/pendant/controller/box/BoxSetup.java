@@ -27,7 +27,7 @@ import org.pendant.models.arm.Joints;
  * @param poweredOn whether the arm is powered and its brakes are released at first
  * @param powerTimes how long changes of power take
  * @param systemTime where the date comes from; without one it starts at {@link
- *     ControlBox#VIRTUAL_START} and goes with the frames, so that runs repeat exactly
+ *     BoxClock#VIRTUAL_START} and goes with the frames, so that runs repeat exactly
  * @param programsFolder where programs may read files
  * @param doors by which programs reach other computers
  */

@@ -148,7 +148,7 @@ final class AssemblyBuiltins {
         .does(
             call -> {
               AssemblyHandle handle = handle(call);
-              return done(call, () -> handle.startWatchdog(call.box().timeS()));
+              return done(call, () -> handle.startWatchdog(call.box().clock().timeS()));
             });
     method(builtins, "stop_watchdog", "21.3.10")
         .doc("Watches no longer, until start_watchdog. It is an error when none is set.")
@@ -181,7 +181,7 @@ final class AssemblyBuiltins {
     }
     int bytes = call.integer(1, 1, LARGEST);
     try {
-      int number = call.box().assemblies().open(reading, Integer.parseInt(name), bytes);
+      int number = call.box().links().assemblies().open(reading, Integer.parseInt(name), bytes);
       return call.answer(new HandleValue(Type.EIP_HANDLE, number, ""));
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
@@ -195,7 +195,7 @@ final class AssemblyBuiltins {
       throw call.wrongKind(0, "an EtherNet/IP handle");
     }
     try {
-      return call.box().assemblies().handle(handle.id());
+      return call.box().links().assemblies().handle(handle.id());
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
@@ -267,7 +267,7 @@ final class AssemblyBuiltins {
     }
     WatchdogAction action = action(call);
     AssemblyHandle handle = handle(call);
-    return done(call, () -> handle.setWatchdog(leastHz, action, call.box().timeS()));
+    return done(call, () -> handle.setWatchdog(leastHz, action, call.box().clock().timeS()));
   }
 
   private static WatchdogAction action(Call call) throws ScriptError {

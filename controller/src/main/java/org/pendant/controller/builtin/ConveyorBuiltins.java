@@ -144,7 +144,7 @@ final class ConveyorBuiltins {
   private static Outcome poseAlongPath(Call call) {
     ControlBox box = call.box();
     return call.answer(
-        box.forward().tcpPose(box.motion().pathPositionRad(), box.tool().inFlange()));
+        box.forward().tcpPose(box.motion().pathPositionRad(), box.flange().tool().inFlange()));
   }
 
   private static Outcome speedAlongPath(Call call) {

@@ -110,7 +110,9 @@ final class DynamicsBuiltins {
 
   private static double[] positions(Call call, int index) throws ScriptError {
     Joints q =
-        call.given(index) ? MotionArguments.joints(call, index) : call.box().actualPositionRad();
+        call.given(index)
+            ? MotionArguments.joints(call, index)
+            : call.box().drive().actualPositionRad();
     return q.toArray();
   }
 

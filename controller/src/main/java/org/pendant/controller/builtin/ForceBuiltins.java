@@ -161,7 +161,7 @@ final class ForceBuiltins {
           "path-offset", "path offset is enabled, path_offset_disable must end that first");
     }
     try {
-      box.requirePower();
+      box.drive().requirePower();
       box.forceMode().start(task, box.targetTcpInBase());
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());

@@ -51,7 +51,8 @@ final class LogBuiltins {
     PopupBoard board = call.box().popups();
     boolean blocking = call.bool(4);
     Popup popup =
-        board.show(call.box().timeS(), call.text(1), call.value(0).text(), severity, blocking);
+        board.show(
+            call.box().clock().timeS(), call.text(1), call.value(0).text(), severity, blocking);
     if (!blocking) {
       return call.answer();
     }

@@ -44,7 +44,7 @@ final class ModbusArguments {
   /** The signal that argument 0 names. */
   static ModbusSignal signal(Call call) throws ScriptError {
     try {
-      return call.box().modbus().signal(call.text(0));
+      return call.box().links().modbus().signal(call.text(0));
     } catch (ScriptError e) {
       throw e.code().equals("unknown-signal") ? call.failure(e.code(), e.getMessage()) : e;
     }

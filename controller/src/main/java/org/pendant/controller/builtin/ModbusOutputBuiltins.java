@@ -141,7 +141,10 @@ final class ModbusOutputBuiltins {
   private static Outcome chooseRunState(Call call) throws ScriptError {
     ModbusSignal signal = ModbusArguments.output(call, Optional.empty());
     RunStateAction action = RunStateAction.of(call.integer(1, 0, LAST_CHOICE));
-    call.box().modbus().chooseRunState(signal, action, call.box().signals().runState().now(action));
+    call.box()
+        .links()
+        .modbus()
+        .chooseRunState(signal, action, call.box().signals().runState().now(action));
     return call.answer();
   }
 
@@ -154,7 +157,7 @@ final class ModbusOutputBuiltins {
     try {
       return new PendingWait(
           "modbus_send_custom_command",
-          call.box().modbus().send(device, unit, function, data),
+          call.box().links().modbus().send(device, unit, function, data),
           result -> NoneValue.NONE);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
@@ -185,7 +188,7 @@ final class ModbusOutputBuiltins {
     ModbusAddress device = ModbusArguments.address(call, 0);
     boolean everyPort = !device.toString().equals(call.text(0));
     Optional<Integer> port = everyPort ? Optional.empty() : Optional.of(device.port());
-    if (!call.box().modbus().reconnect(device.host(), port)) {
+    if (!call.box().links().modbus().reconnect(device.host(), port)) {
       throw call.failure(
           "unknown-device",
           "connection_id is "
@@ -193,7 +196,7 @@ final class ModbusOutputBuiltins {
               + ", must be a device that a signal is at");
     }
     return call.bool(1)
-        ? new ModbusResetWait(call.box().modbus(), device.host(), port)
+        ? new ModbusResetWait(call.box().links().modbus(), device.host(), port)
         : call.answer();
   }
 }

@@ -111,7 +111,8 @@ final class ModbusSignalBuiltins {
                 + " nothing is wrong with it.")
         .returns(Type.NUMBER)
         .effect(Effect.ASKS)
-        .does(call -> call.answer(ModbusArguments.signal(call).invalidS(call.box().timeS())));
+        .does(
+            call -> call.answer(ModbusArguments.signal(call).invalidS(call.box().clock().timeS())));
     named(builtins, "modbus_set_signal_watchdog", "18.31")
         .doc(
             "Changes how long a Modbus signal may be without a valid answer before reading it"
@@ -180,7 +181,7 @@ final class ModbusSignalBuiltins {
 
   private static Outcome add(Call call, String name, ModbusExchange exchange) throws ScriptError {
     try {
-      call.box().modbus().add(name, exchange);
+      call.box().links().modbus().add(name, exchange);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
@@ -188,7 +189,7 @@ final class ModbusSignalBuiltins {
   }
 
   private static Outcome delete(Call call) throws ScriptError {
-    call.box().modbus().delete(ModbusArguments.signal(call).name());
+    call.box().links().modbus().delete(ModbusArguments.signal(call).name());
     return call.answer();
   }
 
@@ -198,7 +199,7 @@ final class ModbusSignalBuiltins {
     if (signal.updateHz() == 0) {
       signal.update();
     }
-    double nowS = call.box().timeS();
+    double nowS = call.box().clock().timeS();
     if (signal.lost(nowS)) {
       throw call.failure(
           "signal-invalid",

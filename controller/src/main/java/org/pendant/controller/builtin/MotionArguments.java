@@ -115,7 +115,7 @@ final class MotionArguments {
 
   /** A TCP offset: argument {@code index}, or the active one without it. */
   static Pose tcpOffset(Call call, int index) throws ScriptError {
-    return call.given(index) ? pose(call, index) : call.box().tool().inFlange();
+    return call.given(index) ? pose(call, index) : call.box().flange().tool().inFlange();
   }
 
   /**

@@ -105,7 +105,7 @@ final class MotionBuiltins {
   private static Outcome movej(Call call) throws ScriptError {
     ControlBox box = call.box();
     Headroom headroom = headroom(call);
-    Pose tcp = box.tool().inFlange();
+    Pose tcp = box.flange().tool().inFlange();
     if (call.kind(0) == Kind.POSE) {
       Pose goal = MotionArguments.pose(call, 0);
       return move(
@@ -118,7 +118,7 @@ final class MotionBuiltins {
 
   static MotionPath toJoints(
       ControlBox box, Joints from, Joints goal, Pose waypoint, Headroom headroom) {
-    Pose tcp = box.tool().inFlange();
+    Pose tcp = box.flange().tool().inFlange();
     return Routes.joints(box.armDescription(), from, goal, waypoint, tcp, headroom);
   }
 
@@ -135,7 +135,7 @@ final class MotionBuiltins {
   private static Outcome movel(Call call) throws ScriptError {
     ControlBox box = call.box();
     Headroom headroom = headroom(call);
-    Pose tcp = box.tool().inFlange();
+    Pose tcp = box.flange().tool().inFlange();
     Pose goal =
         call.kind(0) == Kind.POSE
             ? MotionArguments.pose(call, 0)
@@ -177,7 +177,7 @@ final class MotionBuiltins {
   private static Outcome setPos(Call call) throws ScriptError {
     Joints goal = MotionArguments.jointsInRange(call, 0, "q");
     refuseWhileMoving(call);
-    call.box().jumpTo(goal);
+    call.box().drive().jumpTo(goal);
     return call.answer();
   }
 
@@ -197,7 +197,7 @@ final class MotionBuiltins {
       return call.answer();
     }
     refuseWhileMoving(call);
-    box.jumpTo(reset);
+    box.drive().jumpTo(reset);
     return call.answer();
   }
 
@@ -216,7 +216,7 @@ final class MotionBuiltins {
     double deceleration = MotionArguments.positive(call, 0);
     double turning = call.given(1) ? MotionArguments.positive(call, 1) : deceleration;
     ArmDescription arm = call.box().armDescription();
-    Pose tcp = call.box().tool().inFlange();
+    Pose tcp = call.box().flange().tool().inFlange();
     return MotionWait.stop(
         call, "stopl", (from, speed) -> new StopL(arm, from, speed, tcp, deceleration, turning));
   }

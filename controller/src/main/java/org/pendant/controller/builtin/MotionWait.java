@@ -37,7 +37,7 @@ final class MotionWait implements Wait {
       return call.answer();
     }
     try {
-      call.box().requirePower();
+      call.box().drive().requirePower();
       Optional<MotionTicket> ticket = call.box().motion().start(move);
       if (ticket.isPresent()) {
         return ticket.get().finished()
@@ -69,7 +69,7 @@ final class MotionWait implements Wait {
   /** Starts a motion that goes on from whatever the arm does and waits until it hands over. */
   static MotionWait goOn(Call call, String function, MotionPlan plan) throws ScriptError {
     try {
-      call.box().requirePower();
+      call.box().drive().requirePower();
       return new MotionWait(call, function, call.box().motion().goOn(plan), false);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());

@@ -37,7 +37,7 @@ final class MoveGoal {
 
   private MoveGoal(ControlBox box, Frame frame, Pose frameInBase, Pose pose) {
     forward = box.forward();
-    tcp = box.tool().inFlange();
+    tcp = box.flange().tool().inFlange();
     this.frame = frame;
     this.frameInBase = frameInBase;
     this.pose = pose;
@@ -55,7 +55,8 @@ final class MoveGoal {
               Pose.ZERO,
               box.forward()
                   .tcpPose(
-                      MotionArguments.jointsInRange(call, index, "goal"), box.tool().inFlange()));
+                      MotionArguments.jointsInRange(call, index, "goal"),
+                      box.flange().tool().inFlange()));
       case STRUCT -> inFrame(call, index, call.struct(index));
       case STRING -> new MoveGoal(box, Frame.FIXED, object(call, call.text(index)), Pose.ZERO);
       case NONE, BOOL, INT, FLOAT, MATRIX, HANDLE ->

@@ -69,7 +69,7 @@ final class OperatorBuiltins {
       throw call.failure("value-out-of-range", "message is empty, must say what to answer");
     }
     QuestionBoard board = call.box().questions();
-    Asked asked = board.ask(call.box().timeS(), kind, text);
+    Asked asked = board.ask(call.box().clock().timeS(), kind, text);
     if (asked.refusal().isPresent()) {
       throw call.failure("no-answer", asked.refusal().get());
     }

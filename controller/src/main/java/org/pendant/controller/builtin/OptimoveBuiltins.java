@@ -58,7 +58,7 @@ final class OptimoveBuiltins {
 
   private static Outcome optimovej(Call call) throws ScriptError {
     ControlBox box = call.box();
-    Pose tcp = box.tool().inFlange();
+    Pose tcp = box.flange().tool().inFlange();
     Headroom headroom = headroom(call);
     if (call.kind(0) == Kind.LIST) {
       Joints goal = MotionArguments.jointsInRange(call, 0, "goal");
@@ -79,7 +79,7 @@ final class OptimoveBuiltins {
 
   private static Outcome optimovel(Call call) throws ScriptError {
     ControlBox box = call.box();
-    Pose tcp = box.tool().inFlange();
+    Pose tcp = box.flange().tool().inFlange();
     Headroom headroom = headroom(call);
     MoveGoal goal = MoveGoal.of(call, 0);
     return move(

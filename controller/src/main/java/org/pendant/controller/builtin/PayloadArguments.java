@@ -76,7 +76,7 @@ final class PayloadArguments {
 
   /** Poses of the flange, from a list of poses of the active TCP. */
   static List<Pose> flangesInBase(Call call, int index) throws ScriptError {
-    Pose tcpInFlange = call.box().tool().inFlange();
+    Pose tcpInFlange = call.box().flange().tool().inFlange();
     List<Pose> flanges = new ArrayList<>();
     for (Pose tcpInBase : poses(call, index)) {
       flanges.add(InverseKinematics.flangeOf(tcpInBase, tcpInFlange));

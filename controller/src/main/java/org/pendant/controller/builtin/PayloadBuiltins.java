@@ -119,7 +119,7 @@ final class PayloadBuiltins {
   private static Outcome setPayload(Call call) throws ScriptError {
     double massKg = PayloadArguments.massKg(call, 0);
     if (!call.given(1)) {
-      call.box().declarePayloadAtTool(massKg);
+      call.box().flange().declarePayloadAtTool(massKg);
       return call.answer();
     }
     double[] cogM = PayloadArguments.cogM(call, 1);
@@ -147,7 +147,7 @@ final class PayloadBuiltins {
   }
 
   private static Outcome declare(Call call, Payload payload, double transitionS) {
-    call.box().declarePayload(payload, transitionS);
+    call.box().flange().declarePayload(payload, transitionS);
     return call.answer();
   }
 

@@ -72,7 +72,7 @@ final class PortBuiltins {
     ControlBox box = call.box();
     return call.answer(
         PortMap.bit(address, box.io().levels(), box.signals().state())
-            .or(() -> box.published().portBit(address))
+            .or(() -> box.links().published().portBit(address))
             .orElseThrow(() -> call.refuse(0, BITS))
             .booleanValue());
   }
@@ -82,7 +82,7 @@ final class PortBuiltins {
     ControlBox box = call.box();
     int value =
         PortMap.register(address, box.io().levels(), box.signals().state())
-            .or(() -> box.published().portRegister(address))
+            .or(() -> box.links().published().portRegister(address))
             .orElseThrow(() -> call.refuse(0, REGISTERS));
     return call.answerInt((short) value);
   }
@@ -93,7 +93,7 @@ final class PortBuiltins {
         call,
         "bit " + address,
         PortMap.writeBit(address, call.bool(1))
-            .or(() -> call.box().published().portBit(address).map(ofRobot -> List.of()))
+            .or(() -> call.box().links().published().portBit(address).map(ofRobot -> List.of()))
             .orElseThrow(() -> call.refuse(0, BITS)));
   }
 
@@ -105,7 +105,13 @@ final class PortBuiltins {
           call,
           "register " + address,
           PortMap.writeRegister(address, value)
-              .or(() -> call.box().published().portRegister(address).map(ofRobot -> List.of()))
+              .or(
+                  () ->
+                      call.box()
+                          .links()
+                          .published()
+                          .portRegister(address)
+                          .map(ofRobot -> List.of()))
               .orElseThrow(() -> call.refuse(0, REGISTERS)));
     } catch (IllegalArgumentException e) {
       throw call.failure("value-out-of-range", e.getMessage());

@@ -56,7 +56,7 @@ final class ProcessMoveBuiltins {
 
   private static Outcome movep(Call call) throws ScriptError {
     ControlBox box = call.box();
-    Pose tcp = box.tool().inFlange();
+    Pose tcp = box.flange().tool().inFlange();
     Pose goal = pose(call, 0, "pose");
     MoveLimits limits = limits(call, 1);
     Headroom headroom = box.headroom().asAsked(limits);
@@ -74,7 +74,7 @@ final class ProcessMoveBuiltins {
 
   private static Outcome movec(Call call) throws ScriptError {
     ControlBox box = call.box();
-    Pose tcp = box.tool().inFlange();
+    Pose tcp = box.flange().tool().inFlange();
     Pose via = pose(call, 0, "pose_via");
     Pose goal = pose(call, 1, "pose_to");
     MoveLimits limits = limits(call, 2);
@@ -106,7 +106,7 @@ final class ProcessMoveBuiltins {
     }
     ControlBox box = call.box();
     return box.forward()
-        .tcpPose(MotionArguments.jointsInRange(call, index, name), box.tool().inFlange());
+        .tcpPose(MotionArguments.jointsInRange(call, index, name), box.flange().tool().inFlange());
   }
 
   private static Outcome move(

@@ -27,7 +27,7 @@ final class PublishedBuiltins {
 
   private static Outcome rtdeValue(Call call) throws ScriptError {
     String key = call.text(0);
-    Published published = call.box().published();
+    Published published = call.box().links().published();
     Value value =
         published
             .field(key)

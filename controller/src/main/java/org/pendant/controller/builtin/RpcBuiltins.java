@@ -43,9 +43,9 @@ final class RpcBuiltins {
       throw call.refuse(0, "must be \"" + XMLRPC + "\"");
     }
     try {
-      int number = call.box().outside().openServer(call.text(1));
+      int number = call.box().links().outside().openServer(call.text(1));
       Value handle = new HandleValue(Type.RPC_HANDLE, number, "");
-      RpcLink server = call.box().outside().server(number);
+      RpcLink server = call.box().links().outside().server(number);
       return new PendingWait("rpc_factory: " + call.text(1), server.connect(), result -> handle);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
@@ -54,7 +54,7 @@ final class RpcBuiltins {
 
   private static Outcome close(Call call) throws ScriptError {
     call.program().reachesOutside();
-    call.box().outside().server(handle(call).id()).disconnect();
+    call.box().links().outside().server(handle(call).id()).disconnect();
     return call.answer();
   }
 
@@ -67,7 +67,7 @@ final class RpcBuiltins {
       arguments.add(call.value(i).copy());
     }
     try {
-      RpcLink server = call.box().outside().server(handle.id());
+      RpcLink server = call.box().links().outside().server(handle.id());
       return new PendingWait(name, server.call(name, arguments), result -> result);
     } catch (ScriptError e) {
       throw new ScriptError(e.code(), name + ": " + e.getMessage());

@@ -69,21 +69,23 @@ final class RtdeInputBuiltins {
     double[] cogM = finite(call, 3);
     ControlBox box = call.box();
     if (call.bool(0)) {
-      box.useExternalForceSensor(
-          new ExternalForceSensor.Mounting(
-              Payload.of(massKg, cogM[0], cogM[1], cogM[2]),
-              offsetSign * offsetM[0],
-              offsetSign * offsetM[1],
-              offsetSign * offsetM[2]));
-      box.inputWatchdogs()
+      box.flange()
+          .useExternalForceSensor(
+              new ExternalForceSensor.Mounting(
+                  Payload.of(massKg, cogM[0], cogM[1], cogM[2]),
+                  offsetSign * offsetM[0],
+                  offsetSign * offsetM[1],
+                  offsetSign * offsetM[2]));
+      box.links()
+          .inputWatchdogs()
           .setUnlessAny(
               InputFields.EXTERNAL_FORCE_TORQUE,
               DEFAULT_WATCHDOG_HZ,
               WatchdogAction.PAUSE,
-              box.timeS());
+              box.clock().timeS());
     } else {
-      box.useOwnForceSensor();
-      box.inputWatchdogs().removeUnasked();
+      box.flange().useOwnForceSensor();
+      box.links().inputWatchdogs().removeUnasked();
     }
     return call.answer();
   }
@@ -107,7 +109,10 @@ final class RtdeInputBuiltins {
     if (!(leastHz > 0 && leastHz < Double.POSITIVE_INFINITY)) {
       throw call.refuse(1, "must be finite and above 0");
     }
-    call.box().inputWatchdogs().set(input, leastHz, action(call), call.box().timeS());
+    call.box()
+        .links()
+        .inputWatchdogs()
+        .set(input, leastHz, action(call), call.box().clock().timeS());
     return call.answer();
   }
 

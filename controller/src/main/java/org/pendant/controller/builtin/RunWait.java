@@ -42,7 +42,8 @@ final class RunWait implements Wait {
     MotionControl motion = box.motion();
     if (!motion.moving()) {
       planning =
-          Optional.of(box.toolpaths().plan(last, motion.pathPositionRad(), box.tool().inFlange()));
+          Optional.of(
+              box.toolpaths().plan(last, motion.pathPositionRad(), box.flange().tool().inFlange()));
     }
   }
 
@@ -65,7 +66,7 @@ final class RunWait implements Wait {
       return follow(ticket.get());
     }
     if (planning.isEmpty()) {
-      box.requirePower();
+      box.drive().requirePower();
       planAtRest();
       return Optional.empty();
     }
@@ -91,7 +92,8 @@ final class RunWait implements Wait {
     }
     double apartM =
         box.toolpaths()
-            .divergenceM(box.forward(), box.drivenPositionRad(), box.actualPositionRad());
+            .divergenceM(
+                box.forward(), box.drive().drivenPositionRad(), box.drive().actualPositionRad());
     if (apartM > Toolpaths.DIVERGENCE_M) {
       throw new ScriptError(
           "path-divergence",

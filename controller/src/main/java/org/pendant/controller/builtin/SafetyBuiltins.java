@@ -96,7 +96,7 @@ final class SafetyBuiltins {
 
   private static boolean withinLimits(Call call) throws ScriptError {
     ControlBox box = call.box();
-    Pose tcpInFlange = box.tool().inFlange();
+    Pose tcpInFlange = box.flange().tool().inFlange();
     if (call.kind(0) != Kind.POSE) {
       return box.safety().within(MotionArguments.joints(call, 0), tcpInFlange);
     }

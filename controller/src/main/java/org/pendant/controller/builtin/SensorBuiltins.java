@@ -55,7 +55,7 @@ final class SensorBuiltins {
         .doc("Makes what the force sensor feels now its zero.")
         .does(
             call -> {
-              call.box().zeroForceSensor();
+              call.box().flange().zeroForceSensor();
               return call.answer();
             });
   }
@@ -122,12 +122,12 @@ final class SensorBuiltins {
   }
 
   private static Outcome force(Call call) {
-    Wrench w = call.box().flangeWrenchInBase();
+    Wrench w = call.box().flange().wrenchInBase();
     return call.answer(Math.sqrt(w.fx() * w.fx() + w.fy() * w.fy() + w.fz() * w.fz()));
   }
 
   private static Outcome tcpForce(Call call) {
-    Wrench w = call.box().flangeWrenchInBase();
+    Wrench w = call.box().flange().wrenchInBase();
     return call.answer(new Pose(w.fx(), w.fy(), w.fz(), w.mx(), w.my(), w.mz()));
   }
 
@@ -135,7 +135,8 @@ final class SensorBuiltins {
     int steps = call.integer(0, 0, PositionHistory.FRAMES - 1);
     ControlBox box = call.box();
     // not from the history: set_pos may have put the arm elsewhere in this frame
-    return call.answer(steps == 0 ? box.actualPositionRad() : box.history().ago(steps));
+    return call.answer(
+        steps == 0 ? box.drive().actualPositionRad() : box.drive().history().ago(steps));
   }
 
   private static Outcome externalTorques(Call call) {

@@ -120,7 +120,7 @@ final class ServoBuiltins {
     double[] twist = speeds(call, "m/s and rad/s");
     double acceleration = MotionArguments.positive(call, 1);
     double turning = call.given(3) ? MotionArguments.positive(call, 3) : acceleration;
-    Pose tcp = call.box().tool().inFlange();
+    Pose tcp = call.box().flange().tool().inFlange();
     return MotionWait.goOn(
         call,
         "speedl",
@@ -167,7 +167,7 @@ final class ServoBuiltins {
 
   private static Outcome servoc(Call call) throws ScriptError {
     ControlBox box = call.box();
-    Pose tcp = box.tool().inFlange();
+    Pose tcp = box.flange().tool().inFlange();
     Pose goal =
         call.kind(0) == Kind.POSE
             ? MotionArguments.pose(call, 0)
@@ -188,7 +188,7 @@ final class ServoBuiltins {
     Joints torqueNm = MotionArguments.joints(call, 0);
     boolean frictionCompensated = call.bool(1);
     try {
-      call.box().requirePower();
+      call.box().drive().requirePower();
       call.box().servoing().giveTorque(torqueNm, frictionCompensated);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());

@@ -28,6 +28,7 @@ final class SocketArguments {
     String name = call.text(index);
     Optional<OutsideSocket> socket =
         call.box()
+            .links()
             .outside()
             .socket(name)
             .filter(each -> each.stage() != OutsideSocket.Stage.CONNECTING);

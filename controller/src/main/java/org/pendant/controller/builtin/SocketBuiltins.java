@@ -106,7 +106,7 @@ final class SocketBuiltins {
     String name = call.text(2);
     OutsideSocket socket;
     try {
-      socket = call.box().outside().open(name, host, port);
+      socket = call.box().links().outside().open(name, host, port);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
@@ -116,7 +116,7 @@ final class SocketBuiltins {
 
   private static Outcome close(Call call) throws ScriptError {
     call.program().reachesOutside();
-    call.box().outside().close(call.text(0));
+    call.box().links().outside().close(call.text(0));
     return call.answer();
   }
 

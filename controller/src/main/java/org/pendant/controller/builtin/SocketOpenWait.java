@@ -36,7 +36,8 @@ final class SocketOpenWait implements Wait {
       case OPEN -> Optional.of(Value.of(true));
       // opened, and lost or closed since: of the two only the first is a connection that came about
       case CLOSED ->
-          Optional.of(Value.of(box.outside().socket(name).filter(socket::equals).isPresent()));
+          Optional.of(
+              Value.of(box.links().outside().socket(name).filter(socket::equals).isPresent()));
       case FAILED -> failed(socket.failure());
       case CONNECTING ->
           frame < deadline
@@ -58,6 +59,6 @@ final class SocketOpenWait implements Wait {
 
   @Override
   public void cancel() {
-    box.outside().close(name, socket);
+    box.links().outside().close(name, socket);
   }
 }

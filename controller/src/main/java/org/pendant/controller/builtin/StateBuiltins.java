@@ -120,7 +120,7 @@ final class StateBuiltins {
         .doc("The pose of the active TCP in the flange frame.")
         .returns(Type.POSE)
         .effect(Effect.ASKS)
-        .does(call -> call.answer(call.box().tool().inFlange()));
+        .does(call -> call.answer(call.box().flange().tool().inFlange()));
     builtins
         .declare("set_tcp")
         .manual(MODULE, "16.53")
@@ -147,7 +147,7 @@ final class StateBuiltins {
   }
 
   private static Outcome setTcp(Call call) throws ScriptError {
-    call.box().setTool(new ToolCentre(MotionArguments.pose(call, 0), call.text(1)));
+    call.box().flange().setTool(new ToolCentre(MotionArguments.pose(call, 0), call.text(1)));
     return call.answer();
   }
 }

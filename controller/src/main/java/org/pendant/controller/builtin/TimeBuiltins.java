@@ -68,11 +68,11 @@ final class TimeBuiltins {
   private static Outcome time(Call call) throws ScriptError {
     return switch (call.integer(0)) {
       case 0 -> {
-        long ns = call.box().timeNs();
+        long ns = call.box().clock().timeNs();
         yield call.answer(struct(ns / NS_PER_S, (int) (ns % NS_PER_S)));
       }
       case 2 -> {
-        Instant now = call.box().systemTime();
+        Instant now = call.box().clock().systemTime();
         yield call.answer(struct(now.getEpochSecond(), now.getNano()));
       }
       default -> throw call.refuse(0, "must be 0 or 2");

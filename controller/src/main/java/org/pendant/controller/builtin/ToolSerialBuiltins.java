@@ -34,7 +34,7 @@ final class ToolSerialBuiltins {
 
   private static Outcome setUp(Call call) throws ScriptError {
     ToolCommunication wanted = wanted(call);
-    ToolLine line = call.box().toolLine();
+    ToolLine line = call.box().links().toolLine();
     ToolSerialDoor.SetUp setUp = line.setUp(wanted);
     if (setUp.over() || !call.program().mayWait()) {
       return call.answer();

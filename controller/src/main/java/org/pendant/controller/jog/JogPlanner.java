@@ -48,7 +48,7 @@ final class JogPlanner {
         new MoveLimits(JOINT_ACCELERATION_RAD_PER_S2, speedFraction * JOINT_SPEED_RAD_PER_S, 0);
     MoveLimits tool =
         new MoveLimits(TOOL_ACCELERATION_M_PER_S2, speedFraction * TOOL_SPEED_M_PER_S, 0);
-    Pose tcp = box.tool().inFlange();
+    Pose tcp = box.flange().tool().inFlange();
     return switch (move) {
       case JogMove.TurnJoint turn -> (from, speed) -> moveTo(from, rangeEnd(turn, from), joints);
       case JogMove.MoveTool along ->
@@ -73,7 +73,7 @@ final class JogPlanner {
   }
 
   private Motion moveTo(Joints from, Joints goal, MoveLimits limits) {
-    Pose waypoint = box.forward().tcpPose(goal, box.tool().inFlange());
+    Pose waypoint = box.forward().tcpPose(goal, box.flange().tool().inFlange());
     return new MoveJ(box.armDescription(), from, goal, waypoint, limits);
   }
 
@@ -139,7 +139,7 @@ final class JogPlanner {
                 + " rad");
       }
     }
-    if (!box.safety().within(goal, box.tool().inFlange())) {
+    if (!box.safety().within(goal, box.flange().tool().inFlange())) {
       throw new ScriptError(
           "safety-limit", "the goal is beyond a safety plane or tilts the tool too far");
     }

@@ -62,7 +62,7 @@ public final class Jogging {
       return Optional.of("speed is " + speedFraction + ", must be above 0 and at most 1");
     }
     if (hold.isPresent() && hold.get().move.equals(move)) {
-      hold.get().lastFrame = box.frame() + DEAD_MAN_FRAMES;
+      hold.get().lastFrame = box.clock().frame() + DEAD_MAN_FRAMES;
       return hold.get().reason;
     }
     release();
@@ -75,7 +75,7 @@ public final class Jogging {
       box.motion().resume();
       box.motion().clearFault();
       MotionTicket ticket = box.motion().start(planner.plan(move, speedFraction));
-      hold = Optional.of(new Hold(move, ticket, box.frame() + DEAD_MAN_FRAMES));
+      hold = Optional.of(new Hold(move, ticket, box.clock().frame() + DEAD_MAN_FRAMES));
       underway = Optional.of(move);
       return Optional.empty();
     } catch (ScriptError e) {
@@ -104,7 +104,7 @@ public final class Jogging {
 
   /** Looks at how the move goes; after the step of the motion in each frame. */
   public void step() {
-    if (hold.isPresent() && box.frame() > hold.get().lastFrame) {
+    if (hold.isPresent() && box.clock().frame() > hold.get().lastFrame) {
       release();
     }
     if (underway.isPresent()) {

@@ -55,7 +55,7 @@ final class Outlook {
         return Optional.of("joint " + i + " is at the end of its range");
       }
     }
-    Pose tcp = box.tool().inFlange();
+    Pose tcp = box.flange().tool().inFlange();
     return box.safety().within(ahead, tcp) || !box.safety().within(here, tcp)
         ? Optional.empty()
         : Optional.of("a safety plane, or the tilt that the tool may have, is reached");

@@ -184,7 +184,7 @@ public final class Machine {
     failure = Optional.empty();
     run.orElseThrow().endAll();
     interpreter.programEnded();
-    box.outside().programEnded();
+    box.links().outside().programEnded();
     state = ProgramState.STOPPED;
     pausing = false;
     arriving = false;

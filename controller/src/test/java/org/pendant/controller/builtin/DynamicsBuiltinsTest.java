@@ -135,7 +135,7 @@ class DynamicsBuiltinsTest {
 
   @Test
   void whatIsLeftOutIsAsItActuallyIs() throws ScriptError {
-    NumberList here = floats(fixture.box().actualPositionRad().toArray());
+    NumberList here = floats(fixture.box().drive().actualPositionRad().toArray());
     PoseValue none = pose(0, 0, 0, 0, 0, 0);
     assertEquals(matrix("get_jacobian", here, none), matrix("get_jacobian"));
     fixture.call("set_tcp", TCP);

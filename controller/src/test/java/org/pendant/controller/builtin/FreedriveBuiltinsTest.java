@@ -19,7 +19,12 @@ class FreedriveBuiltinsTest {
   private final CallFixture fixture = new CallFixture();
 
   private FreedriveMode mode() {
-    return fixture.box().freedrive().state(fixture.box().actualPositionRad()).mode().orElseThrow();
+    return fixture
+        .box()
+        .freedrive()
+        .state(fixture.box().drive().actualPositionRad())
+        .mode()
+        .orElseThrow();
   }
 
   @Test

@@ -153,12 +153,12 @@ class PayloadBuiltinsTest {
   @Test
   void aPayloadIsEstimatedFromWhatTheSensorReadInFourPoses() throws ScriptError {
     fixture.call("set_tcp", pose(0.02, 0, 0.15, 0.3, 0, 0.2));
-    fixture.box().attachLoad(Payload.of(1.8, 0.02, -0.01, 0.07));
+    fixture.box().flange().attachLoad(Payload.of(1.8, 0.02, -0.01, 0.07));
     fixture.call("zero_ftsensor");
     List<Value> poses = new ArrayList<>();
     List<Value> wrenches = new ArrayList<>();
     for (double tilt : new double[] {-1.6, -1, -0.4, 0.3}) {
-      fixture.box().jumpTo(new Joints(0, -1.57, -1.57, tilt, 1.57 + tilt, tilt));
+      fixture.box().drive().jumpTo(new Joints(0, -1.57, -1.57, tilt, 1.57 + tilt, tilt));
       poses.add(fixture.call("get_actual_tcp_pose"));
       wrenches.add(fixture.call("get_tcp_force"));
     }

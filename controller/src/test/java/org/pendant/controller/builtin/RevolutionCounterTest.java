@@ -24,22 +24,22 @@ class RevolutionCounterTest {
 
   private static void at(Joints expected, CallFixture fixture) {
     assertEquals(0, expected.maxAbsDifference(fixture.box().motion().positionRad()), 1e-12);
-    assertEquals(0, expected.maxAbsDifference(fixture.box().actualPositionRad()), 1e-12);
+    assertEquals(0, expected.maxAbsDifference(fixture.box().drive().actualPositionRad()), 1e-12);
   }
 
   @Test
   void theEndlessJointIsCountedFromTheTurnNearestToZero() throws ScriptError {
-    endless.box().jumpTo(turned(5 * TURN + 1));
+    endless.box().drive().jumpTo(turned(5 * TURN + 1));
     endless.call("reset_revolution_counter");
     at(turned(1), endless);
-    endless.box().jumpTo(turned(-3 * TURN - 2));
+    endless.box().drive().jumpTo(turned(-3 * TURN - 2));
     endless.call("reset_revolution_counter");
     at(turned(-2), endless);
   }
 
   @Test
   void aGivenPositionSaysWhichTurn() throws ScriptError {
-    endless.box().jumpTo(turned(5 * TURN + 1));
+    endless.box().drive().jumpTo(turned(5 * TURN + 1));
     endless.call("reset_revolution_counter", floats(0, 0, 0, 0, 0, 3 * TURN));
     at(turned(3 * TURN + 1), endless);
   }
@@ -47,7 +47,7 @@ class RevolutionCounterTest {
   @Test
   void jointsWithLimitsStayAsTheyAre() throws ScriptError {
     CallFixture limited = new CallFixture("ur5e");
-    limited.box().jumpTo(turned(6));
+    limited.box().drive().jumpTo(turned(6));
     limited.call("reset_revolution_counter");
     at(turned(6), limited);
   }
@@ -55,7 +55,7 @@ class RevolutionCounterTest {
   @Test
   void aMovingArmIsNotCountedAnew() throws ScriptError {
     ControlBox box = endless.box();
-    box.jumpTo(turned(5 * TURN));
+    box.drive().jumpTo(turned(5 * TURN));
     box.motion()
         .start(
             (from, speed) ->

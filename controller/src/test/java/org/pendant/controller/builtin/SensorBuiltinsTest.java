@@ -31,7 +31,7 @@ class SensorBuiltinsTest {
   @Test
   void aLoadThatNobodyDeclaredPullsDown() throws ScriptError {
     tcpForce(0, 0, 0, 0, 0, 0);
-    fixture.box().attachLoad(Payload.of(2, 0, 0, 0.1));
+    fixture.box().flange().attachLoad(Payload.of(2, 0, 0, 0.1));
     // the tool points down: the weight pulls through the flange's middle
     tcpForce(0, 0, -WEIGHT_N, 0, 0, 0);
     assertEquals(WEIGHT_N, number("force"), 1e-9);
@@ -39,25 +39,25 @@ class SensorBuiltinsTest {
 
   @Test
   void theRightPayloadIsNoForce() throws ScriptError {
-    fixture.box().attachLoad(Payload.of(2, 0, 0, 0.1));
+    fixture.box().flange().attachLoad(Payload.of(2, 0, 0, 0.1));
     fixture.call("set_target_payload", 2, floats(0, 0, 0.1));
-    fixture.box().jumpTo(new Joints(0.3, -1, 1, 0.4, 0.5, 0.6));
+    fixture.box().drive().jumpTo(new Joints(0.3, -1, 1, 0.4, 0.5, 0.6));
     tcpForce(0, 0, 0, 0, 0, 0);
     assertEquals(0, number("force"), 1e-9);
   }
 
   @Test
   void zeroingHidesWhatIsThereNow() throws ScriptError {
-    fixture.box().attachLoad(Payload.of(2, 0, 0, 0.1));
+    fixture.box().flange().attachLoad(Payload.of(2, 0, 0, 0.1));
     fixture.call("zero_ftsensor");
     assertEquals(0, number("force"), 1e-9);
-    fixture.box().attachLoad(Payload.of(3, 0, 0, 0.1));
+    fixture.box().flange().attachLoad(Payload.of(3, 0, 0, 0.1));
     assertEquals(WEIGHT_N / 2, number("force"), 1e-9);
   }
 
   @Test
   void declaringAPayloadZeroes() throws ScriptError {
-    fixture.box().attachLoad(Payload.of(2, 0, 0, 0.1));
+    fixture.box().flange().attachLoad(Payload.of(2, 0, 0, 0.1));
     fixture.call("set_target_payload", 1, floats(0, 0, 0.1));
     tcpForce(0, 0, 0, 0, 0, 0);
   }
@@ -76,11 +76,11 @@ class SensorBuiltinsTest {
     Joints there = new Joints(0, -1, -1, -1, 1, 0);
     NumberList start = floats(BoxSetup.START_RAD.toArray());
     NumberList goal = floats(there.toArray());
-    fixture.box().jumpTo(there);
+    fixture.box().drive().jumpTo(there);
     assertEquals(goal, fixture.call("get_actual_joint_positions_history"));
     assertEquals(start, fixture.call("get_actual_joint_positions_history", 1));
     for (int frame = 0; frame < 999; frame++) {
-      fixture.box().stepArm();
+      fixture.box().drive().step();
     }
     assertEquals(goal, fixture.call("get_actual_joint_positions_history", 998));
     assertEquals(start, fixture.call("get_actual_joint_positions_history", 999));

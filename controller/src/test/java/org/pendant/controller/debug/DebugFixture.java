@@ -57,7 +57,7 @@ final class DebugFixture {
     inFrame = machine.advance();
     if (!inFrame) {
       box.motion().step();
-      box.stepArm();
+      box.drive().step();
       frames++;
     }
     return !inFrame;

@@ -44,7 +44,7 @@ class HeldTimeTest {
   private record Moment(Joints positionRad, DigitalLevels levels) {}
 
   private static Moment moment(DebugFixture fixture) {
-    return new Moment(fixture.box.actualPositionRad(), fixture.box.io().levels());
+    return new Moment(fixture.box.drive().actualPositionRad(), fixture.box.io().levels());
   }
 
   private static List<Moment> freeRun(DebugFixture fixture) {
@@ -80,9 +80,9 @@ class HeldTimeTest {
         continue;
       }
       stops++;
-      long heldInFrame = fixture.box.frame();
+      long heldInFrame = fixture.box.clock().frame();
       fixture.advance();
-      assertEquals(heldInFrame, fixture.box.frame());
+      assertEquals(heldInFrame, fixture.box.clock().frame());
       if (random.nextBoolean()) {
         debugger.stepOver(fixture.stop().thread());
       } else {

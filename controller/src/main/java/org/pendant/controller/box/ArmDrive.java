@@ -1,0 +1,203 @@
+package org.pendant.controller.box;
+
+import java.util.Optional;
+import org.pendant.controller.arm.ArmCommand;
+import org.pendant.controller.arm.ArmSupply;
+import org.pendant.controller.arm.SimulatedArm;
+import org.pendant.controller.freedrive.Freedrive;
+import org.pendant.controller.message.MessageLog;
+import org.pendant.controller.motion.MotionControl;
+import org.pendant.controller.motion.force.ContactWatch;
+import org.pendant.controller.motion.force.ForceMode;
+import org.pendant.controller.motion.offset.ConveyorTracking;
+import org.pendant.controller.motion.offset.PathOffsetting;
+import org.pendant.controller.motion.servo.Servoing;
+import org.pendant.controller.safety.RobotMode;
+import org.pendant.controller.safety.SafetySystem;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.world.ContactWorld;
+import org.pendant.models.arm.Joints;
+
+/**
+ * Has the arm follow what commands it, frame by frame, and lets the motion's target and the arm
+ * agree again where no path joins them.
+ */
+public final class ArmDrive {
+  private static final ArmCommand BACKDRIVEN = new ArmCommand.Torque(Joints.ZERO, true);
+
+  /** An arm that a stop leaves farther than this from its target (rad) stays where it is. */
+  private static final double ASIDE_RAD = 2e-3;
+
+  private final Setup setup;
+  private final SimulatedArm arm;
+  private final SafetySystem safety;
+  private final MotionControl motion;
+  private final Freedrive freedrive;
+  private final DriveTarget driveTarget = new DriveTarget();
+  private final PositionHistory history;
+  private Joints actualRad;
+
+  /**
+   * What commands the arm, and what looks at how it follows.
+   *
+   * @param startRad where the joints are at first, rad
+   * @param arm the arm that follows
+   * @param supply what it takes its current from
+   * @param world what it may touch
+   * @param safety modes and stops
+   * @param motion the target on a path
+   * @param servoing torques that programs stream
+   * @param freedrive guiding by hand
+   * @param forceMode pressing with a force
+   * @param conveyor ends when the arm was pushed off its path
+   * @param pathOffset as the conveyor
+   * @param flange what hangs on the arm
+   * @param contactWatch sees what the flange feels in each frame
+   * @param log gets warnings
+   */
+  record Setup(
+      Joints startRad,
+      SimulatedArm arm,
+      ArmSupply supply,
+      ContactWorld world,
+      SafetySystem safety,
+      MotionControl motion,
+      Servoing servoing,
+      Freedrive freedrive,
+      ForceMode forceMode,
+      ConveyorTracking conveyor,
+      PathOffsetting pathOffset,
+      ToolFlange flange,
+      ContactWatch contactWatch,
+      MessageLog log) {}
+
+  ArmDrive(Setup setup) {
+    this.setup = setup;
+    arm = setup.arm();
+    safety = setup.safety();
+    motion = setup.motion();
+    freedrive = setup.freedrive();
+    actualRad = setup.startRad();
+    history = new PositionHistory(actualRad);
+  }
+
+  /** Where the joints are, as the encoders read them, rad. */
+  public Joints actualPositionRad() {
+    return actualRad;
+  }
+
+  /** Where the servos should hold the joints, rad: on the path, or beside it after a stop. */
+  public Joints drivenPositionRad() {
+    return driveTarget.positionRad(motion);
+  }
+
+  /** Where the joints were in the last frames. */
+  public PositionHistory history() {
+    return history;
+  }
+
+  /** Whether the arm has power, on its brakes or without them. */
+  public boolean powered() {
+    return safety.robotMode() != RobotMode.POWER_OFF;
+  }
+
+  /**
+   * Refuses what moves the arm while it has no power or is on its brakes.
+   *
+   * @throws ScriptError that names the mode and what to do
+   */
+  public void requirePower() throws ScriptError {
+    Optional<String> refusal = safety.motionRefusal();
+    if (refusal.isPresent()) {
+      throw new ScriptError("power-off", refusal.get());
+    }
+  }
+
+  /** Moves the arm by one frame; step 4. */
+  public void step() {
+    ToolFlange flange = setup.flange();
+    flange.stepTransition();
+    setup.world().grip().beginFrame();
+    arm.step(command());
+    setup.supply().step(arm.sensors(), powered());
+    flange.armChanged();
+    Joints position = arm.positionRad();
+    if (!position.equals(actualRad)) {
+      actualRad = position;
+    }
+    history.add(actualRad);
+    setup.contactWatch().add(flange.wrenchInBase());
+    if (freedrive.active()) {
+      freedrive.follow(actualRad, arm.speedRadPerS());
+    } else if (motion.torqueDriven()) {
+      motion.guide(actualRad, arm.speedRadPerS());
+    }
+    flange.endTransition();
+  }
+
+  private ArmCommand command() {
+    return switch (safety.robotMode()) {
+      case RUNNING -> {
+        if (freedrive.active()) {
+          driveTarget.forget();
+          yield freedrive.command();
+        }
+        if (motion.torqueDriven()) {
+          driveTarget.forget();
+          yield setup.servoing().torque();
+        }
+        if (driveTarget.beside() && safety.stop().isEmpty()) {
+          driveTarget.stepBack();
+        }
+        yield driveTarget.servo(motion);
+      }
+      case BACKDRIVE -> BACKDRIVEN;
+      default -> ArmCommand.BRAKES_ON;
+    };
+  }
+
+  /** Lets target and arm agree where no path joins them; after the safety functions of a frame. */
+  public void settle() {
+    if (safety.robotMode() != RobotMode.RUNNING || safety.stop().isPresent()) {
+      freedrive.end();
+    }
+    if (safety.robotMode() != RobotMode.RUNNING) {
+      if (motion.moving() || motion.carried() || !motion.positionRad().equals(actualRad)) {
+        motion.adopt(actualRad);
+      }
+      driveTarget.forget();
+      return;
+    }
+    if (safety.stop().isPresent() && motion.speedRadPerS().equals(Joints.ZERO) && pushedAside()) {
+      driveTarget.stayAt(actualRad, motion.positionRad());
+    }
+    if (driveTarget.beside() && !motion.moving()) {
+      if (setup.conveyor().active() || setup.pathOffset().active()) {
+        setup
+            .log()
+            .warning(
+                "the arm was pushed aside while it was stopped: conveyor tracking and path offset"
+                    + " have ended");
+      }
+      setup.forceMode().goOnFrom(() -> motion.adopt(drivenPositionRad()));
+      driveTarget.forget();
+    }
+  }
+
+  private boolean pushedAside() {
+    return !driveTarget.beside() && actualRad.maxAbsDifference(motion.positionRad()) > ASIDE_RAD;
+  }
+
+  /**
+   * Puts the simulated arm elsewhere, at rest (manual 15.46).
+   *
+   * @throws ScriptError while it moves
+   */
+  public void jumpTo(Joints positionRad) throws ScriptError {
+    motion.jumpTo(positionRad);
+    arm.jumpTo(positionRad);
+    safety.jumped();
+    actualRad = positionRad;
+    setup.flange().armChanged();
+  }
+}

@@ -1,0 +1,51 @@
+package org.pendant.controller.box;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.Optional;
+import org.pendant.controller.motion.FrameTime;
+
+/** The time of a box: its frames are counted here, and its date follows them or the wall. */
+public final class BoxClock {
+  /** The date at which a box in virtual time is switched on. */
+  public static final Instant VIRTUAL_START = Instant.parse("2026-01-01T00:00:00Z");
+
+  private static final long FRAME_NS = 1_000_000_000L / FrameTime.FRAMES_PER_SECOND;
+
+  private final Optional<InstantSource> wall;
+  private long frame;
+
+  /** A clock whose date comes from {@code wall}, or without one from the frames. */
+  BoxClock(Optional<InstantSource> wall) {
+    this.wall = wall;
+  }
+
+  void beginFrame() {
+    frame++;
+  }
+
+  /** Number of the frame that is running, from 1; 0 before the first. */
+  public long frame() {
+    return frame;
+  }
+
+  /** Controller time at the end of the running frame, s since the box was switched on. */
+  public double timeS() {
+    return frame / (double) FrameTime.FRAMES_PER_SECOND;
+  }
+
+  /** Controller time as {@link #timeS}, ns. */
+  public long timeNs() {
+    return frame * FRAME_NS;
+  }
+
+  /** The date and time of day. */
+  public Instant systemTime() {
+    return wall.isPresent() ? wall.get().instant() : VIRTUAL_START.plusNanos(timeNs());
+  }
+
+  /** Whether the clock of the wall drives the frames, so that a run cannot be repeated exactly. */
+  public boolean inRealTime() {
+    return wall.isPresent();
+  }
+}

@@ -1,0 +1,70 @@
+package org.pendant.controller.box;
+
+import org.pendant.controller.eip.Assemblies;
+import org.pendant.controller.io.InputWatchdogs;
+import org.pendant.controller.io.Signals;
+import org.pendant.controller.message.MessageLog;
+import org.pendant.controller.modbus.ModbusSignals;
+import org.pendant.controller.outside.Doors;
+import org.pendant.controller.outside.OutsideLinks;
+
+/**
+ * What joins the box to other computers and devices: connections that programs open, and what
+ * clients write and read.
+ */
+public final class BoxLinks {
+  private final OutsideLinks outside;
+  private final ModbusSignals modbus;
+  private final ToolLine toolLine;
+  private final InputWatchdogs inputWatchdogs = new InputWatchdogs();
+  private final Assemblies assemblies = new Assemblies();
+  private Published published = Published.NOTHING;
+
+  BoxLinks(Doors doors, Signals signals, MessageLog log) {
+    outside = new OutsideLinks(doors);
+    modbus = new ModbusSignals(doors.modbus(), log);
+    signals.runState().lead(modbus::follow);
+    toolLine = new ToolLine(doors.toolSerial(), signals, log);
+  }
+
+  /** The connections of programs to other computers. */
+  public OutsideLinks outside() {
+    return outside;
+  }
+
+  /** The Modbus signals that programs have added. */
+  public ModbusSignals modbus() {
+    return modbus;
+  }
+
+  /** The serial line of the tool connector. */
+  public ToolLine toolLine() {
+    return toolLine;
+  }
+
+  /** Who watches that inputs are written often enough. */
+  public InputWatchdogs inputWatchdogs() {
+    return inputWatchdogs;
+  }
+
+  /** What programs exchange with an EtherNet/IP scanner. */
+  public Assemblies assemblies() {
+    return assemblies;
+  }
+
+  /** What the controller told the world at the end of the frame before. */
+  public Published published() {
+    return published;
+  }
+
+  /** From now on programs read there what the controller tells the world. */
+  public void setPublished(Published source) {
+    published = source;
+  }
+
+  /** A program has ended, and with it what it expected of clients. */
+  void programStopped() {
+    inputWatchdogs.clear();
+    assemblies.programEnded();
+  }
+}

@@ -1,0 +1,210 @@
+package org.pendant.controller.box;
+
+import java.util.Optional;
+import org.pendant.controller.arm.ExternalForceSensor;
+import org.pendant.controller.arm.ForceSensor;
+import org.pendant.controller.arm.SimulatedArm;
+import org.pendant.controller.freedrive.Freedrive;
+import org.pendant.controller.motion.MotionControl;
+import org.pendant.controller.motion.force.ContactWatch;
+import org.pendant.controller.motion.force.ForceMode;
+import org.pendant.controller.safety.SpeedCaps;
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Wrench;
+
+/**
+ * What hangs on the tool flange, what programs say of it, and what is felt there. A change of one
+ * reaches everything that goes by it.
+ */
+public final class ToolFlange {
+  private final Setup setup;
+  private final ForceSensor forceSensor = new ForceSensor();
+  private final ExternalForceSensor externalForceSensor = new ExternalForceSensor();
+  private ToolCentre tool = ToolCentre.FLANGE;
+  private boolean cogAtTool;
+  private boolean loadKnown;
+  private Wrench wrench = Wrench.ZERO;
+
+  /** Whether {@link #wrench} is of the arm as it stands now. */
+  private boolean wrenchKnown;
+
+  /**
+   * What goes by the tool and the payload, or tells about them.
+   *
+   * @param arm on whose flange things hang
+   * @param model what the controller believes about it
+   * @param load what hangs on the flange at first; empty for what programs declare
+   * @param speedCaps hold limits at the TCP
+   * @param motion carries the TCP
+   * @param freedrive balances the payload
+   * @param forceMode presses with what hangs there
+   * @param contactWatch compares what is felt with what was felt before
+   */
+  record Setup(
+      SimulatedArm arm,
+      ArmModel model,
+      Optional<Payload> load,
+      SpeedCaps speedCaps,
+      MotionControl motion,
+      Freedrive freedrive,
+      ForceMode forceMode,
+      ContactWatch contactWatch) {}
+
+  ToolFlange(Setup setup) {
+    this.setup = setup;
+    loadKnown = setup.load().isPresent();
+    setup.arm().setLoad(setup.load().orElse(Payload.NONE));
+  }
+
+  /** The active tool centre point. */
+  public ToolCentre tool() {
+    return tool;
+  }
+
+  /**
+   * Changes the tool centre point; a move under way keeps the one it began with. A payload that was
+   * declared without a centre of gravity moves with it (manual 16.49).
+   */
+  public void setTool(ToolCentre tool) {
+    this.tool = tool;
+    setup.arm().setToolCentre(tool.inFlange());
+    setup.speedCaps().setTool(tool.inFlange());
+    setup.motion().setTool(tool.inFlange());
+    setup.freedrive().setTool(tool.inFlange());
+    setup.forceMode().setTool(tool.inFlange());
+    if (cogAtTool) {
+      declareAtTool(setup.model().targetPayload().massKg());
+    }
+  }
+
+  /**
+   * Declares the payload; the force sensor is zeroed at once or at the end of the transition.
+   *
+   * @param transitionS how long it takes to change over, s; 0 for at once
+   */
+  public void declarePayload(Payload payload, double transitionS) {
+    cogAtTool = false;
+    declare(payload, transitionS);
+  }
+
+  /** Declares a payload whose centre of gravity stays at the active TCP, also at later ones. */
+  public void declarePayloadAtTool(double massKg) {
+    cogAtTool = true;
+    declareAtTool(massKg);
+  }
+
+  private void declareAtTool(double massKg) {
+    Pose at = tool.inFlange();
+    declare(Payload.of(massKg, at.x(), at.y(), at.z()), 0);
+  }
+
+  private void declare(Payload payload, double transitionS) {
+    setup.model().declare(payload, transitionS);
+    if (!setup.model().changing()) {
+      payloadChanged();
+      zeroForceSensor();
+      setup.freedrive().payloadChanged();
+    }
+  }
+
+  /** Takes a declared payload one frame nearer; before the arm moves. */
+  void stepTransition() {
+    if (setup.model().changing()) {
+      setup.model().stepTransition();
+      payloadChanged();
+    }
+  }
+
+  /** Lets a payload hold that has come to its end; after the arm has moved. */
+  void endTransition() {
+    if (setup.model().transitionEnded()) {
+      zeroForceSensor();
+      setup.freedrive().payloadChanged();
+    }
+  }
+
+  /** Unless somebody has said what truly hangs on the flange, it is what the program declares. */
+  private void payloadChanged() {
+    if (!loadKnown) {
+      setup.arm().setLoad(setup.model().payload());
+    }
+    setup.arm().modelChanged();
+    wrenchKnown = false;
+  }
+
+  /** Hangs something on the flange, whatever programs declare. */
+  public void attachLoad(Payload load) {
+    loadKnown = true;
+    setup.arm().setLoad(load);
+    wrenchKnown = false;
+  }
+
+  /** From now on what programs declare hangs on the flange. */
+  public void followDeclaredPayload() {
+    loadKnown = false;
+    setup.arm().setLoad(setup.model().payload());
+    wrenchKnown = false;
+  }
+
+  /** The arm has moved, or feels another gravity: what was felt no longer holds. */
+  void armChanged() {
+    wrenchKnown = false;
+  }
+
+  /** Makes what the force sensor feels now its zero (manual 18.72). */
+  public void zeroForceSensor() {
+    forceSensor.zero(setup.arm(), setup.model().payload());
+    wrenchKnown = false;
+    setup.forceMode().sensorChanged();
+    setup.contactWatch().forget();
+  }
+
+  /** The external wrench at the flange, along the axes of the base (manual 16.32). */
+  public Wrench wrenchInBase() {
+    if (!wrenchKnown) {
+      wrench = forceSensor.wrenchAtFlangeInBase(setup.arm(), setup.model().payload());
+      wrenchKnown = true;
+    }
+    return wrench;
+  }
+
+  /**
+   * What the force sensor feels, with weights and without its zero, at the flange along its axes.
+   */
+  public Wrench rawWrench() {
+    return forceSensor.felt();
+  }
+
+  /**
+   * What force control has to go by, as {@link #wrenchInBase}: what an external sensor feels, while
+   * there is one.
+   */
+  Wrench controlledWrenchInBase() {
+    return externalForceSensor.enabled() ? externalWrenchInBase() : wrenchInBase();
+  }
+
+  /** What an external sensor feels, at the flange along the axes of the base; 0 without one. */
+  Wrench externalWrenchInBase() {
+    return externalForceSensor.enabled()
+        ? externalForceSensor.wrenchAtFlangeInBase(setup.arm(), setup.model().payload())
+        : Wrench.ZERO;
+  }
+
+  /** What an external force/torque sensor reads. */
+  public ExternalForceSensor externalForceSensor() {
+    return externalForceSensor;
+  }
+
+  /** Has force control use an external sensor from now on (manual 18.2). */
+  public void useExternalForceSensor(ExternalForceSensor.Mounting mounting) {
+    externalForceSensor.enable(mounting);
+    setup.forceMode().sensorChanged();
+  }
+
+  /** Has force control use the sensor in the flange again. */
+  public void useOwnForceSensor() {
+    externalForceSensor.disable();
+    setup.forceMode().sensorChanged();
+  }
+}
