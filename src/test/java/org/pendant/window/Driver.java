@@ -15,6 +15,7 @@ import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
@@ -43,7 +44,7 @@ final class Driver {
   public static void main(String[] arguments) throws AWTException, IOException {
     Driver driver = new Driver();
     RepaintManager.setCurrentManager(driver.guard);
-    Desktop desktop = Desktop.open(Stream.of(arguments).map(Path::of).toList());
+    Desktop desktop = Desktop.open(Stream.of(arguments).map(Path::of).toList(), Optional.empty());
     Thread.ofPlatform().name("end").daemon().start(() -> endWith(desktop));
     BufferedReader requests =
         new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));

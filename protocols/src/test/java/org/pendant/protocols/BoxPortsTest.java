@@ -83,6 +83,22 @@ class BoxPortsTest {
   }
 
   @Test
+  void whatWasClosedCanBeHadAgainAtOnce() throws IOException {
+    PortNumbers numbers = PortNumbers.anyFree();
+    BoxPorts first = BoxPorts.open(box.outside(), numbers, panel);
+    int dashboard =
+        first.ports().stream()
+            .filter(each -> each.name().equals("Dashboard"))
+            .findFirst()
+            .orElseThrow()
+            .number();
+    first.close();
+    for (int i = 0; i < 20; i++) {
+      BoxPorts.open(box.outside(), numbers.with(29_999, dashboard), panel).close();
+    }
+  }
+
+  @Test
   void nothingStaysOpenWhenOneCannotBeHad() throws IOException {
     int dashboardPort = free();
     try (ServerSocket taken = new ServerSocket(0, 1, LOOPBACK)) {

@@ -5,6 +5,8 @@ import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import org.pendant.gui.ports.PortWishes;
 import org.pendant.gui.shell.Desktop;
 
 /** Opens the desktop. Nothing else of the command line loads a class of the desktop. */
@@ -19,15 +21,16 @@ final class DesktopStart {
    * Opens the window and waits until it is closed.
    *
    * @param files programs to open in it
+   * @param ports where others reach the controller from the start; empty for nowhere
    */
-  ExitCode run(List<Path> files) {
+  ExitCode run(List<Path> files, Optional<PortWishes> ports) {
     try {
       if (GraphicsEnvironment.isHeadless()) {
         return refused("there is no display");
       }
       // Says at once whether the display can be used.
       GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
-      Desktop.open(files).awaitClosed();
+      Desktop.open(files, ports).awaitClosed();
       return ExitCode.DONE;
     } catch (AWTError | HeadlessException | UnsatisfiedLinkError e) {
       return refused(e.getMessage());

@@ -4,9 +4,23 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.pendant.gui.ports.PortWishes;
 
 /** {@code pendant open FILE...}: opens the desktop with programs. */
 final class OpenCommand implements Subcommand {
+  private static final Option PORTS =
+      new Option("--ports", "", "let others reach the controller by the ports of the real one");
+
+  private static final List<Option> OPTIONS =
+      Stream.concat(Stream.of(PORTS), PortOptions.ALL.stream()).toList();
+
+  /** Whether {@code word} is one of its options: then {@code open} may be left out. */
+  static boolean understands(String word) {
+    return OPTIONS.stream()
+        .anyMatch(each -> word.equals(each.name()) || word.startsWith(each.name() + "="));
+  }
 
   @Override
   public String name() {
@@ -25,7 +39,7 @@ final class OpenCommand implements Subcommand {
 
   @Override
   public List<Option> options() {
-    return List.of();
+    return OPTIONS;
   }
 
   @Override
@@ -38,6 +52,18 @@ final class OpenCommand implements Subcommand {
         throw new UsageException(each + " is no name of a file: " + e.getReason());
       }
     }
-    return new DesktopStart(console).run(files);
+    return new DesktopStart(console).run(files, ports(arguments));
+  }
+
+  private static Optional<PortWishes> ports(Arguments arguments) throws UsageException {
+    if (arguments.has(PORTS)) {
+      return Optional.of(PortOptions.wishes(arguments));
+    }
+    for (Option each : PortOptions.ALL) {
+      if (arguments.has(each)) {
+        throw new UsageException(each.name() + " is only for open ports, with " + PORTS.name());
+      }
+    }
+    return Optional.empty();
   }
 }

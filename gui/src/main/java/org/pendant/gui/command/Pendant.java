@@ -53,7 +53,7 @@ public final class Pendant {
   private ExitCode choose(List<String> words) {
     String first = words.isEmpty() ? "" : words.getFirst();
     return switch (first) {
-      case "" -> new DesktopStart(console).run(List.of());
+      case "" -> new DesktopStart(console).run(List.of(), Optional.empty());
       case "--help", "-h", "help" -> {
         usage().forEach(console::print);
         yield ExitCode.DONE;
@@ -62,7 +62,10 @@ public final class Pendant {
         console.print(version());
         yield ExitCode.DONE;
       }
-      default -> subcommand(first, words.subList(1, words.size()));
+      default ->
+          OpenCommand.understands(first)
+              ? run(new OpenCommand(), words)
+              : subcommand(first, words.subList(1, words.size()));
     };
   }
 

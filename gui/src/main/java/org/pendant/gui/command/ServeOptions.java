@@ -1,9 +1,5 @@
 package org.pendant.gui.command;
 
-import java.net.InetAddress;
-import java.net.UnknownHostException;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.InstantSource;
 import java.util.List;
@@ -13,11 +9,11 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.PowerTimes;
+import org.pendant.gui.ports.StateFolder;
 import org.pendant.protocols.panel.PanelSetup;
 import org.pendant.protocols.reach.AllowedHosts;
 import org.pendant.protocols.serve.PortNumbers;
 import org.pendant.protocols.serve.RemoteControl;
-import org.pendant.protocols.toolserial.ToolSerialServer;
 
 /**
  * What {@code pendant serve} was asked for.
@@ -39,20 +35,6 @@ record ServeOptions(
     PanelSetup panel,
     Optional<String> toolDevice) {
 
-  /** Where Modbus servers listen everywhere. */
-  static final int MODBUS = 502;
-
-  /** The largest port, that of the tool's serial line, must still be one. */
-  private static final int LARGEST_OFFSET = 65_535 - ToolSerialServer.STANDARD_PORT;
-
-  private static final Option HOST =
-      new Option("--host", "ADDRESS", "where to listen, default 127.0.0.1");
-  private static final Option OFFSET =
-      new Option("--port-offset", "N", "add N to every port, default 0");
-  private static final Option MODBUS_PORT =
-      new Option("--modbus-port", "P", "port of Modbus, default 502, or 1502 without the right");
-  private static final Option PROGRAMS =
-      new Option("--programs", "DIR", "folder of the programs, default the present one");
   private static final Option LOGS =
       new Option("--logs", "DIR", "folder for log files and reports");
   private static final Option READY =
@@ -70,10 +52,10 @@ record ServeOptions(
   static final List<Option> ALL =
       Stream.concat(
               Stream.of(
-                  HOST,
-                  OFFSET,
-                  MODBUS_PORT,
-                  PROGRAMS,
+                  PortOptions.HOST,
+                  PortOptions.OFFSET,
+                  PortOptions.MODBUS_PORT,
+                  PortOptions.PROGRAMS,
                   LOGS,
                   READY,
                   REMOTE,
@@ -84,7 +66,7 @@ record ServeOptions(
 
   static ServeOptions of(Arguments arguments) throws UsageException {
     boolean ready = arguments.has(READY);
-    Path programs = programs(arguments);
+    Path programs = PortOptions.programs(arguments);
     ControllerOptions controller =
         RunOptions.controller(arguments)
             .withOperator(Operator.present())
@@ -92,79 +74,24 @@ record ServeOptions(
             .withPowerTimes(powerTimes(arguments))
             .withSystemTime(InstantSource.system())
             .withProgramsFolder(ProgramsFolder.at(programs));
-    PortNumbers numbers = numbers(arguments);
+    PortNumbers numbers = PortOptions.numbers(arguments);
     return new ServeOptions(
         controller,
         HostsOption.of(arguments),
         numbers,
-        arguments.has(MODBUS_PORT),
+        arguments.has(PortOptions.MODBUS_PORT),
         new RemoteControl(remoteEnabled(arguments, ready), ready),
         new PanelSetup(controller.robotId(), ProgramsFolder.at(programs), logs(arguments, numbers)),
         ToolSerialOption.of(arguments));
   }
 
-  private static PortNumbers numbers(Arguments arguments) throws UsageException {
-    int offset = number(arguments, OFFSET, 0, LARGEST_OFFSET).orElse(0);
-    PortNumbers numbers = new PortNumbers(host(arguments), offset, false);
-    Optional<Integer> modbus = number(arguments, MODBUS_PORT, 1, 65_535);
-    return modbus.isPresent() ? numbers.with(MODBUS, modbus.get()) : numbers;
-  }
-
-  private static InetAddress host(Arguments arguments) throws UsageException {
-    String name = arguments.value(HOST).orElse("127.0.0.1");
-    try {
-      return InetAddress.getByName(name);
-    } catch (UnknownHostException e) {
-      throw new UsageException("--host is " + name + ", must be an address of this machine");
-    }
-  }
-
-  private static Optional<Integer> number(Arguments arguments, Option option, int least, int most)
-      throws UsageException {
-    Optional<String> text = arguments.value(option);
-    if (text.isEmpty()) {
-      return Optional.empty();
-    }
-    try {
-      int number = Integer.parseInt(text.get());
-      if (number >= least && number <= most) {
-        return Optional.of(number);
-      }
-    } catch (NumberFormatException e) {
-      // said below, as for a number out of range
-    }
-    throw new UsageException(
-        option.name() + " is " + text.get() + ", must be a number from " + least + " to " + most);
-  }
-
-  private static Path programs(Arguments arguments) throws UsageException {
-    Path folder = path(PROGRAMS, arguments.value(PROGRAMS).orElse("."));
-    if (!Files.isDirectory(folder)) {
-      throw new UsageException("--programs is " + folder + ", must be a folder");
-    }
-    return folder;
-  }
-
   private static Path logs(Arguments arguments, PortNumbers numbers) throws UsageException {
     Optional<String> chosen = arguments.value(LOGS);
     if (chosen.isPresent()) {
-      return path(LOGS, chosen.get());
+      return PortOptions.path(LOGS, chosen.get());
     }
-    String states = System.getenv().getOrDefault("XDG_STATE_HOME", "");
-    Path folder =
-        states.isEmpty()
-            ? Path.of(System.getProperty("user.home"), ".local", "state")
-            : Path.of(states);
     String box = numbers.host().getHostAddress().replace(':', '_') + "-" + numbers.offset();
-    return folder.resolve("pendant").resolve("serve").resolve(box);
-  }
-
-  private static Path path(Option option, String name) throws UsageException {
-    try {
-      return Path.of(name).toAbsolutePath().normalize();
-    } catch (InvalidPathException e) {
-      throw new UsageException(option.name() + " is " + name + ", which is no name of a folder");
-    }
+    return StateFolder.of(System.getenv()).resolve("serve").resolve(box);
   }
 
   private static PowerTimes powerTimes(Arguments arguments) throws UsageException {

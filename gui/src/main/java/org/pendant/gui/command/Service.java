@@ -20,6 +20,7 @@ import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.panel.Panel;
 import org.pendant.protocols.serve.Outside;
 import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.serve.PrivilegedPort;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.protocols.toolserial.ToolSerialServer;
 
@@ -88,17 +89,17 @@ final class Service {
               + numbers.host().getHostAddress()
               + " can move this robot; nobody is asked for a password");
     }
-    if (options.modbusChosen() || !PrivilegedPort.forbidden(numbers, ServeOptions.MODBUS)) {
+    if (options.modbusChosen() || !PrivilegedPort.forbidden(numbers, PortOptions.MODBUS)) {
       return numbers;
     }
-    int instead = 1000 + ServeOptions.MODBUS + numbers.offset();
+    int instead = 1000 + PortOptions.MODBUS + numbers.offset();
     console.complain(
         "pendant serve: note: this process may not use port "
-            + (ServeOptions.MODBUS + numbers.offset())
+            + (PortOptions.MODBUS + numbers.offset())
             + ": Modbus listens at "
             + instead
             + "; --modbus-port chooses another one");
-    return numbers.with(ServeOptions.MODBUS, instead);
+    return numbers.with(PortOptions.MODBUS, instead);
   }
 
   private void announce(List<TcpPort> ports) {

@@ -162,6 +162,13 @@ public final class BreakpointDesk {
     send();
   }
 
+  /** A program that is none of the open ones has started: no breakpoint is meant for it. */
+  void strangerStarted() {
+    started.startStranger();
+    send();
+    tellListeners();
+  }
+
   private void changed(ProgramDocument program) {
     if (started.is(program)) {
       send();

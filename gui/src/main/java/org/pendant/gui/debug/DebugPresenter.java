@@ -199,7 +199,7 @@ public final class DebugPresenter {
 
   /**
    * The line of the program's text where the call that is looked at stands; 0 while nothing is
-   * held, and for lines of interpreter mode.
+   * held, and for lines of interpreter mode and of programs that are not open.
    */
   public int executionLine() {
     return held.line();

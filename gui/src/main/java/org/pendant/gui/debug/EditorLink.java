@@ -10,6 +10,7 @@ import org.pendant.controller.debug.BreakpointState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.editor.BreakpointListener;
 import org.pendant.gui.editor.BreakpointMark;
+import org.pendant.gui.editor.Execution;
 import org.pendant.gui.editor.ScriptEditor;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
@@ -53,6 +54,12 @@ public final class EditorLink implements BreakpointListener {
   public void beforeRun(ProgramDocument program) {
     desk.linesChanged(program, editor.breakpoints(program));
     desk.beforeRun(program);
+  }
+
+  /** A program that is none of the open ones has started. */
+  public void strangerStarted() {
+    desk.started().ifPresent(program -> editor.setExecution(program, Execution.NONE));
+    desk.strangerStarted();
   }
 
   /** Shows where the program is. */

@@ -90,10 +90,13 @@ final class HeldProgram {
     return thread.stack().get(thread.stack().size() - depth);
   }
 
-  /** The line of the call that is looked at; 0 for none, and for lines of interpreter mode. */
+  /**
+   * The line of the call that is looked at; 0 for none, and for lines of interpreter mode and of
+   * programs that are not open.
+   */
   int line() {
     return selected
-        .filter(scope -> held())
+        .filter(scope -> held() && !started.stranger())
         .flatMap(scope -> thread(scope.thread()).map(each -> level(each, scope.depth())))
         .filter(level -> !level.source().equals("interpreter"))
         .map(level -> started.toNow(level.line()))

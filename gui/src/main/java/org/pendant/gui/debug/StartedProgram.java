@@ -12,6 +12,7 @@ final class StartedProgram {
   private String text = "";
   private String mapped = "";
   private LineMap lines = LineMap.between("", "");
+  private boolean stranger;
 
   /** {@code program} is started as it stands. */
   void start(ProgramDocument program) {
@@ -19,6 +20,20 @@ final class StartedProgram {
     text = program.text();
     mapped = text;
     lines = LineMap.between(text, text);
+    stranger = false;
+  }
+
+  /** A program that is none of the open ones was started; its lines stay as they are. */
+  void startStranger() {
+    document = Optional.empty();
+    text = "";
+    mapped = "";
+    stranger = true;
+  }
+
+  /** Whether what was started is none of the open programs. */
+  boolean stranger() {
+    return stranger;
   }
 
   Optional<ProgramDocument> document() {
@@ -36,12 +51,12 @@ final class StartedProgram {
 
   /** The line of the present text where line {@code run} of the running one is. */
   int toNow(int run) {
-    return lines().toNow(run);
+    return stranger ? run : lines().toNow(run);
   }
 
   /** The line of the running text that line {@code now} of the present one was. */
   int toRun(int now) {
-    return lines().toOld(now);
+    return stranger ? now : lines().toOld(now);
   }
 
   private LineMap lines() {

@@ -9,6 +9,7 @@ import org.pendant.controller.FrameLoop;
 import org.pendant.controller.Pace;
 import org.pendant.controller.Reply;
 import org.pendant.controller.SteerableClock;
+import org.pendant.protocols.toolserial.ToolSerialLine;
 
 /** One controller with the thread that drives it, until it is switched off. */
 final class DrivenController implements AutoCloseable {
@@ -38,6 +39,10 @@ final class DrivenController implements AutoCloseable {
 
   Controller controller() {
     return controller;
+  }
+
+  ToolSerialLine tool() {
+    return on.tool();
   }
 
   SteerableClock clock() {
@@ -70,5 +75,6 @@ final class DrivenController implements AutoCloseable {
       controller.advance();
     }
     on.doors().close();
+    on.tool().close();
   }
 }

@@ -15,6 +15,7 @@ import org.pendant.controller.machine.Loaded;
 import org.pendant.controller.machine.Program;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
+import org.pendant.protocols.toolserial.ToolSerialLine;
 
 /**
  * The controller that the desktop works with, and the thread that drives it at the chosen pace. Any
@@ -25,9 +26,12 @@ import org.pendant.language.source.Source;
  */
 public final class Session implements AutoCloseable {
   private final List<FrameListener> listeners = new CopyOnWriteArrayList<>();
+  private final List<SwitchListener> switchListeners = new CopyOnWriteArrayList<>();
+  private final ProgramOrigin origin = new ProgramOrigin();
   private volatile DrivenController driven;
 
   private Session(ControllerOptions options) {
+    listeners.add(origin);
     driven = new DrivenController(SwitchedOn.with(options), Pace.REAL_TIME, listeners);
   }
 
@@ -72,10 +76,19 @@ public final class Session implements AutoCloseable {
    */
   public CompletableFuture<Reply> run(Program program) {
     var _ = submit(new Command.SetProgramsFolder(ProgramsFolder.of(program.source().name())));
-    return submit(
-        program.secondary()
-            ? new Command.RunSecondary(program)
-            : new Command.StartProgram(program));
+    return program.secondary()
+        ? submit(new Command.RunSecondary(program))
+        : origin.expect(submit(new Command.StartProgram(program)));
+  }
+
+  /** How many programs have started that {@link #run} did not start: others have sent them. */
+  public long strangersStarted() {
+    return origin.strangers();
+  }
+
+  /** Whether the program that runs, or ran last, came from others. */
+  public boolean strangerLast() {
+    return origin.strangerLast();
   }
 
   /** Pauses the program. */
@@ -123,6 +136,16 @@ public final class Session implements AutoCloseable {
     listeners.remove(listener);
   }
 
+  /** Has {@code listener} told when the controller is switched off and another one on. */
+  public void addSwitchListener(SwitchListener listener) {
+    switchListeners.add(listener);
+  }
+
+  /** The serial line of the tool connector; another one after {@link #restart}. */
+  public ToolSerialLine toolSerial() {
+    return driven.tool();
+  }
+
   /** What ended the frame loop although nobody asked for it: a fault of ours. */
   public Optional<Throwable> failure() {
     return driven.loop().failure();
@@ -137,13 +160,16 @@ public final class Session implements AutoCloseable {
   public void restart(ControllerOptions options) {
     // Made first: where that fails, the old one goes on.
     SwitchedOn next = SwitchedOn.with(options);
+    switchListeners.forEach(SwitchListener::switchingOff);
     driven.close();
     driven = new DrivenController(next, pace(), listeners);
+    switchListeners.forEach(SwitchListener::switchedOn);
   }
 
   /** Switches the controller off. */
   @Override
   public void close() {
+    switchListeners.forEach(SwitchListener::switchingOff);
     driven.close();
   }
 }

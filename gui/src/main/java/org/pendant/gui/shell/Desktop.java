@@ -14,6 +14,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.message.Operator;
+import org.pendant.gui.ports.PortWishes;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
 import org.pendant.gui.session.Programs;
@@ -40,9 +41,9 @@ public final class Desktop {
     settings = FileSettings.open(folder.resolve("settings.txt"));
   }
 
-  /** As {@link #open(List)}, with no programs but those that were open last time. */
+  /** As {@link #open(List, Optional)}, with the programs of last time and closed ports. */
   public static Desktop open() {
-    return open(List.of());
+    return open(List.of(), Optional.empty());
   }
 
   /**
@@ -50,10 +51,11 @@ public final class Desktop {
    *
    * @param files programs to open besides those that were open last time; the window tells which of
    *     them cannot be
+   * @param ports where others reach the controller from the start; empty for nowhere
    * @throws java.awt.HeadlessException if there is no display
    * @throws java.awt.AWTError if the display cannot be used
    */
-  public static Desktop open(List<Path> files) {
+  public static Desktop open(List<Path> files, Optional<PortWishes> ports) {
     Desktop desktop = new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()));
     // The arm's files are read while the look is set up.
     CompletableFuture<Session> session =
@@ -64,7 +66,7 @@ public final class Desktop {
         () -> {
           try {
             look.install();
-            desktop.show(session.join(), look, programs, files);
+            desktop.show(session.join(), look, programs, files, ports);
           } catch (RuntimeException | Error fault) {
             // There is no window that could tell it: whoever waits does.
             desktop.closed.completeExceptionally(fault);
@@ -117,7 +119,8 @@ public final class Desktop {
     }
   }
 
-  private void show(Session session, Look look, Programs programs, List<Path> files) {
+  private void show(
+      Session session, Look look, Programs programs, List<Path> files, Optional<PortWishes> ports) {
     DesktopWindow window =
         new DesktopWindow(
             session,
@@ -132,6 +135,7 @@ public final class Desktop {
     settings.onTrouble(text -> EventQueue.invokeLater(() -> window.warn(text)));
     missing.forEach(window::warn);
     files.forEach(window::open);
+    ports.ifPresent(window::openPorts);
     Thread.ofVirtual()
         .name("system theme")
         .start(

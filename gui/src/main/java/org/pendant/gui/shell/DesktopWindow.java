@@ -10,6 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.ports.PortWishes;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.RecoveryFolder;
@@ -207,6 +208,12 @@ final class DesktopWindow {
   /** Opens a program. */
   void open(Path file) {
     files.open(file);
+  }
+
+  /** Lets others reach the controller. */
+  void openPorts(PortWishes wishes) {
+    views.openPorts(wishes);
+    docks.show("ports");
   }
 
   /** Tells something at the edge of the window. */

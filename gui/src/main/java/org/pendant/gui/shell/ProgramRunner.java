@@ -135,6 +135,11 @@ final class ProgramRunner {
     return running.map(Running::document);
   }
 
+  /** The program that runs is none of the open ones. */
+  void forget() {
+    running = Optional.empty();
+  }
+
   /** The text of a line of the program that was started last; empty where there is none. */
   String line(int number) {
     return running

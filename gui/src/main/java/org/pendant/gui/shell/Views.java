@@ -21,7 +21,12 @@ import org.pendant.gui.io.IoView;
 import org.pendant.gui.log.LogView;
 import org.pendant.gui.move.MoveView;
 import org.pendant.gui.plot.PlotView;
+import org.pendant.gui.ports.DeskPorts;
+import org.pendant.gui.ports.PortWishes;
+import org.pendant.gui.ports.PortsView;
+import org.pendant.gui.ports.StateFolder;
 import org.pendant.gui.session.Programs;
+import org.pendant.gui.session.Session;
 import org.pendant.gui.shell.dock.Side;
 import org.pendant.gui.shell.look.Glyph;
 import org.pendant.gui.shell.run.RunView;
@@ -35,6 +40,9 @@ final class Views {
   private final LogView log;
   private final DebugPresenter debug;
   private final EditorLink link;
+  private final PortsView ports;
+  private final Session session;
+  private long strangers;
 
   /**
    * A view and where it belongs at first.
@@ -46,6 +54,10 @@ final class Views {
   Views(ShellWorkbench workbench, Programs programs, ProgramRunner runner) {
     editor = new ScriptEditor(workbench, programs);
     this.runner = runner;
+    session = workbench.session();
+    ports =
+        new PortsView(
+            workbench, new DeskPorts(session, StateFolder.of(System.getenv()).resolve("desktop")));
     workbench.showSourceIn(editor, editor::show);
     debug = new DebugPresenter(workbench, programs);
     link = new EditorLink(editor, debug, programs);
@@ -79,6 +91,7 @@ final class Views {
             panel(new VariablesView(workbench, debug, favourites, plots::addVariables), Side.RIGHT),
             panel(new WatchesView(workbench, debug), Side.RIGHT),
             panel(new OutlineView(workbench, editor), Side.RIGHT),
+            panel(ports, Side.RIGHT),
             panel(new ProblemsView(workbench, editor), Side.BOTTOM),
             panel(new PlacesView(workbench, editor), Side.BOTTOM),
             panel(new CallStackView(workbench, debug), Side.BOTTOM),
@@ -87,8 +100,17 @@ final class Views {
 
   /** Shows a line of the program that was started last, whichever is in front. */
   private void showStarted(ShellWorkbench workbench, Programs programs, int line) {
+    if (runner.program().isEmpty() && session.strangerLast()) {
+      workbench.notify("Line " + line + " is in a program that was sent from outside");
+      return;
+    }
     runner.program().ifPresent(programs::select);
     workbench.showSource(line, 1);
+  }
+
+  /** Lets others reach the controller. */
+  void openPorts(PortWishes wishes) {
+    ports.open(wishes);
   }
 
   /** Keeps what the window tells. */
@@ -106,6 +128,11 @@ final class Views {
 
   /** Has debugger and editor follow the program, whatever is in front. */
   void follow(ControllerState state) {
+    if (session.strangersStarted() != strangers) {
+      strangers = session.strangersStarted();
+      runner.forget();
+      link.strangerStarted();
+    }
     debug.refresh(state);
     link.follow(state);
   }

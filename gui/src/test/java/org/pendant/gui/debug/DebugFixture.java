@@ -14,6 +14,7 @@ import org.pendant.gui.preview.PreviewWorkbench;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.workbench.Settings;
+import org.pendant.language.source.Source;
 
 /** A program, a controller that the test drives, and the presenter between them. */
 final class DebugFixture {
@@ -52,6 +53,14 @@ final class DebugFixture {
     var _ =
         submit(
             new Command.StartProgram(controller.load(document.source()).program().orElseThrow()));
+    advance();
+  }
+
+  /** Others start a program of their own, which runs until it is held or has ended. */
+  void runStranger(String... lines) {
+    debug.breakpoints().strangerStarted();
+    Source source = Source.of("stranger", String.join("\n", lines) + "\n");
+    var _ = submit(new Command.StartProgram(controller.load(source).program().orElseThrow()));
     advance();
   }
 

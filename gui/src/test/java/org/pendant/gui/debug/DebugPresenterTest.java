@@ -35,6 +35,23 @@ final class DebugPresenterTest {
   }
 
   @Test
+  void aProgramOfOthersIsNotHeldAtTheBreakpointsOfOurs() {
+    fixture.breakAt(5);
+    fixture.runStranger("def visitor():", "", "", "", "  sleep(0.1)", "end");
+    assertFalse(debug.held());
+  }
+
+  @Test
+  void aHeldProgramOfOthersShowsNoLineOfOurs() {
+    debug.breakpoints().setOnErrors(true);
+    fixture.runStranger("def visitor():", "  local n = 3", "  sleep(0 - n)", "end");
+    assertTrue(debug.held());
+    assertEquals(0, debug.executionLine());
+    assertEquals(List.of(), fixture.told());
+    assertEquals(3, debug.threads().getFirst().stack().getLast().line());
+  }
+
+  @Test
   void theSelectedCallSaysWhichVariablesAreShown() {
     fixture.breakAt(5);
     fixture.run();

@@ -1,6 +1,7 @@
 package org.pendant.gui.session;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -49,6 +50,28 @@ final class SessionTest {
       assertInstanceOf(Reply.Done.class, ask(session.run(program(session, "sleep(1)\n"))));
       ControllerState end = frameWith(session, ProgramState.STOPPED).get(30, TimeUnit.SECONDS);
       assertInstanceOf(Ending.Finished.class, end.program().ending().orElseThrow());
+    }
+  }
+
+  @Test
+  void programsOfOthersAreToldFromItsOwn() throws Exception {
+    try (Session session = Session.start(ControllerOptions.headless())) {
+      ask(session.run(program(session, "sleep(1000)\n")));
+      frameWith(session, ProgramState.RUNNING).get(30, TimeUnit.SECONDS);
+      assertFalse(session.strangerLast());
+      ask(session.stop());
+      frameWith(session, ProgramState.STOPPED).get(30, TimeUnit.SECONDS);
+      Program other = program(session, "sleep(1000)\n");
+      ask(session.controller().submit(new Command.StartProgram(other)));
+      frameWith(session, ProgramState.RUNNING).get(30, TimeUnit.SECONDS);
+      assertTrue(session.strangerLast());
+      assertEquals(1, session.strangersStarted());
+      ask(session.stop());
+      frameWith(session, ProgramState.STOPPED).get(30, TimeUnit.SECONDS);
+      ask(session.run(other));
+      frameWith(session, ProgramState.RUNNING).get(30, TimeUnit.SECONDS);
+      assertFalse(session.strangerLast());
+      assertEquals(1, session.strangersStarted());
     }
   }
 

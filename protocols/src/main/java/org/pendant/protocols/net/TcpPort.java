@@ -6,6 +6,7 @@ import java.net.InetSocketAddress;
 import java.net.StandardSocketOptions;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
+import java.time.Duration;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -13,12 +14,15 @@ import org.pendant.controller.message.LogEntry.Level;
 
 /** A TCP port at which one protocol is spoken. Each peer has threads of its own. */
 public final class TcpPort implements AutoCloseable {
+  /** Somebody who has not let go of a closed port by then never will. */
+  private static final Duration PATIENCE = Duration.ofSeconds(1);
+
   private final Listening listening;
   private final Protocol protocol;
   private final PeerLog log;
   private final ServerSocketChannel server;
-  private final Thread acceptor;
   private final Set<Connection> connections = ConcurrentHashMap.newKeySet();
+  private final Thread acceptor;
 
   private TcpPort(Listening listening, Protocol protocol, PeerLog log, ServerSocketChannel server) {
     this.listening = listening;
@@ -137,7 +141,7 @@ public final class TcpPort implements AutoCloseable {
     connections.forEach(Connection::close);
   }
 
-  /** Ends listening and all connections. */
+  /** Ends listening and all connections; the port can be had again afterwards. */
   @Override
   public void close() {
     try {
@@ -146,20 +150,16 @@ public final class TcpPort implements AutoCloseable {
       log.write(Level.WARNING, listening.name() + ": " + e.getMessage());
     }
     disconnectAll();
-    awaitEnd();
+    awaitAcceptor();
   }
 
-  /** The system lets the port go only when nobody waits for a connection any more. */
-  private void awaitEnd() {
-    boolean interrupted = false;
-    while (acceptor.isAlive()) {
-      try {
-        acceptor.join();
-      } catch (InterruptedException e) {
-        interrupted = true;
+  /** The system keeps the port until whoever waits for connections has let go of it. */
+  private void awaitAcceptor() {
+    try {
+      if (!acceptor.join(PATIENCE)) {
+        log.write(Level.WARNING, listening.name() + ": the port is still in use");
       }
-    }
-    if (interrupted) {
+    } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
   }

@@ -55,7 +55,9 @@ record RunFacts(
         program.failed(),
         program.line() == 0
             ? ""
-            : "Line " + program.line() + ":  " + ByteText.decoded(lineText.strip()),
+            : lineText.isBlank()
+                ? "Line " + program.line()
+                : "Line " + program.line() + ":  " + ByteText.decoded(lineText.strip()),
         waiting(state.openPopups().size(), state.openQuestions().size()),
         pose(state.arm().actualTcpInBase()),
         joints(state));

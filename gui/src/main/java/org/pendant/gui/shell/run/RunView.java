@@ -25,6 +25,7 @@ import org.pendant.gui.workbench.ActionTable;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
+import org.pendant.language.source.ByteText;
 
 /** The screen to watch a program on: what it does, where the arm is, what is the matter. */
 public final class RunView implements View {
@@ -162,7 +163,7 @@ public final class RunView implements View {
     arrange();
     int number = snapshot.program().line();
     RunFacts facts = RunFacts.of(snapshot, number == 0 ? "" : lineOf.apply(number));
-    show(name, programs.current().name());
+    show(name, programName(snapshot));
     show(state, facts.state());
     state.setForeground(facts.failed() ? Palette.error() : name.getForeground());
     show(elapsed, timer.take(snapshot));
@@ -176,6 +177,13 @@ public final class RunView implements View {
     variables.refresh(snapshot);
     messages.refresh(snapshot, workbench.session().controller());
     buttons.forEach(ActionButton::refresh);
+  }
+
+  /** A program of others goes by the name that it gives itself. */
+  private String programName(ControllerState snapshot) {
+    return workbench.session().strangerLast() && !snapshot.program().name().isEmpty()
+        ? ByteText.decoded(snapshot.program().name()) + " (sent from outside)"
+        : programs.current().name();
   }
 
   private static void show(JLabel label, String text) {

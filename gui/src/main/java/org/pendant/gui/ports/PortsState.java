@@ -1,0 +1,37 @@
+package org.pendant.gui.ports;
+
+import java.util.List;
+import java.util.Optional;
+import org.pendant.protocols.net.TcpPort;
+
+/** Whether the ports are open. */
+sealed interface PortsState {
+  /** Nothing has been wrong. */
+  Closed CLOSED = new Closed(Optional.empty());
+
+  /**
+   * Why they could not be opened.
+   *
+   * @param field where it can be put right
+   */
+  record Trouble(PortField field, String text) {}
+
+  /** Nobody listens. */
+  record Closed(Optional<Trouble> trouble) implements PortsState {}
+
+  /** They are being opened. */
+  record Opening() implements PortsState {}
+
+  /**
+   * All of them listen.
+   *
+   * @param address of the interface, as people write it before a colon
+   * @param exposed whether other computers reach it
+   * @param ports in the order of the real box's documentation
+   */
+  record Open(String address, boolean exposed, List<TcpPort> ports) implements PortsState {
+    public Open {
+      ports = List.copyOf(ports);
+    }
+  }
+}
