@@ -65,6 +65,9 @@ final class GivingWay {
   private final double[] speed = new double[N];
   private final double[] sum = new double[N];
 
+  /** The share that was searched last. */
+  private double found;
+
   /**
    * For an arm that stands still.
    *
@@ -183,7 +186,21 @@ final class GivingWay {
     }
     double high = most;
     double low = 0;
-    double beneath = demand(0);
+    double beneath = 0;
+    if (found > 0 && found < most) {
+      // most frames are like the one before
+      double there = demand(found);
+      if (there <= 1) {
+        low = found;
+        beneath = there;
+      } else {
+        high = found;
+        beyond = there;
+      }
+    }
+    if (low == 0) {
+      beneath = demand(0);
+    }
     for (int i = 0; i < CHORDS && beneath < ENOUGH; i++) {
       double between = low + (high - low) * (AIM - beneath) / (beyond - beneath);
       double there = demand(between);
@@ -195,6 +212,7 @@ final class GivingWay {
         beyond = there;
       }
     }
+    found = low;
     return low;
   }
 
