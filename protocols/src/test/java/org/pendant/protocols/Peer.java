@@ -12,6 +12,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 public final class Peer implements AutoCloseable {
   private final ServerSocket server;
   private final Conversation conversation;
+  private final Thread acceptor;
   private final List<Socket> clients = new CopyOnWriteArrayList<>();
 
   /** What happens to one client; then its connection is closed. */
@@ -22,6 +23,7 @@ public final class Peer implements AutoCloseable {
 
   private Peer(Conversation conversation) {
     this.conversation = conversation;
+    acceptor = Thread.ofVirtual().name("peer").unstarted(this::accept);
     try {
       server = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
     } catch (IOException e) {
@@ -32,7 +34,7 @@ public final class Peer implements AutoCloseable {
   /** A server that begins at once. */
   public static Peer that(Conversation conversation) {
     Peer peer = new Peer(conversation);
-    Thread.ofVirtual().name("peer").start(peer::accept);
+    peer.acceptor.start();
     return peer;
   }
 
@@ -69,9 +71,15 @@ public final class Peer implements AutoCloseable {
     }
   }
 
+  /** Ends listening; the port is free when this returns. */
   @Override
   public void close() throws IOException {
     server.close();
+    try {
+      acceptor.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
     for (Socket client : clients) {
       client.close();
     }

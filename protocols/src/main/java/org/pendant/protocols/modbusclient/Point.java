@@ -52,8 +52,10 @@ final class Point implements ModbusPoint, Asker {
 
   @Override
   public ModbusReading reading() {
+    // asked first: what is read after a reset has begun is no longer that of the old connection
+    boolean again = device.reconnecting();
     ModbusReading newest = reading;
-    return device.reconnecting() ? newest.unreached(ModbusErrors.DISCONNECTED) : newest;
+    return again ? newest.unreached(ModbusErrors.DISCONNECTED) : newest;
   }
 
   @Override
