@@ -111,7 +111,13 @@ public final class ModbusSignals {
 
   /** Whether all signals of a device have been answered since their connection was made. */
   public boolean connected(String host, Optional<Integer> port) {
-    return at(host, port).stream().allMatch(each -> each.point().reading().connectionError() == 0);
+    return at(host, port).stream().allMatch(ModbusSignals::connected);
+  }
+
+  /** Now, and in what programs see in this frame. */
+  private static boolean connected(ModbusSignal signal) {
+    return signal.point().reading().connectionError() == 0
+        && signal.reading().connectionError() == 0;
   }
 
   private List<ModbusSignal> at(String host, Optional<Integer> port) {

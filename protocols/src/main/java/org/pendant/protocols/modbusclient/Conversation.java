@@ -26,6 +26,9 @@ final class Conversation {
   /** How long a device may take for an answer. */
   static final long ANSWER_NS = TimeUnit.SECONDS.toNanos(1);
 
+  /** So many questions without an answer, one after the other, and nobody is there. */
+  private static final int MOST_MISSED = 3;
+
   /**
    * How long the answer to one question is waited for before the next one is asked all the same:
    * many devices take only the first of two that come at once.
@@ -43,6 +46,10 @@ final class Conversation {
   private int transaction;
   private int turn;
   private long heardNs = System.nanoTime();
+
+  /** Questions without an answer since something was heard. */
+  private int missed;
+
   private long askedNs;
 
   /**
@@ -101,6 +108,7 @@ final class Conversation {
     Optional<IOException> over = end;
     for (byte[] frame = answers.poll(); frame != null; frame = answers.poll()) {
       heardNs = System.nanoTime();
+      missed = 0;
       // an answer that comes too late is to nobody's question
       Waiting waiting = unanswered.remove(AnswerFrame.transaction(frame));
       if (waiting != null) {
@@ -114,10 +122,10 @@ final class Conversation {
 
   /**
    * A device that says nothing at all is connected to again; one that leaves something out is not,
-   * unless several questions at once may have been too much for it.
+   * unless several questions at once may have been too much for it. Where it is asked one by one,
+   * one question without an answer says nothing about the others.
    */
   private void giveUpOld(long nowNs) throws IOException {
-    boolean silent = false;
     for (Iterator<Waiting> each = unanswered.values().iterator(); each.hasNext(); ) {
       Waiting waiting = each.next();
       if (nowNs - waiting.sinceNs() >= ANSWER_NS) {
@@ -127,10 +135,12 @@ final class Conversation {
         }
         each.remove();
         waiting.asker().unanswered();
-        silent |= waiting.sinceNs() - heardNs >= 0;
+        if (waiting.sinceNs() - heardNs >= 0) {
+          missed++;
+        }
       }
     }
-    if (silent) {
+    if (missed > 0 && missed >= Math.min(MOST_MISSED, device.askers().size())) {
       throw new SocketTimeoutException("no answer");
     }
   }

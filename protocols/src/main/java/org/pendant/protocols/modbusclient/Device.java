@@ -101,7 +101,7 @@ final class Device {
   }
 
   /** Closes the connection and makes it again. */
-  void reconnect() {
+  synchronized void reconnect() {
     resets.incrementAndGet();
     // it may be in the middle of connecting
     thread.interrupt();
@@ -193,13 +193,7 @@ final class Device {
   }
 
   private void talk() {
-    // what interrupted it has been seen to, or is seen to here
-    boolean _ = Thread.interrupted();
-    int asked = resets.get();
-    if (asked != resetsDone) {
-      lost(ModbusErrors.DISCONNECTED);
-      resetsDone = asked;
-    }
+    beginAnew();
     boolean before = oneByOne;
     try (Socket socket = reach.connect(address.host(), address.port(), CONNECT_MS)) {
       new Conversation(this, socket).run();
@@ -208,6 +202,17 @@ final class Device {
       if (!reconnecting() && oneByOne == before) {
         failed(error(e));
       }
+    }
+  }
+
+  /** One with {@link #reconnect}: a late interrupt would break off the new connection. */
+  private synchronized void beginAnew() {
+    // what interrupted it has been seen to, or is seen to here
+    boolean _ = Thread.interrupted();
+    int asked = resets.get();
+    if (asked != resetsDone) {
+      lost(ModbusErrors.DISCONNECTED);
+      resetsDone = asked;
     }
   }
 

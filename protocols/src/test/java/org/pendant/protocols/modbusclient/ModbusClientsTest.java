@@ -324,9 +324,9 @@ class ModbusClientsTest {
     }
   }
 
-  @Test
-  void aSignalWithoutAnAnswerDoesNotStopTheOthers() throws Exception {
-    Peer.Conversation deafForUnitTwo =
+  /** A device with a unit that never answers. */
+  private Peer deafForUnitTwo() {
+    return Peer.that(
         client -> {
           DataInputStream in = new DataInputStream(client.getInputStream());
           while (true) {
@@ -335,8 +335,12 @@ class ModbusClientsTest {
               client.getOutputStream().write(device.answer(question));
             }
           }
-        };
-    try (Peer peer = Peer.that(deafForUnitTwo);
+        });
+  }
+
+  @Test
+  void aSignalWithoutAnAnswerDoesNotStopTheOthers() throws Exception {
+    try (Peer peer = deafForUnitTwo();
         ScriptRun script = new ScriptRun()) {
       assertEquals(
           List.of("0"),
@@ -346,6 +350,24 @@ class ModbusClientsTest {
               """
                 modbus_add_signal(DEVICE, 1, 5, 2, "good")
                 modbus_add_signal(DEVICE, 2, 5, 2, "deaf")
+                until_error("deaf", 110)
+                textmsg(modbus_get_error("good"))
+              """));
+    }
+  }
+
+  @Test
+  void norWhereTheyAreAskedOneByOne() throws Exception {
+    try (Peer peer = deafForUnitTwo();
+        ScriptRun script = new ScriptRun()) {
+      assertEquals(
+          List.of("0"),
+          run(
+              script,
+              peer,
+              """
+                modbus_add_signal(DEVICE, 1, 5, 2, "good", True)
+                modbus_add_signal(DEVICE, 2, 5, 2, "deaf", True)
                 until_error("deaf", 110)
                 textmsg(modbus_get_error("good"))
               """));
