@@ -1,6 +1,7 @@
 package org.pendant.protocols.dashboard;
 
 import org.pendant.controller.safety.SafetyMode;
+import org.pendant.controller.state.RobotBits;
 
 /** How the dashboard server calls the safety modes. */
 final class Names {
@@ -29,23 +30,6 @@ final class Names {
 
   /** With one name for everything that is a safeguard stop. */
   static String mode(SafetyMode mode) {
-    return switch (mode) {
-      case AUTOMATIC_MODE_SAFEGUARD_STOP,
-          SYSTEM_THREE_POSITION_ENABLING_STOP,
-          TEACH_PENDANT_THREE_POSITION_ENABLING_STOP ->
-          SafetyMode.SAFEGUARD_STOP.name();
-      case NORMAL,
-          REDUCED,
-          PROTECTIVE_STOP,
-          RECOVERY,
-          SAFEGUARD_STOP,
-          SYSTEM_EMERGENCY_STOP,
-          ROBOT_EMERGENCY_STOP,
-          VIOLATION,
-          FAULT,
-          VALIDATE_JOINT_ID,
-          UNDEFINED ->
-          status(mode);
-    };
+    return status(RobotBits.coarse(mode));
   }
 }
