@@ -38,68 +38,6 @@ final class BlendedChainTest {
   /** Of a move behind one that motion version 1 leaves out, the one before that counts too. */
   private static final int MOST_LEFT_OUT = 2;
 
-  private static final int KINDS = 6;
-
-  /** A move with a blend radius and the same one without, and where both lead. */
-  private record Leg(Move blended, Move stopping, Joints goal, boolean ofTool) {}
-
-  private static Leg leg(
-      MoveChain chain,
-      InverseKinematics inverse,
-      SplittableRandom random,
-      Joints from,
-      double r,
-      double ramp) {
-    Pose goal =
-        chain.shifted(
-            random.nextDouble(-0.12, 0.12),
-            random.nextDouble(-0.12, 0.12),
-            random.nextDouble(-0.12, 0.12));
-    Pose turned =
-        Poses.trans(
-            goal, new Pose(0, 0, 0, random.nextDouble(-0.3, 0.3), random.nextDouble(-0.3, 0.3), 0));
-    Joints q =
-        inverse.closest(InverseKinematics.flangeOf(turned, MoveChain.TCP), from).orElseThrow();
-    double a = random.nextDouble(0.3, 3);
-    double v = random.nextDouble(0.05, 0.5);
-    double share = random.nextDouble(0.05, 0.6);
-    Pose via = between(chain.tcp(from), goal, random);
-    int kind = random.nextInt(KINDS);
-    return new Leg(
-        move(chain, kind, q, turned, via, a, v, share, r, ramp),
-        move(chain, kind, q, turned, via, a, v, share, 0, ramp),
-        q,
-        kind != 0 && kind != 4);
-  }
-
-  private static Pose between(Pose from, Pose to, SplittableRandom random) {
-    Pose middle = Poses.interpolate(from, to, 0.5);
-    double aside = random.nextDouble(0.05, 0.2) * Poses.pointDistance(from, to);
-    return new Pose(middle.x() + aside, middle.y() - aside, middle.z() + aside, 0, 0, 0);
-  }
-
-  private static Move move(
-      MoveChain chain,
-      int kind,
-      Joints q,
-      Pose goal,
-      Pose via,
-      double a,
-      double v,
-      double share,
-      double r,
-      double ramp) {
-    return switch (kind) {
-      case 0 -> chain.movej(q, 2 * a, 3 * v, r, ramp);
-      case 1 -> chain.movel(goal, a, v, r, ramp);
-      case 2 -> chain.movep(goal, a, v, r);
-      case 3 -> chain.movec(via, goal, a, v, r, false);
-      case 4 -> chain.optimovej(q, share, share, r);
-      case 5 -> chain.optimovel(goal, share, share, r);
-      default -> throw new IllegalArgumentException("kind is " + kind);
-    };
-  }
-
   /** What a random chain came to. */
   private record Run(String input, double blendedS, double stoppingS, List<String> tooHard) {
     boolean slower() {
@@ -113,21 +51,23 @@ final class BlendedChainTest {
       MoveChain chain = new MoveChain();
       InverseKinematics inverse = new InverseKinematics(chain.arm);
       double ramp = random.nextBoolean() ? 0 : 0.08;
-      List<Leg> legs = new ArrayList<>();
+      List<RandomLeg> legs = new ArrayList<>();
       Joints at = MoveChain.READY;
       for (int i = 0; i < MOVES; i++) {
         double r = i == MOVES - 1 ? 0 : random.nextDouble(0.001, 0.05);
-        legs.add(leg(chain, inverse, random, at, r, ramp));
+        legs.add(RandomLeg.of(chain, inverse, random, RandomLeg.KINDS, at, r, ramp));
         at = legs.getLast().goal();
       }
       String input = "seed " + seed + ", ramp " + ramp;
       List<Integer> blendedAt = new ArrayList<>();
-      MoveChain.Trace blended = chain.run(legs.stream().map(Leg::blended).toList(), blendedAt);
+      MoveChain.Trace blended =
+          chain.run(legs.stream().map(RandomLeg::blended).toList(), blendedAt);
       chain.assertSmooth(blended, MOST_RAD_PER_S2, input);
       assertEquals(0, blended.q().getLast().maxAbsDifference(at), 1e-9, input);
       assertEquals(Joints.ZERO, blended.qd().getLast(), input);
       List<Integer> stoppingAt = new ArrayList<>();
-      MoveChain.Trace stopping = chain.run(legs.stream().map(Leg::stopping).toList(), stoppingAt);
+      MoveChain.Trace stopping =
+          chain.run(legs.stream().map(RandomLeg::stopping).toList(), stoppingAt);
       return new Run(
           input,
           blended.durationS(),
@@ -177,13 +117,13 @@ final class BlendedChainTest {
    * The moves that need too much, from the hand-over of the one before to their own. Which of both
    * counts depends on what blends: lines and arcs of the tool, or anything else.
    */
-  private static List<String> tooHard(List<Leg> legs, Frames blended, Frames stopping) {
+  private static List<String> tooHard(List<RandomLeg> legs, Frames blended, Frames stopping) {
     List<String> tooHard = new ArrayList<>();
     for (int m = 1; m < MOVES; m++) {
       int from = Math.max(0, m - MOST_LEFT_OUT);
       double most = joints(stopping, from, m) * MOST_IN_JOINTS * ROUNDING;
       double used = blended.ofJoints(m);
-      boolean ofTool = legs.subList(from, m + 1).stream().allMatch(Leg::ofTool);
+      boolean ofTool = legs.subList(from, m + 1).stream().allMatch(RandomLeg::ofTool);
       if (used > most && (!ofTool || blended.ofTool(m) > tool(stopping, from, m) * ROUNDING)) {
         tooHard.add("move " + m + ": " + used + " of " + most);
       }

@@ -10,8 +10,6 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.InverseKinematics;
-import org.pendant.models.pose.Pose;
-import org.pendant.models.pose.Poses;
 
 /** Random chains of every kind of move, blended as it comes. */
 final class MixedChainTest {
@@ -23,58 +21,6 @@ final class MixedChainTest {
   private final MoveChain chain = new MoveChain();
   private final InverseKinematics inverse = new InverseKinematics(chain.arm);
 
-  /** A move with a blend radius and the same one without, and where both lead. */
-  private record Leg(Move blended, Move stopping, Joints goal) {}
-
-  private Leg leg(SplittableRandom random, int[] kinds, Joints from, double r, double ramp) {
-    Pose goal =
-        chain.shifted(
-            random.nextDouble(-0.12, 0.12),
-            random.nextDouble(-0.12, 0.12),
-            random.nextDouble(-0.12, 0.12));
-    Pose turned =
-        Poses.trans(
-            goal, new Pose(0, 0, 0, random.nextDouble(-0.3, 0.3), random.nextDouble(-0.3, 0.3), 0));
-    Joints q =
-        inverse.closest(InverseKinematics.flangeOf(turned, MoveChain.TCP), from).orElseThrow();
-    double a = random.nextDouble(0.3, 3);
-    double v = random.nextDouble(0.05, 0.5);
-    double share = random.nextDouble(0.05, 0.6);
-    Pose via = between(chain.tcp(from), goal, random);
-    int kind = kinds[random.nextInt(kinds.length)];
-    return new Leg(
-        move(kind, q, turned, via, a, v, share, r, ramp),
-        move(kind, q, turned, via, a, v, share, 0, ramp),
-        q);
-  }
-
-  private static Pose between(Pose from, Pose to, SplittableRandom random) {
-    Pose middle = Poses.interpolate(from, to, 0.5);
-    double aside = random.nextDouble(0.05, 0.2) * Poses.pointDistance(from, to);
-    return new Pose(middle.x() + aside, middle.y() - aside, middle.z() + aside, 0, 0, 0);
-  }
-
-  private Move move(
-      int kind,
-      Joints q,
-      Pose goal,
-      Pose via,
-      double a,
-      double v,
-      double share,
-      double r,
-      double ramp) {
-    return switch (kind) {
-      case 0 -> chain.movej(q, 2 * a, 3 * v, r, ramp);
-      case 1 -> chain.movel(goal, a, v, r, ramp);
-      case 2 -> chain.movep(goal, a, v, r);
-      case 3 -> chain.movec(via, goal, a, v, r, false);
-      case 4 -> chain.optimovej(q, share, share, r);
-      case 5 -> chain.optimovel(goal, share, share, r);
-      default -> throw new IllegalArgumentException("kind is " + kind);
-    };
-  }
-
   /** A chain of moves of some kinds, run with and without blends; it must be smooth and exact. */
   private double secondsGained(long seed, int... kinds) throws ScriptError {
     SplittableRandom random = new SplittableRandom(seed);
@@ -84,7 +30,7 @@ final class MixedChainTest {
     Joints at = MoveChain.READY;
     for (int i = 0; i < 10; i++) {
       double r = i == 9 ? 0 : random.nextDouble(0.001, 0.05);
-      Leg leg = leg(random, kinds, at, r, ramp);
+      RandomLeg leg = RandomLeg.of(chain, inverse, random, kinds, at, r, ramp);
       at = leg.goal();
       blended.add(leg.blended());
       stopping.add(leg.stopping());
@@ -103,7 +49,7 @@ final class MixedChainTest {
   @Test
   void chainsOfEveryKindNeverJumpAndEndExactly() throws ScriptError {
     for (long seed = 0; seed < CHAINS; seed++) {
-      secondsGained(seed, 0, 1, 2, 3, 4, 5);
+      secondsGained(seed, RandomLeg.KINDS);
     }
   }
 
