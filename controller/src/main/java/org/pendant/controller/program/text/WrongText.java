@@ -1,0 +1,21 @@
+package org.pendant.controller.program.text;
+
+/** A line that cannot be understood. */
+final class WrongText extends Exception {
+  private static final long serialVersionUID = 1;
+
+  private final int column;
+
+  /**
+   * @param column where it is wrong, in characters from 1
+   * @param message what was found and what would be right
+   */
+  WrongText(int column, String message) {
+    super(message, null, false, false);
+    this.column = column;
+  }
+
+  int column() {
+    return column;
+  }
+}
