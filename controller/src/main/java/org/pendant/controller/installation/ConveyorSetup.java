@@ -11,8 +11,9 @@ import java.util.List;
  * @param circular whether it turns
  * @param ticksPerUnit of the encoder: per metre, or per turn of a circular one
  * @param rotateTool whether the tool turns with a circular one
- * @param decoder type, 0 to 4, of conveyor_pulse_decode (manual 15.2)
- * @param inputs of the decoder, numbers of digital inputs; empty for type 0
+ * @param decoder type, 0 to 4, of encoder_enable_pulse_decode (manual 15.3)
+ * @param inputs of the decoder: 8 to 11 for configurable inputs 0 to 3; empty for type 0, two for
+ *     type 1, otherwise one
  */
 public record ConveyorSetup(
     int number,

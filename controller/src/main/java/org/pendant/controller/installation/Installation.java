@@ -80,6 +80,116 @@ public record Installation(
     modbus = List.copyOf(modbus);
   }
 
+  /** The same with other limits and planes; empty for those that are standard for the arm. */
+  public Installation withSafety(Optional<SafetyConfiguration> others) {
+    return new Installation(
+        robot,
+        tools,
+        activeTool,
+        payloads,
+        activePayload,
+        mounting,
+        signals,
+        wiring,
+        features,
+        homeRad,
+        variables,
+        startUp,
+        others,
+        conveyors,
+        modbus,
+        ethernetIpLoss,
+        transitionHardness);
+  }
+
+  /** The same with other variables, or other values in them. */
+  public Installation withVariables(List<InstallationVariable> others) {
+    return new Installation(
+        robot,
+        tools,
+        activeTool,
+        payloads,
+        activePayload,
+        mounting,
+        signals,
+        wiring,
+        features,
+        homeRad,
+        others,
+        startUp,
+        safety,
+        conveyors,
+        modbus,
+        ethernetIpLoss,
+        transitionHardness);
+  }
+
+  /** The same with other features. */
+  public Installation withFeatures(List<Feature> others) {
+    return new Installation(
+        robot,
+        tools,
+        activeTool,
+        payloads,
+        activePayload,
+        mounting,
+        signals,
+        wiring,
+        others,
+        homeRad,
+        variables,
+        startUp,
+        safety,
+        conveyors,
+        modbus,
+        ethernetIpLoss,
+        transitionHardness);
+  }
+
+  /** The same with another home. */
+  public Installation withHome(Joints otherRad) {
+    return new Installation(
+        robot,
+        tools,
+        activeTool,
+        payloads,
+        activePayload,
+        mounting,
+        signals,
+        wiring,
+        features,
+        otherRad,
+        variables,
+        startUp,
+        safety,
+        conveyors,
+        modbus,
+        ethernetIpLoss,
+        transitionHardness);
+  }
+
+  /** The same with other names and uses of signals. */
+  public Installation withSignals(List<SignalUse> others) {
+    return new Installation(
+        robot,
+        tools,
+        activeTool,
+        payloads,
+        activePayload,
+        mounting,
+        others,
+        wiring,
+        features,
+        homeRad,
+        variables,
+        startUp,
+        safety,
+        conveyors,
+        modbus,
+        ethernetIpLoss,
+        transitionHardness);
+  }
+
   /** The TCP of a name. */
   public Optional<NamedTool> tool(String name) {
     return tools.stream().filter(each -> each.name().equals(name)).findFirst();

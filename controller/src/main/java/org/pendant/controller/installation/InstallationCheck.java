@@ -1,0 +1,292 @@
+package org.pendant.controller.installation;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.pendant.controller.io.AnalogBank;
+import org.pendant.controller.io.InputAction;
+import org.pendant.controller.io.RunStateAction;
+import org.pendant.controller.io.ToolConnector;
+import org.pendant.controller.world.Vector3;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.pose.Pose;
+
+/** Finds what is wrong with an installation before a controller is set up with it. */
+public final class InstallationCheck {
+  /** Farthest TCP and centre of gravity along each axis of the flange, m. */
+  private static final double FARTHEST_M = 4;
+
+  /** Farthest point of a feature along each axis of the base, m. */
+  private static final double FARTHEST_POINT_M = 100;
+
+  /** How often the rated payload may be declared; beyond, it likely means grams. */
+  private static final double MOST_RATED_PAYLOADS = 4;
+
+  private static final int LONGEST_NAME = 100;
+  private static final int MOST = 1000;
+
+  private final Installation installation;
+  private final ArmDescription arm;
+  private final ProblemList problems = new ProblemList();
+
+  private InstallationCheck(Installation installation, ArmDescription arm) {
+    this.installation = installation;
+    this.arm = arm;
+  }
+
+  /**
+   * What is wrong, in the order of an installation's components. A controller with that arm can be
+   * set up with it if none of it {@link InstallationProblem#blocks}.
+   */
+  public static List<InstallationProblem> problems(Installation installation, ArmDescription arm) {
+    InstallationCheck check = new InstallationCheck(installation, arm);
+    check.run();
+    return check.problems.all();
+  }
+
+  /** The first thing that keeps a controller with that arm from being set up. */
+  public static Optional<InstallationProblem> refusal(
+      Installation installation, ArmDescription arm) {
+    return problems(installation, arm).stream().filter(InstallationProblem::blocks).findFirst();
+  }
+
+  private void run() {
+    problems.require(
+        installation.robot().isEmpty() || installation.robot().equals(arm.id()),
+        "robot",
+        () -> "it is for " + installation.robot() + ", the arm is " + arm.id());
+    tools();
+    payloads();
+    mounting();
+    signals();
+    wiring();
+    features();
+    problems.require(
+        arm.withinLimits(installation.homeRad()),
+        "homeRad",
+        () ->
+            "home is "
+                + installation.homeRad()
+                + ", must be within the joint ranges of "
+                + arm.id());
+    variables();
+    startUp();
+    installation.safety().ifPresent(safety -> new SafetyCheck(problems, arm).check(safety));
+    new FieldbusCheck(problems, installation).check();
+    double hardness = installation.transitionHardness();
+    problems.require(
+        hardness == 0 || hardness == 1,
+        "transitionHardness",
+        () -> "it is " + hardness + ", must be 0 (hard) or 1 (soft)");
+  }
+
+  /** A name of its own, that people can read. */
+  private void name(String field, String name, Set<String> taken) {
+    problems.require(!name.isBlank(), field, () -> "there is no name");
+    problems.require(
+        name.length() <= LONGEST_NAME && name.chars().noneMatch(Character::isISOControl),
+        field,
+        () -> "the name must have at most " + LONGEST_NAME + " characters on one line");
+    problems.require(
+        name.isBlank() || taken.add(name), field, () -> name + " is the name of another one too");
+  }
+
+  private void count(String field, int size) {
+    problems.require(size <= MOST, field, () -> "there are " + size + ", must be at most " + MOST);
+  }
+
+  private void tools() {
+    count("tools", installation.tools().size());
+    Set<String> names = new HashSet<>();
+    for (int i = 0; i < installation.tools().size(); i++) {
+      NamedTool tool = installation.tools().get(i);
+      String field = "tools[" + i + "].";
+      name(field + "name", tool.name(), names);
+      pose(field + "inFlange", tool.inFlange(), FARTHEST_M);
+    }
+    problems.require(
+        installation.activeTool().isEmpty() || names.contains(installation.activeTool()),
+        "activeTool",
+        () -> "there is no TCP " + installation.activeTool());
+  }
+
+  private void payloads() {
+    count("payloads", installation.payloads().size());
+    Set<String> names = new HashSet<>();
+    double mostKg = MOST_RATED_PAYLOADS * arm.payloadKg();
+    for (int i = 0; i < installation.payloads().size(); i++) {
+      NamedPayload payload = installation.payloads().get(i);
+      String field = "payloads[" + i + "].";
+      name(field + "name", payload.name(), names);
+      double massKg = payload.massKg();
+      problems.require(
+          massKg >= 0 && massKg <= mostKg,
+          field + "massKg",
+          () -> "the mass is " + massKg + " kg, must be 0 to " + mostKg + " kg on " + arm.id());
+      Vector3 cog = payload.cogM();
+      problems.require(
+          near(cog.x(), cog.y(), cog.z(), FARTHEST_M),
+          field + "cogM",
+          () -> "each number must be -" + FARTHEST_M + " to " + FARTHEST_M + " m");
+      payload
+          .inertia()
+          .problem()
+          .ifPresent(why -> problems.add(field + "inertia", "the inertia is refused: " + why));
+    }
+    problems.require(
+        installation.activePayload().isEmpty() || names.contains(installation.activePayload()),
+        "activePayload",
+        () -> "there is no payload " + installation.activePayload());
+  }
+
+  private void pose(String field, Pose pose, double farthestM) {
+    problems.require(
+        near(pose.x(), pose.y(), pose.z(), farthestM),
+        field,
+        () -> "the position must be -" + farthestM + " to " + farthestM + " m along each axis");
+    problems.require(
+        near(pose.rx(), pose.ry(), pose.rz(), 1e6), field, () -> "the rotation must be finite");
+  }
+
+  private static boolean near(double x, double y, double z, double farthest) {
+    return Math.abs(x) <= farthest && Math.abs(y) <= farthest && Math.abs(z) <= farthest;
+  }
+
+  private void mounting() {
+    BaseMounting mounting = installation.mounting();
+    angle("mounting.tiltRad", mounting.tiltRad());
+    angle("mounting.rotationRad", mounting.rotationRad());
+  }
+
+  private void angle(String field, double rad) {
+    problems.require(
+        Math.abs(rad) <= 2 * Math.PI,
+        field,
+        () -> "the angle is " + rad + " rad, must be at most a turn either way");
+  }
+
+  private void signals() {
+    Set<String> ids = new HashSet<>();
+    Set<String> names = new HashSet<>();
+    for (int i = 0; i < installation.signals().size(); i++) {
+      SignalUse use = installation.signals().get(i);
+      String field = "signals[" + i + "].";
+      Optional<SignalId> id = SignalId.of(use.signal());
+      problems.require(
+          id.isPresent(),
+          field + "signal",
+          () -> "there is no signal " + use.signal() + ", must be one of " + SignalId.NAMES);
+      problems.require(
+          ids.add(use.signal()), field + "signal", () -> use.signal() + " is mentioned twice");
+      if (!use.name().isEmpty()) {
+        name(field + "name", use.name(), names);
+      }
+      problems.require(
+          id.isEmpty() || use.input() == InputAction.DEFAULT || id.get().takesInputAction(),
+          field + "input",
+          () -> use.signal() + " is no digital input: only those have an action");
+      problems.require(
+          id.isEmpty() || use.output() == RunStateAction.PRESERVE || id.get().takesOutputAction(),
+          field + "output",
+          () -> use.signal() + " is no output that can follow the program");
+    }
+  }
+
+  private void wiring() {
+    Wiring wiring = installation.wiring();
+    two("wiring.analogIn", wiring.analogIn());
+    two("wiring.analogOut", wiring.analogOut());
+    two("wiring.toolAnalogIn", wiring.toolAnalogIn());
+    two("wiring.toolPins", wiring.toolPins());
+    problems.require(
+        ToolConnector.isVoltage(wiring.toolVoltage()),
+        "wiring.toolVoltage",
+        () -> "it is " + wiring.toolVoltage() + " V, must be 0, 12 or 24 V");
+  }
+
+  private void two(String field, List<?> values) {
+    problems.require(
+        values.size() == AnalogBank.SIZE,
+        field,
+        () -> "there are " + values.size() + ", must be " + AnalogBank.SIZE);
+  }
+
+  private void features() {
+    count("features", installation.features().size());
+    Set<String> names = new HashSet<>();
+    for (int i = 0; i < installation.features().size(); i++) {
+      Feature feature = installation.features().get(i);
+      String field = "features[" + i + "].";
+      scriptName(field + "name", feature.name(), names);
+      for (int j = 0; j < feature.points().size(); j++) {
+        pose(field + "points[" + j + "]", feature.points().get(j), FARTHEST_POINT_M);
+      }
+      int wanted = feature.kind().points();
+      int given = feature.points().size();
+      if (given != wanted) {
+        problems.remark(
+            field + "points",
+            feature.name() + " has " + given + " of the " + wanted + " points that it needs");
+      } else if (FeaturePoses.pose(feature).isEmpty()) {
+        problems.remark(
+            field + "points",
+            feature.name()
+                + (feature.kind() == FeatureKind.PLANE
+                    ? " has its points on one line or in one place, must span a plane"
+                    : " has its points in one place, must give a direction"));
+      }
+    }
+  }
+
+  /** A name by which programs can call a variable. */
+  private void scriptName(String field, String name, Set<String> taken) {
+    problems.require(
+        ScriptWords.isName(name),
+        field,
+        () ->
+            "the name is \""
+                + name
+                + "\", must be letters, digits and _, begin with no digit, and be no word of the"
+                + " language");
+    problems.require(
+        name.isEmpty() || taken.add(name), field, () -> name + " is the name of another one too");
+    problems.require(
+        name.length() <= LONGEST_NAME,
+        field,
+        () -> "the name must have at most " + LONGEST_NAME + " characters");
+  }
+
+  private void variables() {
+    count("variables", installation.variables().size());
+    Set<String> names = new HashSet<>();
+    installation.features().stream().map(Feature::name).forEach(names::add);
+    for (int i = 0; i < installation.variables().size(); i++) {
+      InstallationVariable variable = installation.variables().get(i);
+      String field = "variables[" + i + "].";
+      scriptName(field + "name", variable.name(), names);
+      ScriptWords.valueProblem(variable.value())
+          .ifPresent(why -> problems.add(field + "value", why));
+    }
+  }
+
+  private void startUp() {
+    StartUp startUp = installation.startUp();
+    startInput("startUp.startInput", startUp.startInput());
+    startInput("startUp.powerInput", startUp.powerInput());
+    problems.require(
+        startUp.program().isEmpty() || startUp.program().matches("(?s).+\\.(script|pendant|urp)"),
+        "startUp.program",
+        () ->
+            "it is "
+                + startUp.program()
+                + ", must be the name of a .pendant, .urp or .script file");
+  }
+
+  private void startInput(String field, String input) {
+    problems.require(
+        input.isEmpty() || SignalId.digitalInput(input).isPresent(),
+        field,
+        () -> "it is " + input + ", must be a digital input such as digital_in[0], or nothing");
+  }
+}

@@ -1,0 +1,100 @@
+package org.pendant.controller.installation;
+
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.pendant.controller.io.AnalogBank;
+import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterKind;
+import org.pendant.controller.io.Signal;
+import org.pendant.controller.io.SignalBank;
+
+/** A signal that an installation can name, as in {@link SignalUse#signal}. */
+public sealed interface SignalId {
+  /** A digital input, output or flag. */
+  record Digital(Signal signal) implements SignalId {
+    @Override
+    public boolean takesInputAction() {
+      return signal.bank().input();
+    }
+
+    @Override
+    public boolean takesOutputAction() {
+      return !signal.bank().input() && signal.bank() != SignalBank.FLAG;
+    }
+  }
+
+  /** An analog input or output. */
+  record Analog(AnalogBank bank, int index) implements SignalId {
+    @Override
+    public boolean takesInputAction() {
+      return false;
+    }
+
+    @Override
+    public boolean takesOutputAction() {
+      return !bank.input();
+    }
+  }
+
+  /** A general-purpose register. */
+  record Register(Direction direction, RegisterKind kind, int address) implements SignalId {
+    @Override
+    public boolean takesInputAction() {
+      return kind == RegisterKind.BOOLEAN && direction == Direction.INPUT;
+    }
+
+    @Override
+    public boolean takesOutputAction() {
+      return kind == RegisterKind.BOOLEAN && direction == Direction.OUTPUT;
+    }
+  }
+
+  /** Whether a high level of it can do something by itself. */
+  boolean takesInputAction();
+
+  /** Whether it can follow what programs do. */
+  boolean takesOutputAction();
+
+  /** Names of signals, for messages. */
+  String NAMES =
+      "digital_in[0] to [7], digital_out[0] to [7], configurable_in[0] to [7], configurable_out[0]"
+          + " to [7], tool_in[0] to [1], tool_out[0] to [1], analog_in[0] to [1], analog_out[0] to"
+          + " [1], tool_analog_in[0] to [1], flag[0] to [31], or a register such as"
+          + " input_boolean_register[64]";
+
+  /** The signal of a name such as {@code digital_in[0]} or {@code output_float_register[3]}. */
+  static Optional<SignalId> of(String name) {
+    Matcher parts = Pattern.compile("(\\w+)\\[(\\d{1,3})\\]").matcher(name);
+    if (!parts.matches()) {
+      return Optional.empty();
+    }
+    String bank = parts.group(1);
+    int index = Integer.parseInt(parts.group(2));
+    for (SignalBank each : SignalBank.values()) {
+      if (each.text().equals(bank) && index < each.size()) {
+        return Optional.of(new Digital(new Signal(each, index)));
+      }
+    }
+    for (AnalogBank each : AnalogBank.values()) {
+      if (each.text().equals(bank) && index < AnalogBank.SIZE) {
+        return Optional.of(new Analog(each, index));
+      }
+    }
+    for (Direction direction : Direction.values()) {
+      for (RegisterKind kind : RegisterKind.values()) {
+        if (index < kind.size() && direction.name(kind, index).equals(name)) {
+          return Optional.of(new Register(direction, kind, index));
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** The digital input of a name; empty if it names something else. */
+  static Optional<Signal> digitalInput(String name) {
+    return of(name)
+        .filter(found -> found instanceof Digital digital && digital.signal().bank().input())
+        .map(found -> ((Digital) found).signal());
+  }
+}
