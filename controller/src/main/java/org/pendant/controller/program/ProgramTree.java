@@ -1,8 +1,11 @@
 package org.pendant.controller.program;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.Deque;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -30,10 +33,61 @@ public record ProgramTree(
   /** Stands for the program itself where a parent is asked for. */
   public static final long ROOT = 0;
 
-  /** Copies map and list. */
+  /** How many levels nodes may go below a section. */
+  public static final int DEEPEST = 200;
+
+  /** What is made of a tree, such as one that starts somewhere else, may be deeper. */
+  private static final int DEEPEST_MADE = 2 * DEEPEST;
+
+  /**
+   * Copies map and list. No tree is so deep that those who walk it by recursion come to the end of
+   * a stack.
+   *
+   * @throws IllegalArgumentException if nodes go more than twice {@link #DEEPEST} levels below a
+   *     section
+   */
   public ProgramTree {
     waypoints = Collections.unmodifiableMap(new LinkedHashMap<>(waypoints));
     sections = List.copyOf(sections);
+    if (levels(sections, DEEPEST_MADE) > DEEPEST_MADE) {
+      throw new IllegalArgumentException(tooDeep());
+    }
+  }
+
+  private static String tooDeep() {
+    return "Nodes may not go more than " + DEEPEST + " levels deep";
+  }
+
+  /** How many levels there are below some nodes; one more than {@code most} if there are more. */
+  private static int levels(List<ProgramNode> nodes, int most) {
+    Deque<Iterator<ProgramNode>> open = new ArrayDeque<>();
+    open.push(nodes.iterator());
+    int levels = 0;
+    while (!open.isEmpty() && levels <= most) {
+      if (!open.getFirst().hasNext()) {
+        open.pop();
+        continue;
+      }
+      List<ProgramNode> below = open.getFirst().next().children();
+      if (!below.isEmpty()) {
+        levels = Math.max(levels, open.size());
+        open.push(below.iterator());
+      }
+    }
+    return levels;
+  }
+
+  /**
+   * Why nodes cannot be put below another one, as far as depth is concerned.
+   *
+   * @param parent key of that node, or {@link #ROOT}
+   */
+  public Optional<String> whyTooDeep(long parent, List<ProgramNode> added) {
+    int level = 0;
+    for (long key = parent; key != ROOT; key = parentOf(key).orElse(ROOT)) {
+      level++;
+    }
+    return level + levels(added, DEEPEST) > DEEPEST ? Optional.of(tooDeep()) : Optional.empty();
   }
 
   /** A new program: a main program without nodes. */
@@ -107,8 +161,14 @@ public record ProgramTree(
    *
    * @param parent key of the node that they come below, or {@link #ROOT}
    * @param index before which of its children; the number of children for the end
+   * @throws IllegalArgumentException if {@link #whyTooDeep} has a reason
    */
   public ProgramTree insert(long parent, int index, List<ProgramNode> added) {
+    whyTooDeep(parent, added)
+        .ifPresent(
+            reason -> {
+              throw new IllegalArgumentException(reason);
+            });
     long[] next = {nextKey};
     List<ProgramNode> keyed = added.stream().map(each -> keyed(each, next)).toList();
     return changed(

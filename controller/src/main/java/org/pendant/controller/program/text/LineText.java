@@ -12,11 +12,11 @@ import java.util.Map;
  * @param word with which it begins
  * @param fields by key, in order
  */
-record LineText(String word, Map<String, Value> fields) {
+public record LineText(String word, Map<String, Value> fields) {
   private static final int LONGEST_LIST = 1000;
 
   /** A value, and where it begins, in characters from 1. */
-  sealed interface Value {
+  public sealed interface Value {
     int column();
 
     /** A text in quotes. */
@@ -40,12 +40,12 @@ record LineText(String word, Map<String, Value> fields) {
    * @param column of its first character in the file, from 1
    * @throws WrongText for the first thing that is wrong
    */
-  static LineText parse(String text, int column) throws WrongText {
+  public static LineText parse(String text, int column) throws WrongText {
     return new Scan(text, column).line();
   }
 
   /** A text in quotes. */
-  static String quoted(String text) {
+  public static String quoted(String text) {
     StringBuilder quoted = new StringBuilder("\"");
     for (int i = 0; i < text.length(); i++) {
       char c = text.charAt(i);

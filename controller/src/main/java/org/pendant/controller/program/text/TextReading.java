@@ -21,7 +21,6 @@ import org.pendant.models.pose.Pose;
 final class TextReading {
   private static final int MOST_PROBLEMS = 100;
   private static final int MOST_NODES = 200_000;
-  private static final int DEEPEST = 200;
   private static final String SUPPRESSED = "suppressed ";
 
   private final List<TextProblem> problems = new ArrayList<>();
@@ -183,10 +182,10 @@ final class TextReading {
       blocks.add(lines.get(at++));
     }
     List<ProgramNode> children = new ArrayList<>();
-    while (at < lines.size() && lines.get(at).depth() > depth && depth < DEEPEST) {
+    while (at < lines.size() && lines.get(at).depth() > depth && depth < ProgramTree.DEEPEST) {
       node(depth + 1).ifPresent(children::add);
     }
-    if (depth == DEEPEST) {
+    if (depth == ProgramTree.DEEPEST) {
       skipBelow(depth, line);
     }
     try {
@@ -219,7 +218,7 @@ final class TextReading {
 
   private void skipBelow(int depth, Line line) {
     if (at < lines.size() && lines.get(at).depth() > depth) {
-      complain(line.number(), 1, "nodes are more than " + DEEPEST + " levels deep");
+      complain(line.number(), 1, "nodes are more than " + ProgramTree.DEEPEST + " levels deep");
     }
     while (at < lines.size() && lines.get(at).depth() > depth) {
       at++;

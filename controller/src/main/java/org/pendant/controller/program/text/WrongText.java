@@ -1,7 +1,7 @@
 package org.pendant.controller.program.text;
 
 /** A line that cannot be understood. */
-final class WrongText extends Exception {
+public final class WrongText extends Exception {
   private static final long serialVersionUID = 1;
 
   private final int column;
@@ -10,12 +10,12 @@ final class WrongText extends Exception {
    * @param column where it is wrong, in characters from 1
    * @param message what was found and what would be right
    */
-  WrongText(int column, String message) {
+  public WrongText(int column, String message) {
     super(message, null, false, false);
     this.column = column;
   }
 
-  int column() {
+  public int column() {
     return column;
   }
 }

@@ -19,17 +19,17 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /** Trees of every kind of node with anything in their fields. */
-final class RandomTrees {
+public final class RandomTrees {
   private static final String CHARACTERS =
       "abc XYZ 019_-+=[]{}()#|>\"'\\\n\r\t\u0000\u0007\u00e9\u2260\u2028\u4e2d\ud83d\ude00,.;:/&<%";
 
   private final Random random;
 
-  RandomTrees(long seed) {
+  public RandomTrees(long seed) {
     random = new Random(seed);
   }
 
-  ProgramTree tree() {
+  public ProgramTree tree() {
     Map<String, WaypointPosition> waypoints = new LinkedHashMap<>();
     for (int i = random.nextInt(4); i > 0; i--) {
       waypoints.put("w" + i + text(), new WaypointPosition(pose(), text(), joints(), pose()));

@@ -1,0 +1,32 @@
+package org.pendant.controller.program.script;
+
+import org.pendant.controller.program.ForeignStep;
+import org.pendant.controller.program.ProgramNode;
+
+/** Writes nodes of others: what stands in for them, or a remark. */
+final class ForeignWriter {
+  private final ScriptLines lines;
+  private final ActiveTool tool;
+
+  ForeignWriter(ScriptContext context, ActiveTool tool) {
+    lines = context.lines();
+    this.tool = tool;
+  }
+
+  /** A node; it has none below it. */
+  void write(ProgramNode node, ForeignStep step) {
+    lines.begin(node);
+    switch (step) {
+      case ForeignStep.Contributed each -> {
+        String who = ScriptText.oneLine(each.source() + ": " + each.type());
+        lines.line("# begin: URCap node " + who);
+        each.stub().forEach(lines::code);
+        lines.line("# end: URCap node " + who);
+      }
+      case ForeignStep.Unknown each ->
+          lines.line("# does nothing: unknown node " + ScriptText.oneLine(each.element()));
+    }
+    tool.forget();
+    lines.end();
+  }
+}

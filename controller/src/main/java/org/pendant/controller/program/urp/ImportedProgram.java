@@ -1,0 +1,21 @@
+package org.pendant.controller.program.urp;
+
+import java.util.List;
+import org.pendant.controller.installation.Feature;
+import org.pendant.controller.program.ProgramTree;
+
+/**
+ * A program as it was read from a file of PolyScope.
+ *
+ * @param name of the program, as the file says
+ * @param tree all that is in it
+ * @param features that its waypoints refer to, where they were when these were taught
+ * @param remarks what was not understood or is kept as it was, each with its line
+ */
+public record ImportedProgram(
+    String name, ProgramTree tree, List<Feature> features, List<String> remarks) {
+  public ImportedProgram {
+    features = List.copyOf(features);
+    remarks = List.copyOf(remarks);
+  }
+}
