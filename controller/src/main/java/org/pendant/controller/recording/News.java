@@ -1,0 +1,48 @@
+package org.pendant.controller.recording;
+
+import java.util.List;
+import org.pendant.controller.machine.ProgramEvent;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.Popup;
+import org.pendant.controller.message.Question;
+import org.pendant.controller.state.ControllerState;
+
+/** What a frame has brought, as in {@link ControllerState}; it holds in that frame only. */
+record News(
+    List<LogEntry> entries,
+    List<Popup> popups,
+    List<Question> questions,
+    List<ProgramEvent> events,
+    long newestEntry) {
+  static final News NONE = new News(List.of(), List.of(), List.of(), List.of(), 0);
+
+  News {
+    entries = List.copyOf(entries);
+    popups = List.copyOf(popups);
+    questions = List.copyOf(questions);
+    events = List.copyOf(events);
+  }
+
+  static boolean in(ControllerState state) {
+    return !state.newEntries().isEmpty()
+        || !state.newPopups().isEmpty()
+        || !state.newQuestions().isEmpty()
+        || !state.newProgramEvents().isEmpty();
+  }
+
+  static News of(ControllerState state) {
+    return new News(
+        state.newEntries(),
+        state.newPopups(),
+        state.newQuestions(),
+        state.newProgramEvents(),
+        state.newestEntry());
+  }
+
+  /** In a frame that brings none: only the number of the newest log line stays. */
+  News old() {
+    return newestEntry == 0
+        ? NONE
+        : new News(List.of(), List.of(), List.of(), List.of(), newestEntry);
+  }
+}
