@@ -12,6 +12,8 @@ import org.pendant.controller.eip.AssemblyPair;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.InstallationCheck;
 import org.pendant.controller.io.InputOwners;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.jog.JogMove;
@@ -49,6 +51,21 @@ public sealed interface Command {
 
   /** From now on programs may read files in a folder. */
   record SetProgramsFolder(ProgramsFolder folder) implements Command {}
+
+  /**
+   * Makes the controller what an installation says, in place of what was. Refused while a program
+   * runs or is paused or the arm moves, and when {@link InstallationCheck} finds something wrong.
+   * Where the safety configuration differs the arm is powered off, as a real one is.
+   */
+  record ApplyInstallation(Installation installation) implements Command {}
+
+  /**
+   * A fieldbus scanner that has written inputs does so no longer; what follows is up to the
+   * installation.
+   *
+   * @param who it was, for the log
+   */
+  record ScannerLost(String who) implements Command {}
 
   /** Ends the program; the arm comes to rest on its path. */
   record StopProgram() implements Command {}

@@ -12,6 +12,9 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.Collectors;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.debug.Debugger;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.InstallationCheck;
+import org.pendant.controller.installation.InstallationProblem;
 import org.pendant.controller.io.InputOwners;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.machine.Interpreter;
@@ -42,20 +45,36 @@ final class CommandDesk {
   private final Debugger debugger;
   private final HandDesk hand;
   private final VariableTracer tracer;
+  private final InstallationDesk installed;
   private final BlockingQueue<Submitted> arrived = new ArrayBlockingQueue<>(CAPACITY);
   private final List<Submitted> secondaries = new ArrayList<>();
   private final Deque<Submitted> lines = new ArrayDeque<>();
   private final List<Answered> answered = new ArrayList<>();
+  private CommandJournal journal = (frame, turn, command) -> {};
+  private long frame;
+  private long turn;
 
   private record Answered(Submitted command, Reply reply) {}
 
   CommandDesk(
-      ControlBox box, Machine machine, Debugger debugger, HandDesk hand, VariableTracer tracer) {
+      ControlBox box,
+      Machine machine,
+      Debugger debugger,
+      HandDesk hand,
+      VariableTracer tracer,
+      InstallationDesk installed) {
     this.box = box;
     this.machine = machine;
     this.debugger = debugger;
     this.hand = hand;
     this.tracer = tracer;
+    this.installed = installed;
+    debugger.noteIn(request -> journal.note(frame, turn, new Command.Debug(request)));
+  }
+
+  /** Has {@code journal} told of every command from now on. */
+  void noteIn(CommandJournal journal) {
+    this.journal = journal;
   }
 
   /** Any thread: leaves a command for the next frame. */
@@ -69,13 +88,20 @@ final class CommandDesk {
   }
 
   /**
-   * Carries out what has arrived, in its order.
+   * Carries out what has arrived, in its order and at most {@link #CAPACITY} in a frame.
    *
    * @param afterEach runs after each command: the next one may end what this one has begun
    */
   void drain(Runnable afterEach) {
+    turn = box.clock().frame() == frame ? turn + 1 : 0;
+    frame = box.clock().frame();
     interpretWaiting();
-    for (Submitted next = arrived.poll(); next != null; next = arrived.poll()) {
+    for (int left = CAPACITY; left > 0 && !arrived.isEmpty(); left--) {
+      Submitted next = arrived.remove();
+      if (!(next.command() instanceof Command.Debug)) {
+        // what a debugger is asked it says itself
+        journal.note(frame, turn, next.command());
+      }
       if (next.command() instanceof Command.RunSecondary) {
         secondaries.add(next);
       } else if (next.command() instanceof Command.Interpret && mustWait()) {
@@ -140,6 +166,8 @@ final class CommandDesk {
         case Command.StartProgram start -> start(start.program());
         case Command.ReplaceProgram replace -> replace(replace.program());
         case Command.SetProgramsFolder set -> done(() -> box.setProgramsFolder(set.folder()));
+        case Command.ApplyInstallation apply -> granted(install(apply.installation()));
+        case Command.ScannerLost lost -> done(() -> installed.scannerLost(lost.who()));
         case Command.StopProgram stop -> done(machine::stop);
         case Command.PauseProgram pause -> pause();
         case Command.ResumeProgram resume -> resume();
@@ -282,6 +310,18 @@ final class CommandDesk {
     update.externalWrench().ifPresent(box.flange().externalForceSensor()::read);
     box.links().inputWatchdogs().received(update.recipe().names(), box.clock().timeS());
     return Optional.empty();
+  }
+
+  private Optional<String> install(Installation next) {
+    Optional<String> refusal = hand.settingRefusal("the installation is changed");
+    if (refusal.isEmpty()) {
+      refusal =
+          InstallationCheck.refusal(next, box.armDescription()).map(InstallationProblem::toString);
+    }
+    if (refusal.isEmpty()) {
+      installed.change(next);
+    }
+    return refusal;
   }
 
   private Reply powerOff() {

@@ -7,9 +7,11 @@ import java.util.SortedMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.box.Repeatability;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.debug.Debugger;
+import org.pendant.controller.installation.Installation;
 import org.pendant.controller.machine.InterpreterJournal;
 import org.pendant.controller.machine.Loaded;
 import org.pendant.controller.machine.Machine;
@@ -33,12 +35,14 @@ public final class Controller {
   private final ControlBox box;
   private final Machine machine;
   private final CommandDesk desk;
+  private final InstallationDesk installed;
   private final Frame frame;
 
   /**
    * Switches a controller on.
    *
-   * @throws IllegalArgumentException if the robot, an input or an encoder is not known
+   * @throws IllegalArgumentException if the robot, an input or an encoder is not known, or
+   *     something is wrong with the installation
    */
   public Controller(ControllerOptions options) {
     this(options, StandardBuiltins.create());
@@ -48,15 +52,18 @@ public final class Controller {
   public Controller(ControllerOptions options, Builtins builtins) {
     this.builtins = builtins;
     box = new ControlBox(options.boxSetup());
+    machine = new Machine(builtins, box);
+    installed = new InstallationDesk(box, machine);
+    options.installation().ifPresent(installed::begin);
     options.inputs().forEach(this::setInput);
     options.signals().forEach(box.signals()::write);
+    installed.takeLevels();
     options.encoders().forEach((index, ticksPerS) -> box.encoders().get(index).run(ticksPerS));
-    machine = new Machine(builtins, box);
     Debugger debugger = new Debugger(machine);
     HandDesk hand = new HandDesk(box, machine);
     VariableTracer tracer = new VariableTracer(machine);
-    desk = new CommandDesk(box, machine, debugger, hand, tracer);
-    frame = new Frame(box, machine, debugger, desk, hand, tracer);
+    desk = new CommandDesk(box, machine, debugger, hand, tracer, installed);
+    frame = new Frame(box, machine, debugger, desk, hand, tracer, installed);
   }
 
   private void setInput(String name, boolean level) {
@@ -70,6 +77,14 @@ public final class Controller {
 
   private static Optional<SafetyInput> safetyInput(String name) {
     return Arrays.stream(SafetyInput.values()).filter(each -> each.word().equals(name)).findAny();
+  }
+
+  /**
+   * What is set up, with the values that programs have left in the installation's variables; any
+   * thread. The same object while nothing of it changes.
+   */
+  public Installation installation() {
+    return installed.current();
   }
 
   /** The functions that programs may call. */
@@ -88,6 +103,21 @@ public final class Controller {
    */
   public CompletableFuture<Reply> submit(Command command) {
     return desk.submit(command);
+  }
+
+  /**
+   * Has {@code journal} told of every command from now on. Only for the thread that drives the
+   * frames.
+   */
+  public void noteCommandsIn(CommandJournal journal) {
+    desk.noteIn(journal);
+  }
+
+  /**
+   * Whether what has happened can happen once more, with the same options and commands; any thread.
+   */
+  public Repeatability repeatability() {
+    return box.clock().repeatability();
   }
 
   /** Runs one frame in the calling thread. */
@@ -138,6 +168,11 @@ public final class Controller {
   /** What has happened in interpreter mode; any thread. */
   public InterpreterJournal interpreterJournal() {
     return machine.interpreter().journal();
+  }
+
+  /** The text of the running or last program. Only for the thread that drives the frames. */
+  public Optional<Source> programSource() {
+    return machine.source();
   }
 
   /**

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.installation.Installation;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.outside.Doors;
@@ -42,6 +43,7 @@ public final class ControllerOptions {
   private Optional<InstantSource> systemTime = Optional.empty();
   private ProgramsFolder programsFolder = ProgramsFolder.NONE;
   private Doors outside = Doors.NONE;
+  private Optional<Installation> installation = Optional.empty();
 
   private ControllerOptions() {}
 
@@ -71,6 +73,7 @@ public final class ControllerOptions {
     copy.systemTime = systemTime;
     copy.programsFolder = programsFolder;
     copy.outside = outside;
+    copy.installation = installation;
     change.accept(copy);
     return copy;
   }
@@ -132,6 +135,16 @@ public final class ControllerOptions {
     return changed(copy -> copy.scene = surroundings);
   }
 
+  /**
+   * Set up as an installation says. Its safety limits hold unless {@link #withSafety} names others;
+   * inputs, signals and encoders of these options come after it.
+   *
+   * @param setUp for the arm of these options, or for any
+   */
+  public ControllerOptions withInstallation(Installation setUp) {
+    return changed(copy -> copy.installation = Optional.of(setUp));
+  }
+
   /** With other limits and planes than those that are standard for the arm. */
   public ControllerOptions withSafety(SafetyConfiguration limits) {
     return changed(copy -> copy.safety = Optional.of(limits));
@@ -172,7 +185,14 @@ public final class ControllerOptions {
 
   /** Limits and planes. */
   public SafetyConfiguration safety() {
-    return safety.orElseGet(() -> SafetyConfiguration.standard(ArmLibrary.load(robotId)));
+    return safety
+        .or(() -> installation.flatMap(Installation::safety))
+        .orElseGet(() -> SafetyConfiguration.standard(ArmLibrary.load(robotId)));
+  }
+
+  /** What the controller is set up as. */
+  public Optional<Installation> installation() {
+    return installation;
   }
 
   /** What is around the arm and on its flange. */

@@ -40,6 +40,7 @@ final class Frame {
   private final HandDesk hand;
   private final VariableSampler sampler;
   private final VariableTracer tracer;
+  private final InstallationDesk installed;
 
   private final StopWitness witness = new StopWitness();
   private final RuntimeWitness runtime = new RuntimeWitness();
@@ -68,13 +69,15 @@ final class Frame {
       Debugger debugger,
       CommandDesk desk,
       HandDesk hand,
-      VariableTracer tracer) {
+      VariableTracer tracer,
+      InstallationDesk installed) {
     this.box = box;
     this.machine = machine;
     this.debugger = debugger;
     this.desk = desk;
     this.hand = hand;
     this.tracer = tracer;
+    this.installed = installed;
     sampler = new VariableSampler(machine);
     state = snapshot();
     feed.publish(state);
@@ -113,6 +116,7 @@ final class Frame {
     box.links().modbus().step(box.clock().timeS());
     box.links().toolLine().step();
     desk.drain(this::followProgram);
+    installed.step();
     followWatchdogs();
     followAssemblies();
     box.signals().runState().power(box.drive().powered());
@@ -312,6 +316,7 @@ final class Frame {
       }
       case STOPPED -> {
         box.programStopped();
+        installed.programEnded();
         box.freedrive().end();
         box.motion().abort();
         box.motion().endOffsets();
@@ -384,6 +389,7 @@ final class Frame {
   /** Our own mistake, not the program's: it ends, and the log gets all there is to know. */
   private void endAfter(Throwable cause) {
     box.log().internalError(cause);
+    box.clock().repeatability().lose("an internal error ended the program");
     int line = machine.line();
     machine.stop();
     internalEnding =

@@ -150,7 +150,8 @@ final class HandDesk {
                 + " m");
   }
 
-  private Optional<String> settingRefusal(String what) {
+  /** Why nothing about the arm can be set up anew now; empty if it can. */
+  Optional<String> settingRefusal(String what) {
     Optional<String> refusal = programRefusal(what);
     return refusal.isEmpty() && box.motion().moving()
         ? Optional.of("the arm is moving, must be at rest when " + what)

@@ -13,6 +13,7 @@ public final class BoxClock {
   private static final long FRAME_NS = 1_000_000_000L / FrameTime.FRAMES_PER_SECOND;
 
   private final Optional<InstantSource> wall;
+  private final Repeatability repeatability = new Repeatability(this);
   private long frame;
 
   /** A clock whose date comes from {@code wall}, or without one from the frames. */
@@ -39,9 +40,15 @@ public final class BoxClock {
     return frame * FRAME_NS;
   }
 
-  /** The date and time of day. */
+  /** The date and time of day; that of the wall cannot be repeated. */
   public Instant systemTime() {
+    repeatability.loseInRealTime("a program asked for the date");
     return wall.isPresent() ? wall.get().instant() : VIRTUAL_START.plusNanos(timeNs());
+  }
+
+  /** Whether the frames up to now can run once more with the same outcome. */
+  public Repeatability repeatability() {
+    return repeatability;
   }
 
   /** Whether the clock of the wall drives the frames, so that a run cannot be repeated exactly. */

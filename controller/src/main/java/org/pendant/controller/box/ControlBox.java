@@ -161,7 +161,7 @@ public final class ControlBox {
                 flange,
                 contactWatch,
                 log));
-    links = new BoxLinks(setup.doors(), signals, log);
+    links = new BoxLinks(WatchedDoors.of(setup.doors(), clock.repeatability()), signals, log);
     PromptNumbers numbers = new PromptNumbers();
     popups = new PopupBoard(setup.operator(), log, numbers);
     questions = new QuestionBoard(setup.operator(), log, numbers);

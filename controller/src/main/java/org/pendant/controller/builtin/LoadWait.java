@@ -17,6 +17,7 @@ final class LoadWait implements Wait {
   private final boolean feeds;
 
   LoadWait(ControlBox box, OffFrame<NcPath> reading, boolean feeds) {
+    box.clock().repeatability().loseInRealTime("a program waited until a toolpath was read");
     this.box = box;
     this.reading = reading;
     this.feeds = feeds;
@@ -37,6 +38,7 @@ final class LoadWait implements Wait {
   /** Keeps a file that has been read, and says what of it has no effect. */
   static int keep(ControlBox box, NcPath path, boolean feeds) throws ScriptError {
     int id = box.toolpaths().keep(path, feeds);
+    box.clock().repeatability().read(path.file(), path.hashCode());
     if (!path.ignored().isEmpty()) {
       box.log()
           .info(

@@ -41,6 +41,7 @@ final class RunWait implements Wait {
   private void planAtRest() throws ScriptError {
     MotionControl motion = box.motion();
     if (!motion.moving()) {
+      box.clock().repeatability().loseInRealTime("a program waited until a toolpath was planned");
       planning =
           Optional.of(
               box.toolpaths().plan(last, motion.pathPositionRad(), box.flange().tool().inFlange()));

@@ -2,11 +2,13 @@ package org.pendant.controller.debug;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.Program;
 import org.pendant.controller.machine.ProgramProbe;
 import org.pendant.controller.machine.ThreadSnapshot;
 import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
 
 /**
  * Holds the primary program of one machine at breakpoints, after steps, on request and before it
@@ -28,6 +30,7 @@ public final class Debugger {
   private final ProgramProbe probe;
   private final Breakpoints breakpoints = new Breakpoints();
   private final Stops stops;
+  private Consumer<DebugRequest> journal = request -> {};
 
   /** A debugger of what {@code machine} will run; there can be one at a time. */
   public Debugger(Machine machine) {
@@ -36,10 +39,16 @@ public final class Debugger {
     machine.attach(stops);
   }
 
+  /** Has {@code journal} told what is asked from now on, before it is carried out. */
+  public void noteIn(Consumer<DebugRequest> journal) {
+    this.journal = journal;
+  }
+
   // --- breakpoints
 
   /** Sets a breakpoint, in place of the one on its line, and tells where it is. */
   public BreakpointState set(Breakpoint breakpoint) {
+    journal.accept(new DebugRequest.SetBreakpoint(breakpoint));
     BreakpointState set = breakpoints.set(breakpoint);
     stops.setTraps();
     return set;
@@ -47,6 +56,7 @@ public final class Debugger {
 
   /** Removes the breakpoint that was set on {@code line}; whether there was one. */
   public boolean remove(int line) {
+    journal.accept(new DebugRequest.RemoveBreakpoint(line));
     boolean removed = breakpoints.remove(line);
     stops.setTraps();
     return removed;
@@ -54,6 +64,7 @@ public final class Debugger {
 
   /** Removes every breakpoint. */
   public void removeBreakpoints() {
+    journal.accept(new DebugRequest.RemoveBreakpoints());
     breakpoints.removeAll();
     stops.setTraps();
   }
@@ -65,6 +76,7 @@ public final class Debugger {
 
   /** Whether a program that fails is held before it ends; not so at first. */
   public void stopOnErrors(boolean wanted) {
+    journal.accept(new DebugRequest.StopOnErrors(wanted));
     stops.onErrors(wanted);
   }
 
@@ -72,6 +84,7 @@ public final class Debugger {
 
   /** Holds the running program before anything of the next frame has run. */
   public void pause() {
+    journal.accept(new DebugRequest.Pause());
     refuseHeld();
     probe.hold();
     if (!probe.held()) {
@@ -82,6 +95,7 @@ public final class Debugger {
 
   /** Lets the program go on; one that has failed ends now. */
   public void resume() {
+    journal.accept(new DebugRequest.Resume());
     refuseUnlessHeld();
     go(Optional.empty());
   }
@@ -95,6 +109,7 @@ public final class Debugger {
 
   /** Lets the program go on until {@code thread} comes to its next statement in any function. */
   public void stepInto(int thread) {
+    journal.accept(new DebugRequest.StepInto(thread));
     refuseUnlessSteppable();
     standBefore(thread);
     probe.mark(thread);
@@ -106,6 +121,7 @@ public final class Debugger {
    * is in, or in the caller if that returns.
    */
   public void stepOver(int thread) {
+    journal.accept(new DebugRequest.StepOver(thread));
     refuseUnlessSteppable();
     standBefore(thread);
     go(Optional.of(new Step.Over(thread, probe.mark(thread))));
@@ -116,6 +132,7 @@ public final class Debugger {
    * statement of a caller.
    */
   public void stepOut(int thread) {
+    journal.accept(new DebugRequest.StepOut(thread));
     refuseUnlessSteppable();
     standBefore(thread);
     go(Optional.of(new Step.Out(thread, probe.mark(thread))));
@@ -126,6 +143,7 @@ public final class Debugger {
    * line} would mean.
    */
   public void runTo(int thread, int line) {
+    journal.accept(new DebugRequest.RunTo(thread, line));
     refuseUnlessSteppable();
     probe.mark(thread);
     int start =
@@ -144,6 +162,7 @@ public final class Debugger {
 
   /** Ends a thread of a held program, and those that it started. */
   public void kill(int thread) {
+    journal.accept(new DebugRequest.Kill(thread));
     refuseUnlessSteppable();
     probe.kill(thread);
     stops.threadKilled();
@@ -205,7 +224,7 @@ public final class Debugger {
    */
   public List<Variable> children(int thread, int depth, String expression, int from, int count)
       throws ScriptError {
-    return Variables.children(expression, probe.evaluate(thread, depth, expression), from, count);
+    return Variables.children(expression, value(thread, depth, expression), from, count);
   }
 
   /**
@@ -214,7 +233,15 @@ public final class Debugger {
    * @throws ScriptError when it is no expression, fails, or would take robot time
    */
   public Variable evaluate(int thread, int depth, String expression) throws ScriptError {
-    return Variables.of(expression, expression, probe.evaluate(thread, depth, expression));
+    return Variables.of(expression, expression, value(thread, depth, expression));
+  }
+
+  private Value value(int thread, int depth, String expression) throws ScriptError {
+    if (expression.indexOf('(') >= 0) {
+      // it may call something
+      journal.accept(new DebugRequest.Evaluate(thread, depth, expression));
+    }
+    return probe.evaluate(thread, depth, expression);
   }
 
   /**
@@ -228,7 +255,8 @@ public final class Debugger {
    */
   public Variable assign(int thread, int depth, String target, String expression)
       throws ScriptError {
+    journal.accept(new DebugRequest.Assign(thread, depth, target, expression));
     probe.assign(thread, depth, target, expression);
-    return evaluate(thread, depth, target);
+    return Variables.of(target, target, probe.evaluate(thread, depth, target));
   }
 }

@@ -27,6 +27,32 @@ public final class PortLevels {
     this.registers = registers;
   }
 
+  /**
+   * The memory of one moment.
+   *
+   * @param lowBits bits at the addresses 128 to 191, the lowest in bit 0
+   * @param highBits bits at the addresses 192 to 255, the lowest in bit 0
+   * @param registers 128 of them
+   * @throws IllegalArgumentException if there are more or fewer
+   */
+  public static PortLevels of(long lowBits, long highBits, short[] registers) {
+    if (registers.length != LAST - FIRST + 1) {
+      throw new IllegalArgumentException(
+          "ports: has " + registers.length + " registers, must have " + (LAST - FIRST + 1));
+    }
+    return new PortLevels(lowBits, highBits, registers.clone());
+  }
+
+  /** Bits at the addresses 128 to 191, the lowest in bit 0. */
+  public long lowBits() {
+    return lowBits;
+  }
+
+  /** Bits at the addresses 192 to 255, the lowest in bit 0. */
+  public long highBits() {
+    return highBits;
+  }
+
   /** Whether there is memory at this address. */
   public static boolean holds(int address) {
     return address >= FIRST && address <= LAST;

@@ -26,6 +26,31 @@ public final class RegisterLevels {
   }
 
   /**
+   * The registers of one moment.
+   *
+   * @param lowBits boolean registers 0 to 63, the lowest in bit 0
+   * @param highBits boolean registers 64 to 127, the lowest in bit 0
+   * @param integers 48 of them
+   * @param floats 48 of them
+   * @throws IllegalArgumentException if there are more or fewer
+   */
+  public static RegisterLevels of(long lowBits, long highBits, int[] integers, double[] floats) {
+    if (integers.length != RegisterKind.INTEGER.size()
+        || floats.length != RegisterKind.FLOAT.size()) {
+      throw new IllegalArgumentException(
+          "registers: has "
+              + integers.length
+              + " integers and "
+              + floats.length
+              + " floats, must have "
+              + RegisterKind.INTEGER.size()
+              + " and "
+              + RegisterKind.FLOAT.size());
+    }
+    return new RegisterLevels(lowBits, highBits, integers.clone(), floats.clone());
+  }
+
+  /**
    * A boolean register, 0 to 127.
    *
    * @throws IllegalArgumentException if there is no such register

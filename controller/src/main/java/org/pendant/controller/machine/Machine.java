@@ -12,6 +12,7 @@ import org.pendant.controller.call.ProgramControl;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
+import org.pendant.language.source.Source;
 
 /**
  * Runs one primary program at a time, and secondary programs beside it. Not thread-safe: the frame
@@ -191,6 +192,11 @@ public final class Machine {
     ending = Optional.of(how);
     events.add(new ProgramEvent.Ended(programName, how));
     sentry.programEnded();
+  }
+
+  /** The text of the running or last program. */
+  public Optional<Source> source() {
+    return run.map(each -> each.program().source());
   }
 
   /** What happened to programs since the last call, in order. */

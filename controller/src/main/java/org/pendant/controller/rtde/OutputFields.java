@@ -12,6 +12,9 @@ import java.util.Optional;
  * TCP are in the base frame.
  */
 public final class OutputFields {
+  /** The field that says how long the computer works at a frame. */
+  public static final String EXECUTION_TIME = "actual_execution_time";
+
   private static final Map<String, OutputField> FIELDS = catalogue();
 
   private OutputFields() {}

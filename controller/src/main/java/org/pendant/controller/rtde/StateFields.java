@@ -21,7 +21,7 @@ final class StateFields {
     list.number("speed_scaling", state -> state.arm().speedScaling());
     list.number("target_speed_fraction", state -> state.arm().speedFraction());
     list.int32("time_scale_source", StateFields::timeScaleSource);
-    list.number("actual_execution_time", state -> MICRO * state.executionTimeS());
+    list.number(OutputFields.EXECUTION_TIME, state -> MICRO * state.executionTimeS());
     list.number("target_execution_time", state -> MICRO * ControlBox.FRAME_S);
     list.add("control_step", FieldType.UINT64, (state, out) -> out.putLong(state.frame()));
   }

@@ -26,9 +26,9 @@ final class ActiveLimits {
   /** Share of a frame that sums of frame times may be off. */
   private static final double ROUNDING_S = 1e-6;
 
-  private final SafetyConfiguration configuration;
   private final SafetyLimits recoverySet;
-  private final List<SafetyPlane> triggers;
+  private SafetyConfiguration configuration;
+  private List<SafetyPlane> triggers;
   private boolean byInput;
   private boolean byPlane;
   private boolean recovery;
@@ -39,10 +39,19 @@ final class ActiveLimits {
   ActiveLimits(ArmDescription arm, SafetyConfiguration configuration) {
     this.configuration = configuration;
     recoverySet = StandardLimits.recovery(StandardLimits.normal(arm));
-    triggers =
-        configuration.planes().stream()
-            .filter(plane -> plane.applies() == Applies.TRIGGERS_REDUCED)
-            .toList();
+    triggers = triggers(configuration);
+  }
+
+  private static List<SafetyPlane> triggers(SafetyConfiguration configuration) {
+    return configuration.planes().stream()
+        .filter(plane -> plane.applies() == Applies.TRIGGERS_REDUCED)
+        .toList();
+  }
+
+  /** Other limits hold from now on. */
+  void configure(SafetyConfiguration other) {
+    configuration = other;
+    triggers = triggers(other);
   }
 
   /**

@@ -5,6 +5,9 @@ public record Axis(double x, double y, double z) {
   /** A shorter vector has no direction worth the name. */
   static final double SHORTEST = 1e-3;
 
+  /** What rounding leaves of a length that was made 1: making it 1 again changes nothing. */
+  private static final double ROUNDING = 1e-15;
+
   /**
    * Makes the length 1.
    *
@@ -24,9 +27,11 @@ public record Axis(double x, double y, double z) {
               + SHORTEST
               + " long");
     }
-    x /= length;
-    y /= length;
-    z /= length;
+    if (Math.abs(length - 1) > ROUNDING) {
+      x /= length;
+      y /= length;
+      z /= length;
+    }
   }
 
   /** Length of a vector's component along this direction, in the vector's unit. */

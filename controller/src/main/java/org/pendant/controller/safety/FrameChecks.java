@@ -13,9 +13,18 @@ final class FrameChecks {
   private final TargetCheck target;
   private final TravelCheck travel;
   private final FollowingCheck following;
-  private final DeviationWarnings warnings = new DeviationWarnings();
+  private final DeviationWarnings warnings;
 
-  FrameChecks(ArmDescription arm, ArmDynamics dynamics, SafetyConfiguration configuration) {
+  /**
+   * Checks of a configuration.
+   *
+   * @param warnings that were asked for
+   */
+  FrameChecks(
+      ArmDescription arm,
+      ArmDynamics dynamics,
+      SafetyConfiguration configuration,
+      DeviationWarnings warnings) {
     boolean targetMatters =
         !configuration.planes().isEmpty() || configuration.toolDirection().isPresent();
     seen = new Observation(arm, dynamics, targetMatters);
@@ -23,6 +32,7 @@ final class FrameChecks {
     target = new TargetCheck(arm);
     travel = new TravelCheck(configuration);
     following = new FollowingCheck(arm);
+    this.warnings = warnings;
   }
 
   /** Takes in a frame; {@link #fault} comes next. */

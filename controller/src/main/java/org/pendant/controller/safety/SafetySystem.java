@@ -20,8 +20,11 @@ public final class SafetySystem {
   private final ActiveLimits limits;
   private final ArmPower power;
   private final StopRecord stops;
-  private final FrameChecks checks;
-  private final ViolationCheck positions;
+  private final ArmDescription arm;
+  private final ArmDynamics dynamics;
+  private FrameChecks checks;
+  private ViolationCheck positions;
+  private SafetyChecksum checksum;
   private final ArmPoints asked;
   private final MessageLog log;
   private final ErrorPauses pauses = new ErrorPauses();
@@ -60,13 +63,34 @@ public final class SafetySystem {
       MessageLog log,
       boolean running,
       PowerTimes times) {
+    this.arm = arm;
+    this.dynamics = dynamics;
     limits = new ActiveLimits(arm, configuration);
     power = new ArmPower(times, running);
     stops = new StopRecord(log, times.unlockS());
-    checks = new FrameChecks(arm, dynamics, configuration);
+    checks = new FrameChecks(arm, dynamics, configuration, new DeviationWarnings());
     positions = new ViolationCheck(configuration);
+    checksum = SafetyChecksum.of(configuration);
     asked = new ArmPoints(arm);
     this.log = log;
+  }
+
+  /**
+   * Other limits, planes and tool direction hold from now on. The arm is powered off, as a real one
+   * is; no program may run.
+   */
+  public void configure(SafetyConfiguration configuration) {
+    power.off();
+    stops.poweredOff();
+    limits.configure(configuration);
+    checks = new FrameChecks(arm, dynamics, configuration, checks.warnings());
+    positions = new ViolationCheck(configuration);
+    checksum = SafetyChecksum.of(configuration);
+  }
+
+  /** Tells configurations apart. */
+  public SafetyChecksum checksum() {
+    return checksum;
   }
 
   /** How far the arm is switched on. */

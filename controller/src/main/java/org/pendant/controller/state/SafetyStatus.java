@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.pendant.controller.box.BaseLight;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.safety.RobotMode;
+import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyStop;
 
@@ -17,6 +18,7 @@ import org.pendant.controller.safety.SafetyStop;
  * @param reduced whether the reduced limits hold
  * @param baseLight the light ring in the base
  * @param shutDown whether a program has switched the controller off
+ * @param checksum of the limits and planes that hold
  */
 public record SafetyStatus(
     RobotMode robotMode,
@@ -25,7 +27,8 @@ public record SafetyStatus(
     Optional<StopPlace> stopPlace,
     boolean reduced,
     BaseLight baseLight,
-    boolean shutDown) {
+    boolean shutDown,
+    SafetyChecksum checksum) {
 
   /**
    * The status of this frame.
@@ -40,6 +43,7 @@ public record SafetyStatus(
         stopPlace,
         box.safety().reduced(),
         box.baseLight(),
-        box.isShutDown());
+        box.isShutDown(),
+        box.safety().checksum());
   }
 }

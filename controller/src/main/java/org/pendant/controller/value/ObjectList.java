@@ -25,8 +25,8 @@ public final class ObjectList implements ListValue {
     return new ObjectList(elements, length, sample);
   }
 
-  /** A value of the element type. */
-  Value sample() {
+  /** A value of the element type, not copied. */
+  public Value sample() {
     return sample;
   }
 

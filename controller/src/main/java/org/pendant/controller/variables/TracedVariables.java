@@ -35,6 +35,34 @@ public final class TracedVariables {
     this.values = values;
   }
 
+  /**
+   * Numbers that were traced before, such as those of a recording.
+   *
+   * @param values one for each of {@code names}
+   * @throws IllegalArgumentException if there are more or fewer
+   */
+  public static TracedVariables of(List<String> names, double... values) {
+    return new TracedVariables(new Names(names), checked(values, names.size()));
+  }
+
+  /**
+   * The same names with other numbers.
+   *
+   * @param others one for each name
+   * @throws IllegalArgumentException if there are more or fewer
+   */
+  public TracedVariables withValues(double... others) {
+    return new TracedVariables(names, checked(others, names.all.size()));
+  }
+
+  private static double[] checked(double[] values, int count) {
+    if (values.length != count) {
+      throw new IllegalArgumentException(
+          "traced variables: has " + values.length + " values, must have " + count);
+    }
+    return values.clone();
+  }
+
   /** Takes over {@code values}, one for each name. */
   static TracedVariables owning(Names names, double[] values) {
     return new TracedVariables(names, values);

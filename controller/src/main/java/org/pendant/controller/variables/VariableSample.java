@@ -7,6 +7,9 @@ import org.pendant.controller.debug.Variable;
 import org.pendant.controller.debug.Variables;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.MatrixValue;
+import org.pendant.controller.value.NumberList;
+import org.pendant.controller.value.ObjectList;
+import org.pendant.controller.value.StringValue;
 import org.pendant.controller.value.StructValue;
 import org.pendant.controller.value.Value;
 
@@ -16,6 +19,9 @@ import org.pendant.controller.value.Value;
  */
 public final class VariableSample {
   private static final int NO_PART = -1;
+
+  /** An object with its share of what leads to it, rather too much. */
+  private static final int BYTES_AN_OBJECT = 64;
 
   private final String name;
   private final String expression;
@@ -34,6 +40,18 @@ public final class VariableSample {
     this.expression = expression;
     this.value = value;
     this.length = length;
+  }
+
+  /**
+   * A sample that was taken before, such as one from a recording.
+   *
+   * @param expression what yields it in the program
+   * @param value belongs to the sample from now on; empty for a variable without a value
+   * @param length how many elements or members the variable had, at least those of {@code value}
+   */
+  public static VariableSample of(
+      String name, String expression, Optional<Value> value, int length) {
+    return new VariableSample(name, expression, value, length);
   }
 
   /** A variable that was not assigned yet. */
@@ -77,6 +95,34 @@ public final class VariableSample {
   /** How many of them the sample has. */
   public int kept() {
     return value.map(Variables::childCount).orElse(0);
+  }
+
+  /** What its value takes in memory, about; costs a look at each part. */
+  public long bytes() {
+    return value.map(VariableSample::bytes).orElse(0L);
+  }
+
+  private static long bytes(Value value) {
+    long sum = BYTES_AN_OBJECT;
+    switch (value) {
+      case StringValue string -> sum += string.length();
+      case NumberList list -> sum += (long) Double.BYTES * list.length();
+      case MatrixValue matrix -> sum += (long) Double.BYTES * matrix.rows() * matrix.columns();
+      case ObjectList list -> {
+        for (int i = 0; i < list.length(); i++) {
+          sum += bytes(list.objectAt(i));
+        }
+      }
+      case StructValue struct -> {
+        for (int i = 0; i < struct.length(); i++) {
+          sum += bytes(struct.memberAt(i));
+        }
+      }
+      default -> {
+        // as small as any object
+      }
+    }
+    return sum;
   }
 
   /** Ready to be shown; costs more than a look. */
