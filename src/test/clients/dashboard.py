@@ -27,6 +27,14 @@ TREE = """<?xml version="1.0" encoding="UTF-8"?>
 </URProgram>
 """
 
+ALONE = """<?xml version="1.0" encoding="UTF-8"?>
+<URProgram name="alone" installation="cell" createdIn="5.24.1">
+  <children><MainProgram runOnlyOnce="false"><children>
+    <Wait type="Sleep"><waitTime>0.5</waitTime></Wait>
+  </children></MainProgram></children>
+</URProgram>
+"""
+
 signal.alarm(GIVE_UP_S)
 
 
@@ -51,7 +59,8 @@ def awaited(what, expected, ask):
 # the box reads programs from the folder that this runs in
 pathlib.Path("turning.script").write_text(TURNING)
 pathlib.Path("turning.urp").write_bytes(gzip.compress(TREE.encode()))
-pathlib.Path("alone.urp").write_bytes(gzip.compress(TREE.encode()))
+pathlib.Path("alone.urp").write_bytes(gzip.compress(ALONE.encode()))
+pathlib.Path("broken.urp").write_bytes(gzip.compress(TREE.encode())[:40])
 
 client = DashboardClient(HOST)
 client.connect()
@@ -85,13 +94,19 @@ client.play()
 awaited("going on", "PLAYING turning.urp", client.programState)
 client.stop()
 awaited("stopping", "STOPPED turning.urp", client.programState)
-for name in ("missing.urp", "alone.urp"):
+for name in ("missing.urp", "broken.urp"):
     try:
         client.loadURP(name)
         raise SystemExit(name + " must not load")
     except RuntimeError as refused:
         print(name, "is refused:", refused)
 check("the program stays", "Loaded program: /programs/turning.urp", client.getLoadedProgram())
+# a tree of nodes needs no script beside it
+client.loadURP("alone.urp")
+client.play()
+awaited("playing a tree", "PLAYING alone.urp", client.programState)
+client.stop()
+awaited("stopping a tree", "STOPPED alone.urp", client.programState)
 
 # messages
 client.popup("look here")

@@ -90,6 +90,11 @@ final class AssemblyDesk {
     ask(new Command.ReleaseSignals(owner));
   }
 
+  /** The scanner that writes an assembly has gone; what follows is up to the installation. */
+  void lost(String owner) {
+    var _ = controller.submit(new Command.ScannerLost(owner));
+  }
+
   /** Makes a pair of assemblies; answers whether they are there. */
   boolean configure(AssemblyPair pair) throws InterruptedException {
     return answer(new Command.ConfigureAssemblies(pair)) instanceof Reply.Done;

@@ -293,6 +293,7 @@ final class Connections implements AutoCloseable {
       for (CyclicConnection each : late) {
         remove(each);
         log.write(Level.WARNING, each.owner() + " timed out: what it has written stays");
+        desk.lost(each.owner());
         releaseInBackground(each);
       }
     } finally {

@@ -1,6 +1,9 @@
 package org.pendant.protocols.panel;
 
+import java.util.Optional;
+import org.pendant.controller.installation.Installation;
 import org.pendant.controller.machine.Program;
+import org.pendant.controller.program.file.TreeFile;
 
 /**
  * A program that waits to be played.
@@ -9,7 +12,15 @@ import org.pendant.controller.machine.Program;
  * @param path below {@code /programs/}, as clients are told it
  * @param program compiled
  * @param installation the one that it names; empty if none
+ * @param setup that installation, if its file is there
+ * @param tree that it was generated from; empty for a script
  * @param saved whether the file has this very text
  */
 public record LoadedProgram(
-    String name, String path, Program program, String installation, boolean saved) {}
+    String name,
+    String path,
+    Program program,
+    String installation,
+    Optional<Installation> setup,
+    Optional<TreeFile> tree,
+    boolean saved) {}

@@ -9,11 +9,14 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.Reply;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.file.LoadedInstallation;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateFeed;
+import org.pendant.language.source.ByteText;
 
 /**
  * The teach pendant of one control box. Any thread may use it; most methods wait until what they do
@@ -26,6 +29,9 @@ public final class Panel {
 
   /** How long a pause may take to come about before it is called under way. */
   private static final long PAUSE_NS = TimeUnit.MILLISECONDS.toNanos(800);
+
+  /** More remarks about an installation are of no use in a log. */
+  private static final int MOST_REMARKS = 20;
 
   private static final String POPUP_TITLE = "Popup";
 
@@ -40,6 +46,10 @@ public final class Panel {
 
   private volatile Optional<LoadedProgram> loaded = Optional.empty();
   private volatile String installation = "default";
+
+  /** The installation for which the loaded program was made; guarded by {@code changing}. */
+  private Installation madeFor = Installation.NONE;
+
   private volatile OperationalMode mode = OperationalMode.NONE;
 
   /** A pendant without a loaded program. */
@@ -76,13 +86,14 @@ public final class Panel {
     return loaded;
   }
 
-  /** Name of the loaded installation. Nothing in it is used. */
+  /** Name of the loaded installation. */
   public String installation() {
     return installation;
   }
 
   /**
-   * Loads a program of the programs folder; a program that runs is stopped.
+   * Loads a program of the programs folder, and the installation that it names if that is there; a
+   * program that runs is stopped.
    *
    * @param name bytes, one {@code char} a byte
    */
@@ -95,20 +106,63 @@ public final class Panel {
       }
       loaded = Optional.of(found);
       installation = found.installation().isEmpty() ? installation : found.installation();
+      setUp(found);
+      madeFor = controller.installation();
       return found;
     } finally {
       changing.unlock();
     }
   }
 
+  private void setUp(LoadedProgram program) {
+    if (program.setup().isEmpty() || program.setup().get().equals(controller.installation())) {
+      return;
+    }
+    ask(new Command.ApplyInstallation(program.setup().get()))
+        .ifPresent(
+            why ->
+                log(
+                    Level.WARNING,
+                    "installation " + ByteText.asBytes(program.installation()) + ": " + why));
+  }
+
   /**
-   * Loads an installation of the programs folder.
+   * Loads an installation of the programs folder and sets the controller up with it. Refused while
+   * a program runs or the arm moves; where the safety configuration differs the arm is powered off.
    *
    * @param name bytes, one {@code char} a byte
    */
   public void loadInstallation(String name) throws LoadTrouble {
-    installation = shelf.installation(name);
-    log(Level.INFO, "installation " + name + ": nothing in it changes the simulated robot");
+    changing.lock();
+    try {
+      LoadedInstallation found = shelf.installation(name);
+      Optional<String> refusal = ask(new Command.ApplyInstallation(found.installation()));
+      if (refusal.isPresent()) {
+        throw new LoadTrouble(false, name + ": " + refusal.get());
+      }
+      installation = shelf.nameOf(name);
+      found.remarks().stream()
+          .limit(MOST_REMARKS)
+          .forEach(each -> log(Level.INFO, ByteText.asBytes("installation: " + each)));
+    } finally {
+      changing.unlock();
+    }
+  }
+
+  /**
+   * Loads the program that the installation names for the start, if it names one; one that cannot
+   * be loaded is told in the log.
+   */
+  public void loadAtStart() {
+    String program = controller.installation().startUp().program();
+    if (program.isEmpty()) {
+      return;
+    }
+    try {
+      var _ = load(ByteText.asBytes(program));
+    } catch (LoadTrouble e) {
+      log(Level.WARNING, "program " + program + " is not loaded at the start: " + e.getMessage());
+    }
   }
 
   /** Starts the loaded program, or goes on with one that is paused. */
@@ -119,13 +173,25 @@ public final class Panel {
         case RUNNING -> Optional.of("program " + state().program().name() + " runs already");
         case PAUSED -> ask(new Command.ResumeProgram());
         case STOPPED ->
-            loaded.isPresent()
-                ? ask(new Command.StartProgram(loaded.get().program()))
-                : Optional.of("no program is loaded");
+            loaded.isPresent() ? start(loaded.get()) : Optional.of("no program is loaded");
       };
     } finally {
       changing.unlock();
     }
+  }
+
+  /** A program tree begins with what programs have left in the installation's variables. */
+  private Optional<String> start(LoadedProgram program) {
+    Installation now = controller.installation();
+    if (!now.equals(madeFor)) {
+      try {
+        loaded = Optional.of(shelf.renewed(program));
+        madeFor = now;
+      } catch (LoadTrouble e) {
+        return Optional.of(e.getMessage());
+      }
+    }
+    return ask(new Command.StartProgram(loaded.orElseThrow().program()));
   }
 
   /** Pauses the program and waits until it stands. */

@@ -1,13 +1,23 @@
 package org.pendant.protocols.panel;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.pendant.controller.Controller;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.file.InstallationFile;
+import org.pendant.controller.installation.file.InstallationTrouble;
+import org.pendant.controller.installation.file.LoadedInstallation;
 import org.pendant.controller.machine.Loaded;
+import org.pendant.controller.machine.Program;
+import org.pendant.controller.program.file.BrokenTree;
+import org.pendant.controller.program.file.TreeFile;
 import org.pendant.controller.value.ScriptError;
+import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.DiagnosticFormat;
 import org.pendant.language.source.Source;
@@ -16,8 +26,6 @@ import org.pendant.language.source.Source;
 final class ProgramShelf {
   private static final long LARGEST_BYTES = 32 << 20;
   private static final String SCRIPT = ".script";
-  private static final String URP = ".urp";
-  private static final String INSTALLATION = ".installation";
 
   private final ProgramsFolder folder;
   private final Controller controller;
@@ -30,48 +38,117 @@ final class ProgramShelf {
   /**
    * Reads and compiles a program.
    *
-   * @param bytes name of a {@code .script} or {@code .urp} file, one {@code char} a byte: relative
-   *     to the folder, below {@code /programs/}, or with the folder's own path
+   * @param bytes name of a {@code .script}, {@code .urp} or {@code .pendant} file, one {@code char}
+   *     a byte: relative to the folder, below {@code /programs/}, or with the folder's own path
    */
   LoadedProgram load(String bytes) throws LoadTrouble {
     String name = inside(bytes);
-    String lower = name.toLowerCase(Locale.ROOT);
-    if (lower.endsWith(SCRIPT)) {
-      return compiled(name, name, "");
+    if (TreeFile.hasEnding(name)) {
+      return tree(name);
     }
-    if (!lower.endsWith(URP)) {
+    if (!name.toLowerCase(Locale.ROOT).endsWith(SCRIPT)) {
       throw new LoadTrouble(
-          true, bytes + " cannot be loaded: it must be the name of a .urp or .script file");
+          true,
+          bytes
+              + " cannot be loaded: it must be the name of a .script, "
+              + String.join(" or ", TreeFile.ENDINGS)
+              + " file");
     }
-    return urp(name);
+    Program program = compiled(Source.of(lastPart(name), read(name, SCRIPT)));
+    return loaded(name, program, "", Optional.empty(), Optional.empty());
   }
 
-  private LoadedProgram urp(String name) throws LoadTrouble {
-    UrpFile urp;
+  private LoadedProgram tree(String name) throws LoadTrouble {
+    TreeFile bare;
     try {
-      urp = UrpFile.read(read(name, URP));
-    } catch (IOException e) {
-      throw new LoadTrouble(false, name + " is not a program: it " + e.getMessage());
+      String ending = name.substring(name.lastIndexOf('.')).toLowerCase(Locale.ROOT);
+      bare = TreeFile.read(ByteText.decoded(name), read(name, ending));
+    } catch (BrokenTree e) {
+      throw new LoadTrouble(false, e.getMessage());
     }
-    String script = name.substring(0, name.length() - URP.length()) + SCRIPT;
-    try {
-      folder.find(script, SCRIPT, LARGEST_BYTES);
-    } catch (ScriptError e) {
-      throw new LoadTrouble(
-          false,
-          name
-              + " cannot be run without the script that is saved beside it ("
-              + e.getMessage()
-              + "); it has the nodes "
-              + String.join(", ", urp.nodes().stream().sorted().toList()));
+    String wanted = bare.tree().installation();
+    Optional<Installation> own = installationOf(name, wanted);
+    TreeFile tree = bare.in(own.orElse(controller.installation()));
+    Optional<byte[]> saved = tree.hasGaps() ? scriptBeside(name) : Optional.empty();
+    if (saved.isPresent()) {
+      Program program = compiled(Source.of(lastPart(name) + SCRIPT, saved.get()));
+      return loaded(name, program, wanted, own, Optional.empty());
     }
-    return compiled(name, script, urp.installation());
+    return loaded(
+        name, generated(name, tree), wanted, own.map(_ -> tree.installation()), Optional.of(tree));
   }
 
-  /** Compiles {@code script}, and calls it {@code name} from then on. */
-  private LoadedProgram compiled(String name, String script, String installation)
-      throws LoadTrouble {
-    Source source = Source.of(lastPart(script), read(script, SCRIPT));
+  private Program generated(String name, TreeFile tree) throws LoadTrouble {
+    List<String> problems = tree.problems();
+    if (!problems.isEmpty()) {
+      int others = problems.size() - 1;
+      throw new LoadTrouble(
+          false, problems.getFirst() + (others > 0 ? " (and " + others + " more)" : ""));
+    }
+    return compiled(Source.of(lastPart(name) + SCRIPT, tree.script().text()));
+  }
+
+  /** A program as it is in the controller's installation of now; scripts do not depend on it. */
+  LoadedProgram renewed(LoadedProgram program) throws LoadTrouble {
+    if (program.tree().isEmpty()) {
+      return program;
+    }
+    TreeFile tree = program.tree().get().in(controller.installation());
+    return new LoadedProgram(
+        program.name(),
+        program.path(),
+        generated(program.name(), tree),
+        program.installation(),
+        program.setup(),
+        Optional.of(tree),
+        program.saved());
+  }
+
+  /** The installation that a program names, if it is there. */
+  private Optional<Installation> installationOf(String program, String wanted) throws LoadTrouble {
+    if (wanted.isEmpty()) {
+      return Optional.empty();
+    }
+    String folderOfProgram = program.substring(0, program.lastIndexOf('/') + 1);
+    for (String each : InstallationFile.namesOf(wanted)) {
+      try {
+        return Optional.of(
+            installation(within(folderOfProgram + ByteText.asBytes(each))).installation());
+      } catch (LoadTrouble e) {
+        if (!e.missing()) {
+          throw e;
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Takes out the steps up in a path that come back down again. */
+  private static String within(String path) {
+    Deque<String> steps = new ArrayDeque<>();
+    for (String step : List.of(path.split("/", -1))) {
+      if (step.equals("..") && !steps.isEmpty() && !steps.peekLast().equals("..")) {
+        steps.removeLast();
+      } else if (!step.equals(".")) {
+        steps.addLast(step);
+      }
+    }
+    return String.join("/", steps);
+  }
+
+  /** The script that PolyScope has saved beside a program. */
+  private Optional<byte[]> scriptBeside(String name) throws LoadTrouble {
+    try {
+      return Optional.of(read(name.substring(0, name.lastIndexOf('.')) + SCRIPT, SCRIPT));
+    } catch (LoadTrouble e) {
+      if (e.missing()) {
+        return Optional.empty();
+      }
+      throw e;
+    }
+  }
+
+  private Program compiled(Source source) throws LoadTrouble {
     Loaded loaded = controller.load(source);
     if (loaded.program().isEmpty()) {
       String why =
@@ -83,20 +160,66 @@ final class ProgramShelf {
       throw new LoadTrouble(false, why);
     }
     if (loaded.program().get().secondary()) {
-      throw new LoadTrouble(false, script + " is a secondary program, which cannot be played");
+      throw new LoadTrouble(
+          false, source.name() + " is a secondary program, which cannot be played");
     }
-    return new LoadedProgram(
-        lastPart(name), ProgramsFolder.ROOT + name, loaded.program().get(), installation, true);
+    return loaded.program().get();
   }
 
-  /** Makes sure that there is an installation; answers its name below the folder. */
-  String installation(String bytes) throws LoadTrouble {
+  private static LoadedProgram loaded(
+      String name,
+      Program program,
+      String installation,
+      Optional<Installation> setup,
+      Optional<TreeFile> tree) {
+    return new LoadedProgram(
+        lastPart(name), ProgramsFolder.ROOT + name, program, installation, setup, tree, true);
+  }
+
+  /** The name of a file below the folder, however it was written. */
+  String nameOf(String bytes) {
+    return inside(bytes);
+  }
+
+  /**
+   * Reads an installation.
+   *
+   * @param bytes name of its file, as for {@link #load}
+   */
+  LoadedInstallation installation(String bytes) throws LoadTrouble {
     String name = inside(bytes);
-    byte[] content = read(name, INSTALLATION);
-    if (content.length == 0) {
-      throw new LoadTrouble(false, name + " is empty");
+    String lower = name.toLowerCase(Locale.ROOT);
+    Optional<String> ending = InstallationFile.ENDINGS.stream().filter(lower::endsWith).findFirst();
+    if (ending.isEmpty()) {
+      throw new LoadTrouble(
+          true,
+          bytes
+              + " cannot be loaded: it must be the name of a "
+              + String.join(" or ", InstallationFile.ENDINGS)
+              + " file");
     }
-    return name;
+    try {
+      return InstallationFile.read(name, read(name, ending.get()), variables(name));
+    } catch (InstallationTrouble e) {
+      throw new LoadTrouble(false, e.getMessage());
+    }
+  }
+
+  /** The values of an installation's variables, if they stand in a file beside it. */
+  private Optional<byte[]> variables(String installation) throws LoadTrouble {
+    Optional<String> name = InstallationFile.variablesOf(installation);
+    if (name.isEmpty()) {
+      return Optional.empty();
+    }
+    String ending = name.get().substring(name.get().lastIndexOf('.'));
+    try {
+      return Optional.of(read(name.get(), ending));
+    } catch (LoadTrouble e) {
+      if (e.missing()) {
+        return Optional.empty();
+      }
+      throw e;
+    }
   }
 
   private byte[] read(String name, String ending) throws LoadTrouble {
@@ -124,8 +247,7 @@ final class ProgramShelf {
   }
 
   private static String asBytes(Path path) {
-    byte[] bytes = (path.toAbsolutePath() + "/").getBytes(StandardCharsets.UTF_8);
-    return new String(bytes, StandardCharsets.ISO_8859_1);
+    return ByteText.asBytes(path.toAbsolutePath() + "/");
   }
 
   private static String lastPart(String name) {

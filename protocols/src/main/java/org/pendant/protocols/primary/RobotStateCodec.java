@@ -168,7 +168,7 @@ final class RobotStateCodec {
         .put((byte) RobotBits.coarse(state.safety().safetyMode()).code())
         .put(bit(state.safety().reduced()))
         .put(FALSE)
-        .putInt(0)
+        .putInt(state.safety().checksum().value())
         .put(OPERATIONAL_MODE_INPUT)
         .put(ENABLING_DEVICE_INPUT)
         .put(MASTERBOARD_END);
@@ -217,7 +217,7 @@ final class RobotStateCodec {
   private void putSafety(ControllerState state, ByteBuffer out) {
     Vector3 elbowM = state.geometry().actual().elbowM();
     begin(out, 43, 10)
-        .putInt(0)
+        .putInt(state.safety().checksum().value())
         .put(TRUE)
         .put(TRUE)
         .putDouble(elbowM.x())

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.installation.Installation;
 import org.pendant.controller.machine.Program;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.PowerTimes;
@@ -42,7 +43,8 @@ class DashboardServerTest {
   private static final String WAITING = "def waits():\n  while True:\n    sleep(1)\n  end\nend\n";
   private static final String TREE =
       "<?xml version=\"1.0\"?><URProgram name=\"waits\" installation=\"cell\"><children>"
-          + "<MainProgram><children><Move/></children></MainProgram></children></URProgram>";
+          + "<MainProgram><children><Wait type=\"Sleep\"><waitTime>1</waitTime></Wait>"
+          + "</children></MainProgram></children></URProgram>";
 
   @TempDir Path folder;
 
@@ -174,6 +176,21 @@ class DashboardServerTest {
   }
 
   @Test
+  void playsTreesWithoutAScriptBesideThem() throws IOException {
+    running();
+    Files.writeString(folder.resolve("programs/plain.urp"), TREE);
+    assertAnswers("Loading program: plain.urp", "load plain.urp");
+    assertAnswers("Starting program", "play");
+    assertAnswers("PLAYING plain.urp", "programState");
+    Files.writeString(
+        folder.resolve("programs/own.pendant"),
+        "pendant program 1\nmain forever=true\n  wait what=time time-s=1\n");
+    assertAnswers("Loading program: own.pendant", "load own.pendant");
+    assertAnswers("Starting program", "play");
+    assertAnswers("PLAYING own.pendant", "programState");
+  }
+
+  @Test
   void refusesProgramsThatAreNotThereOrBroken() throws IOException {
     assertAnswers("File not found: no.urp", "load no.urp");
     assertAnswers("File not found: no.script", "load no.script");
@@ -182,10 +199,11 @@ class DashboardServerTest {
     assertAnswers("File not found: ", "load");
     Files.writeString(folder.resolve("programs/broken.script"), "def broken(:\n");
     assertAnswers("Error while loading program: broken.script", "load broken.script");
-    Files.write(folder.resolve("programs/alone.urp"), zipped(TREE));
-    assertAnswers("Error while loading program: alone.urp", "load alone.urp");
-    Files.writeString(folder.resolve("programs/text.urp"), TREE);
-    assertAnswers("Error while loading program: text.urp", "load text.urp");
+    Files.write(folder.resolve("programs/other.urp"), zipped("<Installation/>"));
+    assertAnswers("Error while loading program: other.urp", "load other.urp");
+    Files.writeString(
+        folder.resolve("programs/empty.pendant"), "pendant program 1\nmain\n  move kind=joint\n");
+    assertAnswers("Error while loading program: empty.pendant", "load empty.pendant");
     Files.writeString(folder.resolve("programs/side.script"), "sec side():\n  a = 1\nend\n");
     assertAnswers("Error while loading program: side.script", "load side.script");
     assertAnswers("No program loaded", "get loaded program");
@@ -332,6 +350,30 @@ class DashboardServerTest {
     Files.write(folder.resolve("programs/empty.installation"), new byte[0]);
     assertAnswers(
         "Failed to load installation: empty.installation", "load installation empty.installation");
+  }
+
+  @Test
+  void aLoadedInstallationSetsTheControllerUp() throws IOException {
+    Files.writeString(
+        folder.resolve("programs/cell.pinst"),
+        """
+        pendant installation 1
+        tool name="Gripper" in-flange=[0, 0, 0.12, 0, 0, 0]
+        active-tool name="Gripper"
+        """);
+    assertAnswers("Loading installation: cell.pinst", "load installation cell.pinst");
+    assertEquals("Gripper", box.controller().state().arm().tool().name());
+    assertEquals(0.12, box.controller().state().arm().tool().inFlange().z());
+  }
+
+  @Test
+  void anInstallationThatIsWrongChangesNothing() throws IOException {
+    Files.writeString(
+        folder.resolve("programs/wrong.pinst"), "pendant installation 1\nactive-tool name=\"x\"\n");
+    assertAnswers("Failed to load installation: wrong.pinst", "load installation wrong.pinst");
+    Files.writeString(folder.resolve("programs/odd.pinst"), "pendant installation 1\nodd\n");
+    assertAnswers("Failed to load installation: odd.pinst", "load installation odd.pinst");
+    assertEquals(Installation.NONE, box.controller().installation());
   }
 
   @Test

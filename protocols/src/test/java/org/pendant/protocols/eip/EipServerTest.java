@@ -21,8 +21,13 @@ import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Reply;
 import org.pendant.controller.eip.AssemblyPair;
+import org.pendant.controller.installation.text.InstallationText;
 import org.pendant.controller.io.Direction;
 import org.pendant.controller.io.SignalWrite;
+import org.pendant.controller.machine.Program;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.state.StateFeed;
+import org.pendant.language.source.Source;
 import org.pendant.protocols.script.RunningBox;
 import org.pendant.protocols.serve.PortNumbers;
 import org.pendant.protocols.serve.RemoteControl;
@@ -121,6 +126,33 @@ class EipServerTest {
               .encode());
       assertTrue(client.ended());
     }
+  }
+
+  @Test
+  void aLostScannerStopsTheProgramWhereTheInstallationSaysSo() throws Exception {
+    assertInstanceOf(
+        Reply.Done.class,
+        ask(
+            new Command.ApplyInstallation(
+                InstallationText.read("pendant installation 1\nethernet-ip on-loss=stop\n")
+                    .installation())));
+    Program waits =
+        box.controller()
+            .load(Source.of("waits.script", "def waits():\n  sleep(1e9)\nend\n"))
+            .program()
+            .orElseThrow();
+    assertInstanceOf(Reply.Done.class, ask(new Command.StartProgram(waits)));
+    try (EipClient client = EipClient.registered(port);
+        Scanner scanner = new Scanner(client, 1);
+        StateFeed.Follower frames = box.controller().feed().follow()) {
+      assertEquals(0, scanner.open(builtIn(scanner).replace("CDAB000005", "CDAB000000")));
+      scanner.run(control(9));
+      while (box.controller().state().program().state() != ProgramState.STOPPED) {
+        var _ = frames.take();
+      }
+    }
+    assertTrue(
+        box.controller().logSince(0).stream().anyMatch(each -> each.code().equals("C207A0")));
   }
 
   @ParameterizedTest

@@ -1,0 +1,45 @@
+package org.pendant.protocols.panel;
+
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.pendant.controller.Controller;
+import org.pendant.controller.installation.StartEdge;
+import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.state.ControllerState;
+
+/** Plays the loaded program when the input asks for it that the installation names. */
+public final class StartWatch {
+  private final Controller controller;
+  private final Panel panel;
+  private final StartEdge edge = new StartEdge();
+
+  /** Edges that nobody has answered to yet. */
+  private final AtomicInteger asked = new AtomicInteger();
+
+  /**
+   * A watch that looks at nothing yet.
+   *
+   * @param panel has the loaded program
+   */
+  public StartWatch(Controller controller, Panel panel) {
+    this.controller = controller;
+    this.panel = panel;
+  }
+
+  /** Looks at a frame; does not wait. One thread hands over all of them, in order. */
+  public void look(ControllerState state) {
+    if (edge.look(controller.installation().startUp(), state.io())
+        && asked.getAndIncrement() == 0) {
+      Thread.ofVirtual().name("start by input").start(this::play);
+    }
+  }
+
+  private void play() {
+    int answered;
+    do {
+      answered = asked.get();
+      Optional<String> refusal = panel.play();
+      refusal.ifPresent(why -> panel.log(Level.WARNING, "start by an input: " + why));
+    } while (asked.addAndGet(-answered) > 0);
+  }
+}

@@ -1,0 +1,64 @@
+package org.pendant.protocols.panel;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.state.StateFeed;
+import org.pendant.protocols.script.RunningBox;
+import org.pendant.protocols.serve.RemoteControl;
+
+@Timeout(60)
+class PanelTreeTest {
+  @TempDir Path folder;
+
+  @Test
+  void variablesOfTheInstallationKeepTheirValuesFromRunToRun() throws Exception {
+    Files.writeString(
+        folder.resolve("cell.pinst"),
+        """
+        pendant installation 1
+        tool name="Gripper" in-flange=[0, 0, 0.12, 0, 0, 0]
+        active-tool name="Gripper"
+        variable name="count" value="5"
+        """);
+    Files.writeString(
+        folder.resolve("counts.pendant"),
+        """
+        pendant program 1
+        installation file="cell"
+        main
+          script-line code="count = count + 1"
+          script-line code="textmsg(count)"
+        """);
+    try (RunningBox box = new RunningBox(ControllerOptions.headless(), RemoteControl.disabled())) {
+      Panel panel =
+          new Panel(box.controller(), new PanelSetup("ur5e", ProgramsFolder.at(folder), folder));
+      assertEquals("counts.pendant", panel.load("counts.pendant").name());
+      assertEquals("Gripper", panel.state().arm().tool().name());
+      for (int run = 0; run < 3; run++) {
+        assertEquals(Optional.empty(), panel.play());
+        try (StateFeed.Follower frames = box.controller().feed().follow()) {
+          while (panel.state().program().state() != ProgramState.STOPPED) {
+            var _ = frames.take();
+          }
+        }
+      }
+      List<String> said =
+          box.controller().logSince(0).stream()
+              .filter(each -> each.origin() == LogEntry.Origin.SCRIPT)
+              .map(LogEntry::text)
+              .toList();
+      assertEquals(List.of("6", "7", "8"), said);
+    }
+  }
+}
