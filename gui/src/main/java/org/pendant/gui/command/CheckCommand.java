@@ -27,7 +27,7 @@ final class CheckCommand implements Subcommand {
 
   @Override
   public List<Option> options() {
-    return List.of();
+    return List.of(InstallationOption.OPTION);
   }
 
   @Override
@@ -35,16 +35,23 @@ final class CheckCommand implements Subcommand {
     if (arguments.operands().isEmpty()) {
       throw new UsageException("no file given");
     }
-    List<Source> sources = SourceFiles.read(arguments.operands());
+    List<RunnableFile> files =
+        RunnableFile.read(arguments.operands(), InstallationOption.of(arguments));
     Builtins builtins = StandardBuiltins.create();
     ExitCode code = ExitCode.DONE;
-    for (Source source : sources) {
-      Loaded loaded = ProgramLoader.load(source, builtins);
-      Report.diagnostics(source, loaded.diagnostics()).forEach(console::complain);
-      if (loaded.program().isEmpty()) {
+    for (RunnableFile file : files) {
+      file.tell(console);
+      if (file.source().isEmpty() || !compiles(file, builtins, console)) {
         code = code.or(ExitCode.DOES_NOT_COMPILE);
       }
     }
     return code;
+  }
+
+  private static boolean compiles(RunnableFile file, Builtins builtins, Console console) {
+    Source source = file.source().orElseThrow();
+    Loaded loaded = ProgramLoader.load(source, builtins);
+    Report.diagnostics(source, loaded.diagnostics()).forEach(console::complain);
+    return loaded.program().isPresent();
   }
 }

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.gui.ports.PortWishes;
+import org.pendant.gui.session.StartInstallation;
 import org.pendant.gui.shell.Desktop;
 
 /** Opens the desktop. Nothing else of the command line loads a class of the desktop. */
@@ -22,15 +23,17 @@ final class DesktopStart {
    *
    * @param files programs to open in it
    * @param ports where others reach the controller from the start; empty for nowhere
+   * @param installation how the controller is set up from the start; empty for not at all
    */
-  ExitCode run(List<Path> files, Optional<PortWishes> ports) {
+  ExitCode run(
+      List<Path> files, Optional<PortWishes> ports, Optional<StartInstallation> installation) {
     try {
       if (GraphicsEnvironment.isHeadless()) {
         return refused("there is no display");
       }
       // Says at once whether the display can be used.
       GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
-      Desktop.open(files, ports).awaitClosed();
+      Desktop.open(files, ports, installation).awaitClosed();
       return ExitCode.DONE;
     } catch (AWTError | HeadlessException | UnsatisfiedLinkError e) {
       return refused(e.getMessage());

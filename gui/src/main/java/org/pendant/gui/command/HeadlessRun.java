@@ -16,6 +16,7 @@ import org.pendant.controller.message.Popup;
 import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
 
 /** One program on one controller, from its start until the arm is at rest after its end. */
@@ -29,6 +30,7 @@ final class HeadlessRun {
   /** An arm that is not at rest by then never will be. */
   private static final int MOST_FRAMES_TO_REST = 5_000;
 
+  private final RunnableFile file;
   private final Source source;
   private final Controller controller;
   private final RunOptions options;
@@ -42,13 +44,14 @@ final class HeadlessRun {
   private int lastLine;
 
   HeadlessRun(
-      Source source,
+      RunnableFile file,
       Controller controller,
       RunOptions options,
       Interruption interruption,
       Console console,
       FrameWatcher watcher) {
-    this.source = source;
+    this.file = file;
+    source = file.source().orElseThrow();
     this.controller = controller;
     this.options = options;
     this.interruption = interruption;
@@ -58,7 +61,7 @@ final class HeadlessRun {
   }
 
   ExitCode run(Program program) {
-    var _ = controller.submit(new Command.SetProgramsFolder(ProgramsFolder.of(source.name())));
+    var _ = controller.submit(new Command.SetProgramsFolder(ProgramsFolder.of(file.file())));
     if (program.secondary()) {
       return runSecondary(program);
     }
@@ -148,6 +151,9 @@ final class HeadlessRun {
       case Ending.Halted halted -> ExitCode.DONE;
       case Ending.Failed failed -> {
         Report.failure(source, failed.failure()).forEach(console::complain);
+        file.nodeAt(failed.failure().line())
+            .ifPresent(
+                node -> console.complain(node + ByteText.decoded(failed.failure().message())));
         if (failed.failure().code().equals("no-answer")) {
           console.complain(Report.note(source, "--answer \"TEXT=VALUE\" prepares an answer"));
         }
@@ -165,6 +171,9 @@ final class HeadlessRun {
             reason ->
                 console.complain(
                     Report.error(source, "stopped in line " + lastLine + ": " + reason)));
+        if (why.isPresent()) {
+          file.nodeAt(lastLine).ifPresent(node -> console.complain(node + "stopped here"));
+        }
         yield why.isPresent() ? ExitCode.PROGRAM_FAILED : ExitCode.DONE;
       }
     };

@@ -4,9 +4,12 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.pendant.controller.installation.Installation;
 import org.pendant.gui.ports.PortWishes;
+import org.pendant.gui.session.StartInstallation;
 
 /** {@code pendant open FILE...}: opens the desktop with programs. */
 final class OpenCommand implements Subcommand {
@@ -14,12 +17,17 @@ final class OpenCommand implements Subcommand {
       new Option("--ports", "", "let others reach the controller by the ports of the real one");
 
   private static final List<Option> OPTIONS =
-      Stream.concat(Stream.of(PORTS), PortOptions.ALL.stream()).toList();
+      Stream.concat(Stream.of(InstallationOption.OPTION, PORTS), PortOptions.ALL.stream()).toList();
 
   /** Whether {@code word} is one of its options: then {@code open} may be left out. */
   static boolean understands(String word) {
     return OPTIONS.stream()
         .anyMatch(each -> word.equals(each.name()) || word.startsWith(each.name() + "="));
+  }
+
+  /** Whether {@code word} is a recording, which can only be opened. */
+  static boolean isRecording(String word) {
+    return word.toLowerCase(Locale.ROOT).endsWith(".rec");
   }
 
   @Override
@@ -34,7 +42,7 @@ final class OpenCommand implements Subcommand {
 
   @Override
   public String summary() {
-    return "open programs in the desktop";
+    return "open programs and recordings in the desktop";
   }
 
   @Override
@@ -52,7 +60,16 @@ final class OpenCommand implements Subcommand {
         throw new UsageException(each + " is no name of a file: " + e.getReason());
       }
     }
-    return new DesktopStart(console).run(files, ports(arguments));
+    return new DesktopStart(console).run(files, ports(arguments), installation(arguments));
+  }
+
+  private static Optional<StartInstallation> installation(Arguments arguments)
+      throws UsageException {
+    Optional<Installation> read = InstallationOption.of(arguments);
+    Optional<String> file = arguments.value(InstallationOption.OPTION);
+    return read.isPresent() && file.isPresent()
+        ? Optional.of(new StartInstallation(Path.of(file.get()).toAbsolutePath(), read.get()))
+        : Optional.empty();
   }
 
   private static Optional<PortWishes> ports(Arguments arguments) throws UsageException {

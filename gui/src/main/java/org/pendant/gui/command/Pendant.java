@@ -5,6 +5,7 @@ import java.io.StringWriter;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.controller.program.file.TreeFile;
 import org.pendant.language.check.Nearest;
 
 /**
@@ -24,6 +25,7 @@ public final class Pendant {
             new OpenCommand(),
             new RunCommand(),
             new CheckCommand(),
+            new ConvertCommand(),
             new RenderCommand(),
             new ServeCommand(),
             new FunctionsCommand(StandardBuiltins::create),
@@ -53,7 +55,7 @@ public final class Pendant {
   private ExitCode choose(List<String> words) {
     String first = words.isEmpty() ? "" : words.getFirst();
     return switch (first) {
-      case "" -> new DesktopStart(console).run(List.of(), Optional.empty());
+      case "" -> new DesktopStart(console).run(List.of(), Optional.empty(), Optional.empty());
       case "--help", "-h", "help" -> {
         usage().forEach(console::print);
         yield ExitCode.DONE;
@@ -63,7 +65,7 @@ public final class Pendant {
         yield ExitCode.DONE;
       }
       default ->
-          OpenCommand.understands(first)
+          OpenCommand.understands(first) || OpenCommand.isRecording(first)
               ? run(new OpenCommand(), words)
               : subcommand(first, words.subList(1, words.size()));
     };
@@ -100,7 +102,7 @@ public final class Pendant {
     }
     List<String> names = subcommands.stream().map(Subcommand::name).toList();
     String hint =
-        word.endsWith(".script")
+        word.endsWith(".script") || TreeFile.hasEnding(word)
             ? ", did you mean pendant run " + word + " or pendant open " + word + "?"
             : new Nearest().to(word, () -> names).map(n -> ", did you mean " + n + "?").orElse("");
     return "unknown command " + word + hint;

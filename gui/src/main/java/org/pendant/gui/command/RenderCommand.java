@@ -50,16 +50,26 @@ final class RenderCommand implements Subcommand {
     if (arguments.operands().size() != 1) {
       throw new UsageException("expected one file, there are " + arguments.operands().size());
     }
-    Source source = SourceFiles.read(arguments.operands()).getFirst();
-    try (ScriptDoors doors = new ScriptDoors(options.run().hosts())) {
-      Controller controller = new Controller(options.run().controller().withOutside(doors.doors()));
-      return run(source, controller, options, console);
+    RunnableFile file =
+        RunnableFile.read(arguments.operands(), InstallationOption.of(arguments)).getFirst();
+    file.tell(console);
+    RenderOptions own =
+        file.installation().isPresent()
+            ? RenderOptions.of(arguments, file.installation())
+            : options;
+    try (ScriptDoors doors = new ScriptDoors(own.run().hosts())) {
+      Controller controller = new Controller(own.run().controller().withOutside(doors.doors()));
+      return run(file, controller, own, console);
     }
   }
 
   private static ExitCode run(
-      Source source, Controller controller, RenderOptions options, Console console)
+      RunnableFile file, Controller controller, RenderOptions options, Console console)
       throws UsageException {
+    if (file.source().isEmpty()) {
+      return ExitCode.DOES_NOT_COMPILE;
+    }
+    Source source = file.source().get();
     Loaded loaded = controller.load(source);
     Report.diagnostics(source, loaded.diagnostics()).forEach(console::complain);
     if (loaded.program().isEmpty()) {
@@ -71,7 +81,7 @@ final class RenderCommand implements Subcommand {
       Exposure exposure = new Exposure(controller.state(), options.atS());
       Program program = loaded.program().get();
       ExitCode code =
-          new HeadlessRun(source, controller, options.run(), interruption, console, exposure)
+          new HeadlessRun(file, controller, options.run(), interruption, console, exposure)
               .run(program);
       if (exposure.tooEarly() && code == ExitCode.DONE) {
         console.complain(Report.note(source, "ended before --at; the picture shows its end"));

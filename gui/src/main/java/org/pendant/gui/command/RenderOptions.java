@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.pendant.controller.installation.Installation;
 import org.pendant.gui.scene.StandardView;
 import org.pendant.gui.scene.Theme;
 
@@ -48,7 +49,13 @@ record RenderOptions(
       Stream.concat(Stream.of(OUT, AT, SIZE, VIEW, THEME), RunOptions.OF_PROGRAM.stream()).toList();
 
   static RenderOptions of(Arguments arguments) throws UsageException {
-    RunOptions run = RunOptions.of(arguments);
+    return of(arguments, Optional.empty());
+  }
+
+  /** With the installation of a program, unless the command line names another one. */
+  static RenderOptions of(Arguments arguments, Optional<Installation> ofProgram)
+      throws UsageException {
+    RunOptions run = RunOptions.of(arguments, ofProgram);
     Matcher size = size(arguments.value(SIZE).orElse("1280x800"));
     return new RenderOptions(
         run,

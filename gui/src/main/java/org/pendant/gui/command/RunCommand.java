@@ -48,12 +48,18 @@ final class RunCommand implements Subcommand {
     if (options.record().isPresent() && arguments.operands().size() > 1) {
       throw new UsageException("--record goes with one program, there are several");
     }
-    List<Source> sources = SourceFiles.read(arguments.operands());
+    List<RunnableFile> files =
+        RunnableFile.read(arguments.operands(), InstallationOption.of(arguments));
     Builtins builtins = StandardBuiltins.create();
     ExitCode code = ExitCode.DONE;
     try (Interruption interruption = Interruption.listen()) {
-      for (Source source : sources) {
-        code = code.or(run(source, options, columns, builtins, interruption, console));
+      for (RunnableFile file : files) {
+        file.tell(console);
+        RunOptions own =
+            file.installation().isPresent()
+                ? RunOptions.of(arguments, file.installation())
+                : options;
+        code = code.or(run(file, own, columns, builtins, interruption, console));
         if (interruption.requested() || console.outputClosed()) {
           break;
         }
@@ -65,7 +71,7 @@ final class RunCommand implements Subcommand {
   }
 
   private static ExitCode run(
-      Source source,
+      RunnableFile file,
       RunOptions options,
       RecordColumns columns,
       Builtins builtins,
@@ -77,13 +83,13 @@ final class RunCommand implements Subcommand {
       if (options.toolDevice().isEmpty()) {
         Controller controller =
             new Controller(options.controller().withOutside(doors.doors()), builtins);
-        return run(source, controller, options, columns, interruption, console);
+        return run(file, controller, options, columns, interruption, console);
       }
       try (ToolSerialLine tool = ToolSerialOption.line(options.toolDevice())) {
         Doors all = doors.doors().withToolSerial(tool);
         Controller controller = new Controller(options.controller().withOutside(all), builtins);
         try (var _ = open(tool, controller)) {
-          return run(source, controller, options, columns, interruption, console);
+          return run(file, controller, options, columns, interruption, console);
         }
       } catch (IOException e) {
         console.complain("pendant run: " + e.getMessage());
@@ -100,13 +106,17 @@ final class RunCommand implements Subcommand {
   }
 
   private static ExitCode run(
-      Source source,
+      RunnableFile file,
       Controller controller,
       RunOptions options,
       RecordColumns columns,
       Interruption interruption,
       Console console)
       throws UsageException {
+    if (file.source().isEmpty()) {
+      return ExitCode.DOES_NOT_COMPILE;
+    }
+    Source source = file.source().get();
     Loaded loaded = controller.load(source);
     Report.diagnostics(source, loaded.diagnostics()).forEach(console::complain);
     if (loaded.program().isEmpty()) {
@@ -116,10 +126,9 @@ final class RunCommand implements Subcommand {
     columns.check(program);
     var _ = controller.submit(columns.command());
     ExitCode code;
-    RunRecord record = RunRecord.open(options.record(), columns, console);
+    RunRecord record = RunRecord.open(options.record(), columns, controller, console);
     try (record) {
-      code =
-          new HeadlessRun(source, controller, options, interruption, console, record).run(program);
+      code = new HeadlessRun(file, controller, options, interruption, console, record).run(program);
     }
     return record.failed() ? code.or(ExitCode.WRONG_USAGE) : code;
   }

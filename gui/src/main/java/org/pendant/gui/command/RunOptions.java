@@ -13,6 +13,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.VirtualClock;
 import org.pendant.controller.WallClock;
 import org.pendant.controller.encoder.Encoder;
+import org.pendant.controller.installation.Installation;
 import org.pendant.controller.io.SignalText;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.io.UnknownSignal;
@@ -58,7 +59,10 @@ record RunOptions(
           "TEXT=VALUE",
           "answer to the question TEXT, without TEXT to whichever is next; repeatable");
   private static final Option RECORD =
-      new Option("--record", "FILE.csv", "write what the arm does, a row each frame");
+      new Option(
+          "--record",
+          "FILE",
+          "write what happens: FILE.csv a table, FILE.rec a recording of it all");
   private static final Option TIMEOUT =
       new Option("--timeout", "S", "stop after S seconds of robot time");
   private static final Option SEED = new Option("--seed", "N", "start of random(), default 0");
@@ -69,14 +73,23 @@ record RunOptions(
   /** What says how a program runs, whatever is made of the run. */
   static final List<Option> OF_PROGRAM =
       Stream.concat(
-              Stream.of(ROBOT, INPUT, ENCODER, ANSWER, TIMEOUT, SEED, HostsOption.OPTION),
+              Stream.of(
+                  ROBOT,
+                  InstallationOption.OPTION,
+                  INPUT,
+                  ENCODER,
+                  ANSWER,
+                  TIMEOUT,
+                  SEED,
+                  HostsOption.OPTION),
               Surroundings.ALL.stream())
           .toList();
 
   /** What says what a controller is and what surrounds it, whatever it is to do. */
   static final List<Option> OF_CONTROLLER =
       Stream.concat(
-              Stream.of(ROBOT, INPUT, ENCODER, SEED, HostsOption.OPTION), Surroundings.ALL.stream())
+              Stream.of(ROBOT, InstallationOption.OPTION, INPUT, ENCODER, SEED, HostsOption.OPTION),
+              Surroundings.ALL.stream())
           .toList();
 
   /** For the usage text. */
@@ -84,6 +97,7 @@ record RunOptions(
       Stream.concat(
               Stream.of(
                   ROBOT,
+                  InstallationOption.OPTION,
                   SPEED,
                   INPUT,
                   ENCODER,
@@ -98,8 +112,14 @@ record RunOptions(
           .toList();
 
   static RunOptions of(Arguments arguments) throws UsageException {
+    return of(arguments, Optional.empty());
+  }
+
+  /** With the installation of a program, unless the command line names another one. */
+  static RunOptions of(Arguments arguments, Optional<Installation> ofProgram)
+      throws UsageException {
     ControllerOptions controller =
-        controller(arguments).withOperator(Operator.headless(answers(arguments)));
+        controller(arguments, ofProgram).withOperator(Operator.headless(answers(arguments)));
     Optional<Double> speedFactor = speedFactor(arguments);
     if (speedFactor.isPresent()) {
       // Nobody expects the same result twice from a run on the wall clock, but the right date.
@@ -116,14 +136,21 @@ record RunOptions(
 
   /** What {@link #OF_CONTROLLER} say. */
   static ControllerOptions controller(Arguments arguments) throws UsageException {
+    return controller(arguments, Optional.empty());
+  }
+
+  private static ControllerOptions controller(Arguments arguments, Optional<Installation> ofProgram)
+      throws UsageException {
+    Optional<Installation> installation = InstallationOption.of(arguments).or(() -> ofProgram);
     ControllerOptions controller =
         ControllerOptions.headless()
-            .withRobot(robot(arguments))
+            .withRobot(robot(arguments, installation))
             .withSeed(seed(arguments))
             .withInputs(safetyInputs(arguments))
             .withSignals(signals(arguments))
             .withEncoders(encoders(arguments));
-    return Surroundings.in(controller, arguments);
+    ControllerOptions placed = Surroundings.in(controller, arguments);
+    return installation.isPresent() ? InstallationOption.in(placed, installation.get()) : placed;
   }
 
   /** A clock for one run. */
@@ -131,10 +158,17 @@ record RunOptions(
     return speedFactor.isPresent() ? new WallClock(speedFactor.get()) : new VirtualClock();
   }
 
-  private static String robot(Arguments arguments) throws UsageException {
+  /** What the command line says, or else the installation. */
+  private static String robot(Arguments arguments, Optional<Installation> installation)
+      throws UsageException {
     Optional<String> name = arguments.value(ROBOT);
-    return name.isPresent()
-        ? RobotName.idOf(ROBOT.name(), name.get())
+    if (name.isPresent()) {
+      return RobotName.idOf(ROBOT.name(), name.get());
+    }
+    Optional<String> installed =
+        installation.map(Installation::robot).filter(robot -> !robot.isEmpty());
+    return installed.isPresent()
+        ? RobotName.idOf("robot of the installation", installed.get())
         : ControllerOptions.DEFAULT_ROBOT;
   }
 

@@ -1,22 +1,63 @@
 package org.pendant.gui.command;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
+import org.pendant.controller.Controller;
+import org.pendant.controller.recording.ProgramText;
 import org.pendant.controller.recording.Recorder;
+import org.pendant.controller.recording.RecordingWriter;
 import org.pendant.controller.state.ControllerState;
 
 /**
  * The file that a run is recorded to, if one is wanted; complains once when it cannot be written.
+ * Its name says what it is: {@code .rec} a recording of everything, all others a table.
  */
 final class RunRecord implements FrameWatcher, AutoCloseable {
-  private final Optional<Recorder> recorder;
+  private static final String RECORDING = ".rec";
+
+  private final Optional<Output> output;
   private final Console console;
   private boolean failed;
 
-  private RunRecord(Optional<Recorder> recorder, Console console) {
-    this.recorder = recorder;
+  /** A file of either kind. */
+  private interface Output extends Closeable {
+    void write(ControllerState state) throws IOException;
+  }
+
+  private record Table(Recorder recorder) implements Output {
+    @Override
+    public void write(ControllerState state) throws IOException {
+      recorder.write(state);
+    }
+
+    @Override
+    public void close() throws IOException {
+      recorder.close();
+    }
+  }
+
+  private record Everything(RecordingWriter writer, Controller controller) implements Output {
+    @Override
+    public void write(ControllerState state) throws IOException {
+      writer.write(state);
+      Optional<ProgramText> text = ProgramText.startedIn(state, controller::programSource);
+      if (text.isPresent()) {
+        writer.note(text.get());
+      }
+    }
+
+    @Override
+    public void close() throws IOException {
+      writer.close();
+    }
+  }
+
+  private RunRecord(Optional<Output> output, Console console) {
+    this.output = output;
     this.console = console;
   }
 
@@ -25,29 +66,35 @@ final class RunRecord implements FrameWatcher, AutoCloseable {
    *
    * @param name empty for no record
    * @param columns variables that it has besides
+   * @param controller that is recorded; no frame has gone by
    * @throws UsageException when it cannot be created
    */
-  static RunRecord open(Optional<String> name, RecordColumns columns, Console console)
+  static RunRecord open(
+      Optional<String> name, RecordColumns columns, Controller controller, Console console)
       throws UsageException {
     if (name.isEmpty()) {
       return new RunRecord(Optional.empty(), console);
     }
     try {
-      return new RunRecord(
-          Optional.of(Recorder.toFile(Path.of(name.get()), columns.variables())), console);
+      Path file = Path.of(name.get());
+      Output output =
+          name.get().toLowerCase(Locale.ROOT).endsWith(RECORDING)
+              ? new Everything(RecordingWriter.toFile(file, controller.state()), controller)
+              : new Table(Recorder.toFile(file, columns.variables()));
+      return new RunRecord(Optional.of(output), console);
     } catch (IOException | InvalidPathException e) {
       throw new UsageException("--record " + name.get() + ": cannot be written, " + e.getMessage());
     }
   }
 
-  /** Appends the row of one frame. */
+  /** Appends one frame. */
   @Override
   public void see(ControllerState state) {
-    if (recorder.isEmpty() || failed) {
+    if (output.isEmpty() || failed) {
       return;
     }
     try {
-      recorder.get().write(state);
+      output.get().write(state);
     } catch (IOException e) {
       fail(e);
     }
@@ -58,7 +105,7 @@ final class RunRecord implements FrameWatcher, AutoCloseable {
     return failed;
   }
 
-  /** Whether rows were lost. */
+  /** Whether frames were lost. */
   boolean failed() {
     return failed;
   }
@@ -72,9 +119,9 @@ final class RunRecord implements FrameWatcher, AutoCloseable {
 
   @Override
   public void close() {
-    if (recorder.isPresent()) {
+    if (output.isPresent()) {
       try {
-        recorder.get().close();
+        output.get().close();
       } catch (IOException e) {
         fail(e);
       }

@@ -18,6 +18,7 @@ import org.pendant.protocols.net.FrameFan;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.panel.Panel;
+import org.pendant.protocols.panel.StartWatch;
 import org.pendant.protocols.serve.Outside;
 import org.pendant.protocols.serve.PortNumbers;
 import org.pendant.protocols.serve.PrivilegedPort;
@@ -71,9 +72,11 @@ final class Service {
     PortNumbers numbers = numbers();
     try (BoxPorts ports = BoxPorts.open(outside, numbers, panel);
         ToolSerialServer serial = ToolSerialServer.open(tool, numbers, outside.log())) {
+      panel.loadAtStart();
       announce(Stream.concat(ports.ports().stream(), serial.ports().stream()).toList());
       try (LogPrinter printer = new LogPrinter(outside.controller(), console)) {
         outside.frames().add(printer::look);
+        outside.frames().add(new StartWatch(outside.controller(), panel)::look);
         awaitEnd(outside.controller(), loop);
         comeToRest(outside.controller(), loop);
       }

@@ -7,9 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
-import org.pendant.language.source.Source;
 
 /** Reads the files that a command line names. */
 final class SourceFiles {
@@ -21,33 +18,24 @@ final class SourceFiles {
   private SourceFiles() {}
 
   /**
-   * Reads all of {@code names}, before anything is done with the first: a slip in the last name
-   * shows at once.
+   * All of a file.
    *
-   * @throws UsageException when a file cannot be read
+   * @throws UsageException when it cannot be read
    */
-  static List<Source> read(List<String> names) throws UsageException {
-    List<Source> sources = new ArrayList<>();
-    for (String name : names) {
-      sources.add(read(name));
-    }
-    return sources;
-  }
-
-  private static Source read(String name) throws UsageException {
+  static byte[] bytes(String name) throws UsageException {
     try {
       Path path = Path.of(name);
       if (Files.isDirectory(path)) {
-        throw new UsageException(name + " is a directory, expected a script file");
+        throw new UsageException(name + " is a directory, expected a file");
       }
       // the size that a device or a pipe states says nothing, so the reading itself is bounded
       try (InputStream in = Files.newInputStream(path)) {
         byte[] bytes = in.readNBytes(LARGEST_BYTES + 1);
         if (bytes.length > LARGEST_BYTES) {
           throw new UsageException(
-              name + " has more than " + LARGEST_BYTES + " bytes, expected a script");
+              name + " has more than " + LARGEST_BYTES + " bytes, no program is that large");
         }
-        return Source.of(name, bytes);
+        return bytes;
       }
     } catch (NoSuchFileException e) {
       throw new UsageException(name + ": no such file");

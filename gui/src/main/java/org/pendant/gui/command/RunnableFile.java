@@ -1,0 +1,120 @@
+package org.pendant.gui.command;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.program.file.BrokenTree;
+import org.pendant.controller.program.file.TreeFile;
+import org.pendant.controller.program.urp.UrpPrograms;
+import org.pendant.language.source.Source;
+
+/**
+ * A program that a command line names: a script, or a tree together with the script that is
+ * generated from it.
+ *
+ * @param file its name there
+ * @param source what runs; empty for a tree that cannot run
+ * @param tree the tree, if it is one and runs as such
+ * @param installation the one that the program itself names, if it is there and none was given
+ * @param notes what people should know
+ * @param problems what keeps it from running, apart from mistakes in scripts
+ */
+record RunnableFile(
+    String file,
+    Optional<Source> source,
+    Optional<TreeFile> tree,
+    Optional<Installation> installation,
+    List<String> notes,
+    List<String> problems) {
+
+  private static final String SCRIPT = ".script";
+
+  RunnableFile {
+    notes = List.copyOf(notes);
+    problems = List.copyOf(problems);
+  }
+
+  /**
+   * Reads all of {@code names}, before anything is done with the first: a slip in the last name
+   * shows at once.
+   *
+   * @param given the installation of the command line
+   * @throws UsageException when a file cannot be read
+   */
+  static List<RunnableFile> read(List<String> names, Optional<Installation> given)
+      throws UsageException {
+    List<RunnableFile> files = new ArrayList<>();
+    for (String name : names) {
+      byte[] bytes = SourceFiles.bytes(name);
+      files.add(TreeFile.hasEnding(name) ? tree(name, bytes, given) : script(name, bytes));
+    }
+    return files;
+  }
+
+  private static RunnableFile script(String name, byte[] bytes) {
+    return new RunnableFile(
+        name,
+        Optional.of(Source.of(name, bytes)),
+        Optional.empty(),
+        Optional.empty(),
+        List.of(),
+        List.of());
+  }
+
+  private static RunnableFile tree(String name, byte[] bytes, Optional<Installation> given)
+      throws UsageException {
+    TreeOfFile read;
+    try {
+      read = TreeOfFile.of(name, bytes, given);
+    } catch (BrokenTree e) {
+      return new RunnableFile(
+          name, Optional.empty(), Optional.empty(), Optional.empty(), List.of(), e.reports());
+    }
+    TreeFile tree = read.file();
+    Optional<String> beside = tree.hasGaps() ? scriptBeside(name) : Optional.empty();
+    if (beside.isPresent()) {
+      List<String> notes = new ArrayList<>(read.notes());
+      notes.add(
+          name
+              + ": note: it has nodes that do nothing here; "
+              + beside.get()
+              + " runs in its place, which was saved beside it");
+      Source saved = Source.of(beside.get(), SourceFiles.bytes(beside.get()));
+      return new RunnableFile(
+          name, Optional.of(saved), Optional.empty(), read.own(), notes, List.of());
+    }
+    List<String> problems = tree.problems();
+    Source generated = Source.of(tree.scriptName(), tree.script().text());
+    return new RunnableFile(
+        name,
+        problems.isEmpty() ? Optional.of(generated) : Optional.empty(),
+        Optional.of(tree),
+        read.own(),
+        read.notes(),
+        problems);
+  }
+
+  /** PolyScope saves with each program the script that it has become. */
+  private static Optional<String> scriptBeside(String name) {
+    if (!name.toLowerCase(Locale.ROOT).endsWith(UrpPrograms.ENDING)) {
+      return Optional.empty();
+    }
+    String script = name.substring(0, name.length() - UrpPrograms.ENDING.length()) + SCRIPT;
+    return Files.isRegularFile(Path.of(script)) ? Optional.of(script) : Optional.empty();
+  }
+
+  /** Says what is to be said before it runs. */
+  void tell(Console console) {
+    notes.forEach(console::complain);
+    problems.forEach(console::complain);
+  }
+
+  /** Which node a line of the script belongs to, as the beginning of a line for people. */
+  Optional<String> nodeAt(int line) {
+    return tree.flatMap(each -> each.nodeAt(line)).map(node -> file + ": " + node + ": ");
+  }
+}
