@@ -39,12 +39,17 @@ final class Measurements {
 
   /**
    * Without arguments all benchmarks run; {@code quick} makes them short, to see whether they work.
-   * {@code typing} types in a window instead, {@code rate} works with one, {@code ports} measures
-   * what clients of the ports see. Any other arguments are those of JMH.
+   * {@code typing} types in a window instead, {@code tree} opens and scrolls a program tree there,
+   * {@code rate} works with one, {@code ports} measures what clients of the ports see. Any other
+   * arguments are those of JMH.
    */
   public static void main(String[] arguments) throws Exception {
     if (arguments.length > 0 && arguments[0].equals("typing")) {
       TypingLatency.main(Arrays.copyOfRange(arguments, 1, arguments.length));
+      return;
+    }
+    if (arguments.length > 0 && arguments[0].equals("tree")) {
+      TreeLatency.main(Arrays.copyOfRange(arguments, 1, arguments.length));
       return;
     }
     if (arguments.length > 0 && arguments[0].equals("ports")) {

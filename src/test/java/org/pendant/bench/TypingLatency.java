@@ -1,6 +1,5 @@
 package org.pendant.bench;
 
-import java.awt.AWTEvent;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
@@ -8,7 +7,6 @@ import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,9 +15,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import javax.swing.text.JTextComponent;
 import org.pendant.gui.shell.Desktop;
@@ -189,19 +185,7 @@ final class TypingLatency {
     queue.postEvent(new KeyEvent(text, KeyEvent.KEY_PRESSED, now, 0, code, c));
     queue.postEvent(new KeyEvent(text, KeyEvent.KEY_TYPED, now, 0, KeyEvent.VK_UNDEFINED, c));
     queue.postEvent(new KeyEvent(text, KeyEvent.KEY_RELEASED, now, 0, code, c));
-    CountDownLatch done = new CountDownLatch(1);
-    AtomicLong end = new AtomicLong();
-    // Twice: repainting is asked for by the key, and is in the queue before the second.
-    EventQueue.invokeLater(
-        () ->
-            EventQueue.invokeLater(
-                () -> {
-                  end.set(System.nanoTime());
-                  queue.endCpuNs.set(TimedQueue.cpuNs());
-                  done.countDown();
-                }));
-    done.await();
-    return end.get() - queue.begunNs.get();
+    return queue.awaitPainted();
   }
 
   private static <T> T onDispatchThread(java.util.concurrent.Callable<T> work)
@@ -222,7 +206,8 @@ final class TypingLatency {
     System.err.println("slowest to compute: " + slowest(times.computing()));
   }
 
-  private static void row(String what, List<Long> ns) {
+  /** Prints a row of a table: median, slowest twentieth and hundredth, and the slowest. */
+  static void row(String what, List<Long> ns) {
     List<Long> sorted = ns.stream().sorted().toList();
     int count = sorted.size();
     System.out.printf(
@@ -252,33 +237,5 @@ final class TypingLatency {
 
   private static double ms(long ns) {
     return (double) ns / NS_PER_US / 1e3;
-  }
-
-  /** The event queue, with a clock. */
-  private static final class TimedQueue extends EventQueue {
-    private final AtomicLong begunNs = new AtomicLong();
-    private final AtomicLong begunCpuNs = new AtomicLong();
-    private final AtomicLong endCpuNs = new AtomicLong();
-    private final AtomicLong longestNs = new AtomicLong();
-
-    /** What the present thread has computed so far. */
-    static long cpuNs() {
-      return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
-    }
-
-    void begin() {
-      begunNs.set(0);
-    }
-
-    @Override
-    protected void dispatchEvent(AWTEvent event) {
-      long start = System.nanoTime();
-      if (event.getID() == KeyEvent.KEY_PRESSED) {
-        begunNs.compareAndSet(0, start);
-        begunCpuNs.set(cpuNs());
-      }
-      super.dispatchEvent(event);
-      longestNs.accumulateAndGet(System.nanoTime() - start, Math::max);
-    }
   }
 }

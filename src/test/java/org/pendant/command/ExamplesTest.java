@@ -22,7 +22,7 @@ final class ExamplesTest {
     try (Stream<Path> files = Files.list(Launcher.home().resolve("examples"))) {
       files
           .map(Path::toString)
-          .filter(name -> name.endsWith(".script"))
+          .filter(name -> name.endsWith(".script") || name.endsWith(".pendant"))
           .sorted()
           .forEach(words::add);
     }
@@ -59,6 +59,7 @@ final class ExamplesTest {
                     "bracket at p[0.4125, -0.08, 0, 0, 0, 1.570796]",
                     "parts understood: 2",
                     "done, parts placed: 4",
+                    "tray is full, boxes: 6",
                     "portions done: 20",
                     "and the threads did have to wait for each other",
                     "all corners met within a millimetre",

@@ -14,6 +14,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.Launcher.Result;
+import org.pendant.controller.recording.Recording;
+import org.pendant.controller.recording.RecordingFile;
 
 /** {@code pendant run --record}. */
 final class RecordTest {
@@ -100,6 +102,26 @@ final class RecordTest {
           () -> assertEquals(first.output(), again.output()),
           () -> assertArrayEquals(expected, record));
     }
+  }
+
+  @Test
+  void aRecordingHasAllOfTheRunAndIsTheSameEachTime() throws IOException {
+    Result first = Launcher.pendant(folder, "run", "--record", "0.rec", "busy.script");
+    Result second = Launcher.pendant(folder, "run", "--record", "1.rec", "busy.script");
+
+    assertEquals(0, first.exitCode(), first.errors());
+    assertEquals(0, second.exitCode(), second.errors());
+    assertArrayEquals(
+        Files.readAllBytes(folder.resolve("0.rec")), Files.readAllBytes(folder.resolve("1.rec")));
+    RecordingFile.Opened opened = RecordingFile.open(folder.resolve("0.rec"));
+    assertTrue(opened.warning().isEmpty(), opened.warning().toString());
+    Recording recording = opened.recording();
+    assertEquals(0, recording.firstFrame());
+    assertTrue(recording.lastFrame() > 500, recording.lastFrame() + " frames");
+    assertEquals(first.output().strip(), recording.log(0, 1000).getLast().text().strip());
+    assertEquals(
+        Files.readString(folder.resolve("busy.script")),
+        recording.programs().getFirst().source().text());
   }
 
   @Test

@@ -10,6 +10,7 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -75,6 +76,28 @@ final class ServeTest {
       assertEquals("on 1", output.readLine());
       Process kill = new ProcessBuilder("kill", "-" + signal, Long.toString(process.pid())).start();
       assertEquals(0, kill.waitFor());
+      assertEquals(0, Launcher.await(process));
+    }
+  }
+
+  @Test
+  void anInstallationSetsTheBoxUpAndNamesTheProgram() throws IOException {
+    Launcher.script(folder, "asks.script", "def asks():\n  textmsg(get_tcp_offset())\nend\n");
+    Files.writeString(
+        folder.resolve("cell.pinst"),
+        """
+        pendant installation 1
+        tool name="Gripper" in-flange=[0, 0, 0.25, 0, 0, 0]
+        active-tool name="Gripper"
+        start-up program="asks.script"
+        """);
+    Process process = serve("--ready", "--installation", "cell.pinst");
+    try (BufferedReader output = process.inputReader(StandardCharsets.UTF_8)) {
+      untilReady(output);
+      assertEquals("Loaded program: /programs/asks.script", dashboard("get loaded program"));
+      assertEquals("Starting program", dashboard("play"));
+      assertEquals("p[0, 0, 0.25, 0, 0, 0]", output.readLine());
+      assertEquals("Shutting down", dashboard("shutdown"));
       assertEquals(0, Launcher.await(process));
     }
   }

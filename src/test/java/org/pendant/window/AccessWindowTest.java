@@ -50,11 +50,11 @@ final class AccessWindowTest {
 
   @Test
   void keysComeToTheTextTableOrTreeOfAScreenThatIsShown() {
-    window.press("alt 2");
+    window.press("alt 3");
     window.awaitFocus("script-text");
-    window.press("alt 5");
+    window.press("alt 7");
     window.awaitFocus("log-table");
-    window.press("alt 2");
+    window.press("alt 3");
     window.awaitFocus("script-text");
   }
 
@@ -68,7 +68,7 @@ final class AccessWindowTest {
     }
     window.awaitShown("footer-more");
     window.awaitShown("rail-more");
-    window.press("alt 5");
+    window.press("alt 7");
     window.awaitFocus("log-table");
     window.perform("Everything in normal size");
     window.awaitHidden("footer-more");

@@ -66,14 +66,14 @@ final class ArrangeWindowTest {
     window.awaitShown("log-view");
     window.click("rail-run");
     window.awaitHidden("log-view");
-    window.press("alt 5");
+    window.press("alt 7");
     window.perform("Change keys");
     window.awaitFocus("key-filter");
     assertEquals(false, window.shows("log-view"));
     window.click("key-reset-all");
     window.press("ESCAPE");
     window.awaitHidden("key-table");
-    window.press("alt 5");
+    window.press("alt 7");
     window.awaitShown("log-view");
   }
 
@@ -84,10 +84,10 @@ final class ArrangeWindowTest {
     window.type("show plots");
     window.click("key-capture");
     window.awaitFocus("key-capture");
-    window.press("alt 5");
+    window.press("alt 7");
     window.awaitWords("key-conflict", "Show Log");
     window.click("key-take");
-    window.awaitWords("key-table", "Show Plots | Alt+5 | changed");
+    window.awaitWords("key-table", "Show Plots | Alt+7 | changed");
     window.click("key-reset-all");
     window.press("ESCAPE");
     window.awaitHidden("key-table");

@@ -21,6 +21,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JTabbedPane;
@@ -44,7 +45,9 @@ final class Driver {
   public static void main(String[] arguments) throws AWTException, IOException {
     Driver driver = new Driver();
     RepaintManager.setCurrentManager(driver.guard);
-    Desktop desktop = Desktop.open(Stream.of(arguments).map(Path::of).toList(), Optional.empty());
+    Desktop desktop =
+        Desktop.open(
+            Stream.of(arguments).map(Path::of).toList(), Optional.empty(), Optional.empty());
     Thread.ofPlatform().name("end").daemon().start(() -> endWith(desktop));
     BufferedReader requests =
         new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
@@ -99,11 +102,21 @@ final class Driver {
         hands.hold(dispatched(() -> cell(what)));
         hands.release();
       }
+      case "click-row" -> {
+        hands.hold(row(what));
+        hands.release();
+      }
+      case "drag-row" -> dragRow(what);
       case "drag" -> drag(what);
       case "choose" -> dispatched(() -> choose(what));
       case "close" -> dispatched(Driver::close);
+      case "raise" -> dispatched(Driver::raise);
       case "size" -> dispatched(() -> size(what));
       case "picture" -> ImageIO.write(SmallPicture.of(hands.look(screen())), "png", new File(what));
+      case "picture-of" -> {
+        String[] words = what.split("=", 2);
+        ImageIO.write(hands.look(place(words[0])), "png", new File(words[1]));
+      }
       case "colours" -> {
         Rectangle seen = place(what);
         // a component that the window has not laid out yet shows nothing
@@ -114,6 +127,10 @@ final class Driver {
       }
       case "enabled" -> {
         return dispatched(() -> Boolean.toString(find(what).isEnabled()));
+      }
+      case "selected" -> {
+        return dispatched(
+            () -> Boolean.toString(find(what) instanceof AbstractButton each && each.isSelected()));
       }
       case "focused" -> {
         return dispatched(() -> Boolean.toString(Eyes.focused(find(what))));
@@ -156,6 +173,26 @@ final class Driver {
     hands.hold(from);
     hands.moveTo(place(ends[1]));
     hands.release();
+  }
+
+  /** {@code list=text > list=text}: a row of a list or tree to just below another row. */
+  private void dragRow(String what) throws InterruptedException {
+    String[] ends = what.split(" > ", 2);
+    hands.hold(row(ends[0]));
+    Rectangle last = row(ends[1]);
+    hands.moveTo(new Rectangle(last.x, last.y + last.height - 2, last.width, 1));
+    hands.release();
+  }
+
+  /** {@code list=text}: brought into view, where it stands still. */
+  private static Rectangle row(String what) throws InterruptedException {
+    String[] words = what.split("=", 2);
+    Callable<Rectangle> where = () -> Rows.place(find(words[0]), words[1]);
+    Rectangle place = dispatched(where);
+    for (Rectangle next = dispatched(where); !next.equals(place); next = dispatched(where)) {
+      place = next;
+    }
+    return place;
   }
 
   /** As people scroll to what they want to click on, and wait until it stands still. */
@@ -236,6 +273,13 @@ final class Driver {
   private static String close() {
     Frame frame = (Frame) find("pendant");
     frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING));
+    return "";
+  }
+
+  private static String raise() {
+    Frame frame = (Frame) find("pendant");
+    Component last = frame.getMostRecentFocusOwner();
+    (last == null ? frame : last).requestFocus();
     return "";
   }
 

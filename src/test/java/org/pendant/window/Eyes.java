@@ -114,14 +114,16 @@ final class Eyes {
     return words(table.prepareRenderer(table.getCellRenderer(row, column), row, column));
   }
 
-  private static <T> String item(JList<T> list, int index) {
+  /** The words of a row of a list. */
+  static <T> String item(JList<T> list, int index) {
     ListCellRenderer<? super T> renderer = list.getCellRenderer();
     return words(
         renderer.getListCellRendererComponent(
             list, list.getModel().getElementAt(index), index, false, false));
   }
 
-  private static String node(JTree tree, int row) {
+  /** The words of a row of a tree. */
+  static String node(JTree tree, int row) {
     Object node = tree.getPathForRow(row).getLastPathComponent();
     return words(
         tree.getCellRenderer()

@@ -103,6 +103,26 @@ final class OpenWindow implements AutoCloseable {
     ask("click-cell", name + "=" + text);
   }
 
+  /** Clicks the row of a list or tree that reads {@code text}, or the first that contains it. */
+  void clickRow(String name, String text) {
+    awaitWords(name, text);
+    ask("click-row", name + "=" + text);
+  }
+
+  /** Drags a row of a list or tree to just below a row of another, or of the same one. */
+  void dragRow(String name, String text, String target, String below) {
+    awaitWords(name, text);
+    awaitWords(target, below);
+    ask("drag-row", name + "=" + text + " > " + target + "=" + below);
+  }
+
+  /** Unfolds a combo box by the mouse and clicks the item that reads {@code item}. */
+  void pick(String box, String item) {
+    click(box);
+    clickRow("ComboBox.list", item);
+    awaitHidden("ComboBox.list");
+  }
+
   /** Presses the mouse button on a component and keeps it down until {@link #release}. */
   void hold(String name) {
     awaitEnabled(name);
@@ -182,6 +202,22 @@ final class OpenWindow implements AutoCloseable {
     return Boolean.parseBoolean(ask("shows", name));
   }
 
+  /** Whether a switch or a check box is on. */
+  boolean selected(String name) {
+    return Boolean.parseBoolean(ask("selected", name));
+  }
+
+  /** Robot time in seconds. */
+  double timeS() {
+    return Double.parseDouble(words("robot-time").replace(" s", "").strip());
+  }
+
+  /** Waits until robot time has gone on by so much. */
+  void awaitTime(double durationS) {
+    double startS = timeS();
+    await(durationS + " s go by", () -> timeS() > startS + durationS);
+  }
+
   /** What can be read on a visible component. */
   String words(String name) {
     return ask("words", name);
@@ -200,6 +236,11 @@ final class OpenWindow implements AutoCloseable {
   /** Writes a picture of the display. */
   void picture(Path file) {
     ask("picture", file.toString());
+  }
+
+  /** Writes a picture of what can be seen of a component. */
+  void picture(String name, Path file) {
+    ask("picture-of", name + "=" + file);
   }
 
   /** What touched the window outside of the dispatch thread; empty if nothing did. */
@@ -232,7 +273,56 @@ final class OpenWindow implements AutoCloseable {
   /** Waits until keys go to a component or to something in it. */
   void awaitFocus(String name) {
     awaitShown(name);
-    await(name + " has the focus", () -> Boolean.parseBoolean(ask("focused", name)));
+    await(name + " has the focus", () -> focused(name));
+  }
+
+  private boolean focused(String name) {
+    return Boolean.parseBoolean(ask("focused", name));
+  }
+
+  /** Presses Tab until keys go to a component. */
+  void tabTo(String name) {
+    awaitShown(name);
+    await(
+        "Tab leads to " + name,
+        () -> {
+          boolean there = focused(name);
+          if (!there) {
+            press("TAB");
+          }
+          return there || focused(name);
+        });
+  }
+
+  /** Chooses in a combo box by the arrow down, going there by Tab. */
+  void arrowTo(String box, String item) {
+    tabTo(box);
+    await(
+        "the arrow leads to " + item,
+        () -> {
+          boolean there = words(box).equals(item);
+          if (!there) {
+            press("DOWN");
+          }
+          return there;
+        });
+    press("ENTER");
+    awaitHidden("ComboBox.list");
+    assertEquals(item, words(box));
+  }
+
+  /** Replaces what is in a field, going there by Tab. */
+  void typeInto(String field, String text) {
+    tabTo(field);
+    press("control A");
+    type(text);
+    awaitWords(field, text);
+  }
+
+  /** Gives the window the keys, as a window manager does when a dialog has gone. */
+  void raise() {
+    ask("raise", "");
+    awaitFocus("pendant");
   }
 
   /** Waits until a component reads {@code part} somewhere. */

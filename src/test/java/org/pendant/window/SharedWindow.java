@@ -64,7 +64,11 @@ final class SharedWindow implements BeforeAllCallback, BeforeEachCallback, After
   @Override
   public void afterAll(ExtensionContext context) throws IOException {
     if (window == null) {
-      return; // skipped
+      // Skipped, or the window did not open.
+      if (display != null) {
+        display.close();
+      }
+      return;
     }
     try {
       assertEquals("", window.complaints(), "outside of the dispatch thread");

@@ -12,42 +12,62 @@ import org.pendant.gui.scene.gl.SceneUnavailable;
  * sizes. Run it by {@code src/test/window/shots}.
  */
 final class Shots {
-  private static final List<String> SCREENS = List.of("run", "script", "move", "io", "log", "plot");
+  private static final List<String> SCREENS =
+      List.of("run", "script", "move", "io", "installation", "log", "plot");
 
   private final OpenWindow window;
+  private final Path examples;
   private final Path folder;
   private final String suffix;
 
-  private Shots(OpenWindow window, Path folder, String suffix) {
+  private Shots(OpenWindow window, Path examples, Path folder, String suffix) {
     this.window = window;
+    this.examples = examples;
     this.folder = folder;
     this.suffix = suffix;
   }
 
   /**
-   * Writes pictures of a usual window into the folder that the first argument names, and of a small
-   * and of a doubled one into the second; and all robots into the first.
+   * Writes pictures of a usual window into the folder that the first argument names, docs/images of
+   * the project, and of a small and of a doubled one into the second; all robots into the first,
+   * all forms of nodes into the second.
    */
   public static void main(String[] arguments) throws IOException, SceneUnavailable {
     Path usual = Files.createDirectories(Path.of(arguments[0]));
     Path others = Files.createDirectories(Path.of(arguments[1]));
     ContactSheet.write(usual.resolve("robots.png"));
+    Path examples = usual.toRealPath().resolveSibling("../examples").normalize();
     for (String theme : List.of("Light", "Dark")) {
-      take(usual, theme, "1440x900", "1440x900", 1);
-      take(others, theme, "1024x700", "1024x700", 1);
+      forms(others, theme);
+      take(examples, usual, theme, "1440x900", "1440x900", 1);
+      take(examples, others, theme, "1024x700", "1024x700", 1);
       // The window counts in pixels before scaling.
-      take(others, theme, "2048x1400", "1024x700", 2);
+      take(examples, others, theme, "2048x1400", "1024x700", 2);
     }
   }
 
-  private static void take(Path folder, String theme, String display, String size, int scale)
+  /** All forms of nodes in one picture; the display is higher than any of them. */
+  private static void forms(Path folder, String theme) throws IOException {
+    Path settings = Files.createTempDirectory("pendant-shots");
+    FormSheet.prepare(settings);
+    try (VirtualDisplay screen = VirtualDisplay.start("1440x1800");
+        OpenWindow window = OpenWindow.open(screen, settings)) {
+      window.resize("1440x1800");
+      window.awaitWords("program-name", "every_node.pendant");
+      window.perform("Colours: " + theme);
+      FormSheet.write(window, folder.resolve("forms-" + theme.toLowerCase(Locale.ROOT) + ".png"));
+    }
+  }
+
+  private static void take(
+      Path examples, Path folder, String theme, String display, String size, int scale)
       throws IOException {
     Path settings = Files.createTempDirectory("pendant-shots");
     try (VirtualDisplay screen = VirtualDisplay.start(display);
         OpenWindow window = OpenWindow.open(screen, settings, "-Dsun.java2d.uiScale=" + scale)) {
       window.resize(size);
       window.perform("Colours: " + theme);
-      new Shots(window, folder, scale == 1 ? "-" + size : "-" + size + "-double")
+      new Shots(window, examples, folder, scale == 1 ? "-" + size : "-" + size + "-double")
           .everyScreen(theme);
     }
   }
@@ -74,6 +94,7 @@ final class Shots {
     shoot("palette", theme);
     window.press("ESCAPE");
     window.awaitHidden("palette-query");
+    tree(theme);
     popup(theme);
     question(theme);
     stopCard(theme);
@@ -97,6 +118,13 @@ final class Shots {
     window.awaitWords("program-state", "stopped");
     window.perform("Show 3D");
     window.perform("Fold or unfold the dock at the bottom");
+  }
+
+  private void tree(String theme) throws IOException {
+    window.open(examples.resolve("stack_boxes.pendant"));
+    window.click("rail-program");
+    window.clickRow("program-tree", "Feeder");
+    shoot("program", theme);
   }
 
   private void popup(String theme) throws IOException {

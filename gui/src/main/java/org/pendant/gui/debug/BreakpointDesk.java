@@ -1,10 +1,12 @@
 package org.pendant.gui.debug;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.OptionalLong;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
@@ -30,6 +32,7 @@ public final class BreakpointDesk {
   private Marks marks = this::toggleHere;
   private final StartedProgram started;
   private List<BreakpointState> states = List.of();
+  private OptionalLong turns = OptionalLong.empty();
   private boolean onErrors;
 
   /** Where breakpoints are shown beside the text; it says which lines have one afterwards. */
@@ -65,9 +68,9 @@ public final class BreakpointDesk {
     return lists.computeIfAbsent(program, each -> new BreakpointList());
   }
 
-  /** The text of the program in front, as it is now. */
+  /** The script of the program in front, as it is now. */
   Source source() {
-    return programs.current().source();
+    return programs.current().script().source();
   }
 
   /** Those of the program in front, in the order of their lines. */
@@ -158,8 +161,29 @@ public final class BreakpointDesk {
    * start it that is submitted afterwards finds them set.
    */
   public void beforeRun(ProgramDocument program) {
-    started.start(program);
+    beforeRun(program, RunScript.whole(program.script().source()));
+  }
+
+  /** As {@link #beforeRun(ProgramDocument)} for a text that may be a part of the program. */
+  public void beforeRun(ProgramDocument program, RunScript script) {
+    started.start(program, script);
+    turns = OptionalLong.empty();
     send();
+  }
+
+  /**
+   * How many turns the main program of a tree had begun when this was looked at last, see {@link
+   * #lookAtTurns}; empty if it has none, or they cannot be counted.
+   */
+  public OptionalLong turns() {
+    return turns;
+  }
+
+  /** Has the turns of the main program looked at; the answer comes a moment later. */
+  public void lookAtTurns() {
+    if (started.script().turnLine() > 0) {
+      reload();
+    }
   }
 
   /** A program that is none of the open ones has started: no breakpoint is meant for it. */
@@ -177,11 +201,7 @@ public final class BreakpointDesk {
   }
 
   private void send() {
-    List<Breakpoint> wanted =
-        started.document().map(program -> list(program).all()).orElse(List.of()).stream()
-            .map(each -> at(each, started.toRun(each.line())))
-            .map(each -> each.when(ByteText.asBytes(each.condition())))
-            .toList();
+    List<Breakpoint> wanted = wanted();
     boolean errors = onErrors;
     link.ask(
         debugger -> {
@@ -200,23 +220,52 @@ public final class BreakpointDesk {
         tell);
   }
 
+  private List<Breakpoint> wanted() {
+    List<Breakpoint> wanted = new ArrayList<>();
+    for (Breakpoint each :
+        started.document().map(program -> list(program).all()).orElse(List.of())) {
+      Breakpoint inBytes = each.when(ByteText.asBytes(each.condition()));
+      started.toRun(each.line()).forEach(line -> wanted.add(at(inBytes, line)));
+    }
+    int turnLine = started.script().turnLine();
+    if (turnLine > 0 && wanted.stream().noneMatch(each -> each.line() == turnLine)) {
+      wanted.add(counter(turnLine));
+    }
+    return wanted;
+  }
+
+  /** One that counts and never stops anything. */
+  private static Breakpoint counter(int line) {
+    return Breakpoint.at(line).fromHit(Integer.MAX_VALUE);
+  }
+
   /** Asks how often breakpoints were hit. */
   void reload() {
     link.ask(debugger -> debugger.breakpoints(), this::show, tell);
   }
 
   private void show(List<BreakpointState> found) {
-    states =
-        found.stream()
-            .map(
-                each ->
-                    new BreakpointState(
-                        at(each.breakpoint(), started.toNow(each.breakpoint().line()))
-                            .when(ByteText.decoded(each.breakpoint().condition())),
-                        toNow(each.statementLine()),
-                        each.hits()))
-            .toList();
-    tellListeners();
+    int turnLine = started.script().turnLine();
+    turns = OptionalLong.empty();
+    Map<Breakpoint, BreakpointState> shown = new LinkedHashMap<>();
+    for (BreakpointState each : found) {
+      if (turnLine > 0 && each.breakpoint().equals(counter(turnLine))) {
+        turns = OptionalLong.of(started.script().turnsBefore() + each.hits());
+        continue;
+      }
+      Breakpoint breakpoint =
+          at(each.breakpoint(), started.toNow(each.breakpoint().line()))
+              .when(ByteText.decoded(each.breakpoint().condition()));
+      long before = shown.containsKey(breakpoint) ? shown.get(breakpoint).hits() : 0;
+      shown.put(
+          breakpoint,
+          new BreakpointState(breakpoint, toNow(each.statementLine()), before + each.hits()));
+    }
+    List<BreakpointState> next = List.copyOf(shown.values());
+    if (!next.equals(states)) {
+      states = next;
+      tellListeners();
+    }
   }
 
   private OptionalInt toNow(OptionalInt line) {

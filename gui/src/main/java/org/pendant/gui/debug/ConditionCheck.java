@@ -16,7 +16,7 @@ import org.pendant.language.source.Source;
  * Reads conditions of breakpoints as they are typed, at the line of the program where they are to
  * be computed. One thread uses it, the dispatch thread; the reading happens elsewhere.
  */
-final class ConditionCheck {
+public final class ConditionCheck {
   /** How long nobody may type before a condition is read. */
   private static final int PAUSE_MS = 150;
 
@@ -42,7 +42,7 @@ final class ConditionCheck {
    *
    * @param program the text with the breakpoints, as it is now
    */
-  ConditionCheck(
+  public ConditionCheck(
       Background background, Executor dispatch, Catalogue catalogue, Supplier<Source> program) {
     this.background = background;
     this.dispatch = dispatch;
@@ -51,7 +51,7 @@ final class ConditionCheck {
   }
 
   /** Tells why {@code text} cannot be a condition at {@code line}; empty if it can. */
-  void check(int line, String text, Consumer<String> refusal) {
+  public void check(int line, String text, Consumer<String> refusal) {
     int asked = ++version;
     Source source = program.get();
     background.run(
@@ -69,7 +69,7 @@ final class ConditionCheck {
   }
 
   /** The same at once; a very long program is not read for it. */
-  String now(int line, String text) {
+  public String now(int line, String text) {
     if (!newest.isOf(line, text)) {
       Source source = program.get();
       if (source.text().length() > SHORT) {
@@ -91,7 +91,7 @@ final class ConditionCheck {
   }
 
   /** Tells what may be typed behind the first {@code caret} characters of a condition. */
-  void complete(int line, String text, int caret, Consumer<List<Completion>> offered) {
+  public void complete(int line, String text, int caret, Consumer<List<Completion>> offered) {
     Source source = program.get();
     int offset = CharacterOffsets.of(text).toByte(caret);
     background.run(

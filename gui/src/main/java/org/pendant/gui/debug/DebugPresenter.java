@@ -157,12 +157,12 @@ public final class DebugPresenter {
   }
 
   /** Has the threads of a program that runs looked at, now and then. */
-  void lookAtThreads() {
+  public void lookAtThreads() {
     running.refresh(program, held());
   }
 
   /** The line of the present text where a line of the running one is. */
-  int lineNow(int line) {
+  public int lineNow(int line) {
     return started.toNow(line);
   }
 

@@ -51,9 +51,9 @@ public final class EditorLink implements BreakpointListener {
   }
 
   /** A program is about to be started: the debugger gets its breakpoints. */
-  public void beforeRun(ProgramDocument program) {
+  public void beforeRun(ProgramDocument program, RunScript script) {
     desk.linesChanged(program, editor.breakpoints(program));
-    desk.beforeRun(program);
+    desk.beforeRun(program, script);
   }
 
   /** A program that is none of the open ones has started. */

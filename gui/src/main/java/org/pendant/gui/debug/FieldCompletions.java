@@ -25,7 +25,7 @@ import org.pendant.language.service.Completion;
 import org.pendant.language.source.ByteText;
 
 /** A list of completions under a field with an expression: CTRL SPACE, or by itself for names. */
-final class FieldCompletions {
+public final class FieldCompletions {
   private static final int ROWS = 8;
 
   private final JTextField field;
@@ -38,7 +38,7 @@ final class FieldCompletions {
    *
    * @param wanted asked for completions, which {@link #offer} takes
    */
-  FieldCompletions(JTextField field, Runnable wanted) {
+  public FieldCompletions(JTextField field, Runnable wanted) {
     this.field = field;
     this.wanted = wanted;
     list.setName("condition-completions");
@@ -70,7 +70,7 @@ final class FieldCompletions {
   }
 
   /** Shows what may be typed now; nothing closes the list. */
-  void offer(List<Completion> found) {
+  public void offer(List<Completion> found) {
     String word = field.getText().substring(wordStart(), field.getCaretPosition());
     boolean complete = !found.isEmpty() && found.getFirst().insert().equals(word);
     hide();
@@ -92,11 +92,11 @@ final class FieldCompletions {
     popup = Optional.of(shown);
   }
 
-  boolean visible() {
+  public boolean visible() {
     return popup.isPresent();
   }
 
-  void hide() {
+  public void hide() {
     popup.ifPresent(Popup::hide);
     popup = Optional.empty();
   }

@@ -134,7 +134,7 @@ final class HeldProgram {
                 ending instanceof Ending.Failed failed
                     ? Optional.of(
                         new Execution(
-                            failed.failure().line(),
+                            started.toNow(failed.failure().line()),
                             Execution.State.FAILED,
                             ByteText.decoded(failed.failure().message())))
                     : Optional.empty());

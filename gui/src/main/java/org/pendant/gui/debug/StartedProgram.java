@@ -1,7 +1,9 @@
 package org.pendant.gui.debug;
 
+import java.util.List;
 import java.util.Optional;
 import org.pendant.gui.session.ProgramDocument;
+import org.pendant.language.source.Source;
 
 /**
  * The program that was started last, and where its lines are in the text as it is now: people edit
@@ -12,12 +14,14 @@ final class StartedProgram {
   private String text = "";
   private String mapped = "";
   private LineMap lines = LineMap.between("", "");
+  private RunScript script = RunScript.whole(Source.of("", ""));
   private boolean stranger;
 
-  /** {@code program} is started as it stands. */
-  void start(ProgramDocument program) {
+  /** {@code program} is started as it stands, or a part of it. */
+  void start(ProgramDocument program, RunScript run) {
     document = Optional.of(program);
-    text = program.text();
+    script = run;
+    text = program.script().text();
     mapped = text;
     lines = LineMap.between(text, text);
     stranger = false;
@@ -26,6 +30,7 @@ final class StartedProgram {
   /** A program that is none of the open ones was started; its lines stay as they are. */
   void startStranger() {
     document = Optional.empty();
+    script = RunScript.whole(Source.of("", ""));
     text = "";
     mapped = "";
     stranger = true;
@@ -51,16 +56,21 @@ final class StartedProgram {
 
   /** The line of the present text where line {@code run} of the running one is. */
   int toNow(int run) {
-    return stranger ? run : lines().toNow(run);
+    return stranger ? run : lines().toNow(script.lines().toShown(run));
   }
 
-  /** The line of the running text that line {@code now} of the present one was. */
-  int toRun(int now) {
-    return stranger ? now : lines().toOld(now);
+  /** The lines of the running text that line {@code now} of the present one was. */
+  List<Integer> toRun(int now) {
+    return stranger ? List.of(now) : script.lines().toRun(lines().toOld(now));
+  }
+
+  /** What was started. */
+  RunScript script() {
+    return script;
   }
 
   private LineMap lines() {
-    String now = document.map(ProgramDocument::text).orElse(text);
+    String now = document.map(each -> each.script().text()).orElse(text);
     if (!now.equals(mapped)) {
       mapped = now;
       lines = LineMap.between(text, now);

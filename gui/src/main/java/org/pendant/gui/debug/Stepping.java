@@ -1,8 +1,9 @@
 package org.pendant.gui.debug;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.IntUnaryOperator;
+import java.util.function.IntFunction;
 import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.debug.StopReason;
@@ -15,7 +16,7 @@ import org.pendant.controller.value.ScriptError;
  */
 public final class Stepping {
   private final DebugLink link;
-  private final IntUnaryOperator toRun;
+  private final IntFunction<List<Integer>> toRun;
   private final Consumer<String> tell;
   private DebugState debug = DebugState.FREE;
   private ProgramState program = ProgramState.STOPPED;
@@ -24,10 +25,10 @@ public final class Stepping {
   /**
    * Nothing runs yet.
    *
-   * @param toRun the line of the running text that a line of the present one was
+   * @param toRun the lines of the running text that a line of the present one was
    * @param tell says why something was refused
    */
-  Stepping(DebugLink link, IntUnaryOperator toRun, Consumer<String> tell) {
+  Stepping(DebugLink link, IntFunction<List<Integer>> toRun, Consumer<String> tell) {
     this.link = link;
     this.toRun = toRun;
     this.tell = tell;
@@ -85,8 +86,18 @@ public final class Stepping {
   /** To a line of the program's text, from 1. */
   public void runTo(int line) {
     int stepped = thread;
-    int wanted = toRun.applyAsInt(line);
-    send(debugger -> debugger.runTo(stepped, wanted));
+    List<Integer> wanted = toRun.apply(line);
+    if (wanted.isEmpty()) {
+      tell.accept("Line " + line + " is not in the part of the program that runs");
+      return;
+    }
+    int next =
+        wanted.stream().filter(each -> each > heldLine()).findFirst().orElse(wanted.getLast());
+    send(debugger -> debugger.runTo(stepped, next));
+  }
+
+  private int heldLine() {
+    return debug.stop().map(DebugState.Stop::line).orElse(0);
   }
 
   /** Ends a thread of a held program, and those that it started. */

@@ -5,6 +5,7 @@ import java.awt.EventQueue;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
@@ -35,6 +36,8 @@ public final class VariablesView implements View {
   private final JTextField filter = new JTextField();
   private final JLabel omission = new JLabel();
   private final JPanel content = new JPanel(new BorderLayout());
+  private Supplier<Optional<ControllerState>> past = Optional::empty;
+  private boolean wasPast;
 
   /**
    * Without values yet.
@@ -74,6 +77,11 @@ public final class VariablesView implements View {
     debug.variables().addListener(this::show);
     declareActions();
     show();
+  }
+
+  /** Has the values of a moment of the past shown, while there is one. */
+  public void setPast(Supplier<Optional<ControllerState>> moment) {
+    past = moment;
   }
 
   private JPanel head() {
@@ -195,8 +203,18 @@ public final class VariablesView implements View {
 
   @Override
   public void refresh(ControllerState state) {
-    debug.refresh(state);
-    presenter.refresh(state, debug.showsValues());
+    Optional<ControllerState> then = past.get();
+    if (then.isPresent()) {
+      presenter.refresh(then.get(), false);
+    } else {
+      debug.refresh(state);
+      if (wasPast) {
+        // What a debugger found at a stop was replaced by the past.
+        debug.selected().ifPresent(scope -> debug.select(scope.thread(), scope.depth()));
+      }
+      presenter.refresh(state, debug.showsValues());
+    }
+    wasPast = then.isPresent();
     show();
   }
 }

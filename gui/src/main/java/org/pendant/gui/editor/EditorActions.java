@@ -28,23 +28,23 @@ final class EditorActions {
   }
 
   private void writing() {
-    add("undo", "Undo", "control Z", each -> each.area().undoLastAction());
-    add("redo", "Redo", "control shift Z", each -> each.area().redoLastAction());
-    add("complete", "Complete", "control SPACE", ProgramEditor::complete);
-    add("signature", "Show parameters", "control shift SPACE", ProgramEditor::showSignature);
-    add("quick-fix", "Quick fix", "alt ENTER", ProgramEditor::fix);
-    add("format", "Format", "control shift I", each -> each.layoutCommands().format());
-    add(
+    write("undo", "Undo", "control Z", each -> each.area().undoLastAction());
+    write("redo", "Redo", "control shift Z", each -> each.area().redoLastAction());
+    write("complete", "Complete", "control SPACE", ProgramEditor::complete);
+    write("signature", "Show parameters", "control shift SPACE", ProgramEditor::showSignature);
+    write("quick-fix", "Quick fix", "alt ENTER", ProgramEditor::fix);
+    write("format", "Format", "control shift I", each -> each.layoutCommands().format());
+    write(
         "comment",
         "Toggle comment",
         "control SLASH",
         each -> each.layoutCommands().toggleComment());
-    add(
+    write(
         "indent",
         "Indent lines",
         "control CLOSE_BRACKET",
         each -> each.layoutCommands().shift(true));
-    add(
+    write(
         "outdent",
         "Outdent lines",
         "control OPEN_BRACKET",
@@ -59,10 +59,11 @@ final class EditorActions {
   }
 
   private void lines() {
-    add("move-up", "Move lines up", "alt UP", each -> each.layoutCommands().moveLines(false));
-    add("move-down", "Move lines down", "alt DOWN", each -> each.layoutCommands().moveLines(true));
-    add("duplicate", "Duplicate lines", "control D", each -> each.layoutCommands().duplicate());
-    add("delete-line", "Delete lines", "control shift K", each -> each.layoutCommands().delete());
+    write("move-up", "Move lines up", "alt UP", each -> each.layoutCommands().moveLines(false));
+    write(
+        "move-down", "Move lines down", "alt DOWN", each -> each.layoutCommands().moveLines(true));
+    write("duplicate", "Duplicate lines", "control D", each -> each.layoutCommands().duplicate());
+    write("delete-line", "Delete lines", "control shift K", each -> each.layoutCommands().delete());
   }
 
   private void going() {
@@ -81,12 +82,12 @@ final class EditorActions {
   private void names() {
     add("definition", "Go to definition", "F12", each -> each.names().goToDefinition());
     add("references", "Find references", "shift F12", each -> each.names().findReferences());
-    add("rename", "Rename", "F2", each -> each.names().rename());
+    write("rename", "Rename", "F2", each -> each.names().rename());
   }
 
   private void searching() {
     add("find", "Find", "control F", each -> editor.find().open(false));
-    add("replace", "Find and replace", "control H", each -> editor.find().open(true));
+    write("replace", "Find and replace", "control H", each -> editor.find().open(true));
     add("find-next", "Next match", "F3", each -> editor.find().step(true));
     add("find-previous", "Previous match", "shift F3", each -> editor.find().step(false));
     add("line", "Go to line", "control G", each -> each.layoutCommands().goToLine());
@@ -109,6 +110,17 @@ final class EditorActions {
     add("larger", "Larger text", "control EQUALS", each -> each.zoom(1));
     add("smaller", "Smaller text", "control MINUS", each -> each.zoom(-1));
     add("usual-size", "Usual text size", "control 0", each -> each.zoom(0));
+  }
+
+  /** Something that changes the text, which nobody can where a tree generates it. */
+  private void write(String id, String title, String keys, Consumer<ProgramEditor> run) {
+    actions.add(
+        new Action(
+            PREFIX + id,
+            title,
+            keys,
+            () -> editor.component().isShowing() && !editor.current().generated(),
+            () -> run.accept(editor.current())));
   }
 
   private void add(String id, String title, String keys, Consumer<ProgramEditor> run) {

@@ -10,6 +10,9 @@ interface EditorDesk {
   /** Says a sentence at the edge of the window. */
   void tell(String sentence);
 
+  /** Does an action of the window. */
+  void run(String action);
+
   /** Lists places under a title. */
   void list(String title, List<Place> places);
 

@@ -207,6 +207,10 @@ final class FindBar extends JPanel {
 
   /** Does it, or says at the field why it cannot be done. */
   private void replaced(Runnable work) {
+    if (!editor.get().area().isEditable()) {
+      replacement.setToolTipText("The script is generated; the Program screen changes it");
+      return;
+    }
     try {
       work.run();
       replacement.putClientProperty("JComponent.outline", null);

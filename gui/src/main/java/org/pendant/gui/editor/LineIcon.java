@@ -18,7 +18,8 @@ import org.pendant.gui.workbench.Palette;
  * What stands beside one line: a breakpoint, the place where the program is, or both in one; or a
  * light bulb. Everything differs in shape, not only in colour.
  */
-record LineIcon(Optional<Dot> dot, Optional<Execution.State> arrow, boolean bulb) implements Icon {
+public record LineIcon(Optional<Dot> dot, Optional<Execution.State> arrow, boolean bulb)
+    implements Icon {
   private static final int SIDE = 16;
 
   /**
@@ -27,10 +28,11 @@ record LineIcon(Optional<Dot> dot, Optional<Execution.State> arrow, boolean bulb
    * @param filled whether it is enabled; a ring otherwise
    * @param conditional has two bars in it
    */
-  record Dot(boolean filled, boolean conditional, Reach reach) {}
+  public record Dot(boolean filled, boolean conditional, Reach reach) {}
 
   /** Where a breakpoint stops the program. */
-  enum Reach {
+  public enum Reach {
+    /** On the line itself. */
     HERE,
     /** On a line below: an arrow leads there. */
     BELOW,

@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
+import java.awt.event.HierarchyEvent;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
@@ -30,6 +31,7 @@ import org.pendant.language.signature.Catalogue;
 @SuppressWarnings("serial") // never written to a stream
 final class ProgramEditor extends JPanel {
   private final ProgramDocument program;
+  private final ProgramDocument script;
   private final EditorDesk desk;
   private final LineColours colours;
   private final AnalysisSchedule schedule;
@@ -55,6 +57,7 @@ final class ProgramEditor extends JPanel {
       Predicate<KeyStroke> takenKeys) {
     super(new BorderLayout());
     this.program = program;
+    script = program.script();
     this.desk = desk;
     colours = new LineColours(catalogue);
     schedule =
@@ -62,8 +65,8 @@ final class ProgramEditor extends JPanel {
             background,
             EventQueue::invokeLater,
             catalogue,
-            program.name(),
-            program::text,
+            script.name(),
+            script::text,
             this::show,
             System::nanoTime);
     area = new ScriptArea(colours, schedule::current, takenKeys);
@@ -71,12 +74,12 @@ final class ProgramEditor extends JPanel {
     scroll.setFoldIndicatorEnabled(true);
     scroll.setBorder(null);
     area.addParser(notices);
-    link = new DocumentLink(area, program, colours, this::textChanged);
+    link = new DocumentLink(area, script, colours, this::textChanged);
     marks = new GutterMarks(area, scroll.getGutter(), this::toggleBreakpoint, this::fix);
     fixes = new FixMenu(area, schedule, background, marks, desk);
     signature = new SignaturePopup(area, schedule);
     completions = new CompletionPopup(area, schedule, background, signature::request);
-    names = new NameCommands(area, program, schedule, background, desk, () -> desk.leaving(this));
+    names = new NameCommands(area, script, schedule, background, desk, () -> desk.leaving(this));
     layout = new LayoutCommands(this, schedule, background, link, desk);
     occurrences = new Occurrences(area, schedule, background);
     area.setTips(this::tip);
@@ -93,11 +96,59 @@ final class ProgramEditor extends JPanel {
             hidePopups();
           }
         });
-    add(notice, BorderLayout.NORTH);
+    area.setEditable(!generated());
+    area.addHierarchyListener(this::shown);
+    add(head(), BorderLayout.NORTH);
     add(scroll);
     add(stripe(), BorderLayout.LINE_END);
     applyTheme();
     textChanged();
+  }
+
+  private JPanel head() {
+    JPanel head = new JPanel(new BorderLayout());
+    if (generated()) {
+      head.add(new GeneratedBar(desk), BorderLayout.NORTH);
+    }
+    head.add(notice, BorderLayout.SOUTH);
+    return head;
+  }
+
+  /** The tree moves the caret while nobody sees the text. */
+  private void shown(HierarchyEvent event) {
+    boolean shown = (event.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0;
+    if (shown && area.isShowing() && generated()) {
+      Span caret = new Span(area.getCaretPosition(), area.getCaretPosition());
+      EventQueue.invokeLater(() -> area.show(caret));
+    }
+  }
+
+  /** Whether the text comes from a tree, so that nobody can change it here. */
+  boolean generated() {
+    return program.isTree();
+  }
+
+  /**
+   * Shows what a tree generates now.
+   *
+   * @param newLine where each line with a breakpoint is afterwards; 0 for nowhere
+   */
+  void replace(String text, IntUnaryOperator newLine) {
+    if (text.equals(script.text())) {
+      return;
+    }
+    boolean gone = false;
+    for (int line : marks.breakpoints()) {
+      if (newLine.applyAsInt(line) == 0) {
+        marks.removeBreakpoint(line);
+        gone = true;
+      }
+    }
+    moveLines(() -> script.setText(text), newLine);
+    area.discardAllEdits();
+    if (gone) {
+      desk.breakpointsChanged(this);
+    }
   }
 
   private ErrorStrip stripe() {
@@ -166,7 +217,9 @@ final class ProgramEditor extends JPanel {
 
   /** Opens the menu of quick fixes. */
   void fix() {
-    fixes.open();
+    if (!generated()) {
+      fixes.open();
+    }
   }
 
   /** Lets no popup stay when the program is no longer in front. */

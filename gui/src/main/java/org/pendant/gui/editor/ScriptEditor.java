@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.function.Function;
+import java.util.function.IntUnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
@@ -117,6 +118,17 @@ public final class ScriptEditor implements View {
   /** Marks where a program is. The text does not scroll. */
   public void setExecution(ProgramDocument program, Execution execution) {
     editor(program).ifPresent(editor -> editor.setExecution(execution));
+  }
+
+  /**
+   * Shows the script that a program tree generates now.
+   *
+   * @param newLine where each line with a breakpoint is afterwards; 0 for nowhere
+   */
+  public void replaceScript(ProgramDocument program, String text, IntUnaryOperator newLine) {
+    editor(program)
+        .ifPresentOrElse(
+            editor -> editor.replace(text, newLine), () -> program.script().setText(text));
   }
 
   /** Shows what is known of the breakpoints of a program, by their lines. */
@@ -269,6 +281,11 @@ public final class ScriptEditor implements View {
     @Override
     public void tell(String sentence) {
       workbench.notify(sentence);
+    }
+
+    @Override
+    public void run(String action) {
+      workbench.actions().run(action);
     }
 
     @Override

@@ -123,6 +123,9 @@ final class ScriptTyping {
   private final class NewLine extends AbstractAction {
     @Override
     public void actionPerformed(ActionEvent event) {
+      if (!area.isEditable()) {
+        return;
+      }
       int start = area.getSelectionStart();
       Span line = area.line(area.lineAt(start));
       String before = area.text(new Span(line.start(), start));

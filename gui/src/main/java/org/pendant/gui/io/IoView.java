@@ -43,16 +43,28 @@ public final class IoView implements View {
   private final SafetyCard safety;
   private final List<AnalogCard> analog = new ArrayList<>();
   private final ToolCard tool;
+  private final SignalLabels labels;
   private final List<MemoryCard> memories = new ArrayList<>();
   private final JTextField search = new JTextField(12);
   private final JCheckBox onlyUsed = new JCheckBox("Only those in use");
   private final JLabel forced = new JLabel("", ForcedMark.of(true), SwingConstants.LEADING);
   private final JButton release = new JButton("Release all");
+  private final ModbusCard modbus = new ModbusCard();
   private final ReadingsCard readings = new ReadingsCard();
 
   /** A screen of low signals; {@link #refresh} brings the levels. */
   public IoView(Workbench workbench) {
+    this(workbench, new SignalLabels(workbench.settings()));
+  }
+
+  /**
+   * As the other one, with names from elsewhere.
+   *
+   * @param labels names of signals
+   */
+  public IoView(Workbench workbench, SignalLabels labels) {
     this.workbench = workbench;
+    this.labels = labels;
     PulseTimer pulses = new PulseTimer(workbench.session()::submit);
     workbench.session().addFrameListener(pulses);
     presenter =
@@ -158,7 +170,6 @@ public final class IoView implements View {
   }
 
   private JPanel cards() {
-    SignalLabels labels = new SignalLabels(workbench.settings());
     JPanel cards = new CardSheet(GAP, WIDEST_CARD);
     for (SignalBank bank :
         List.of(
@@ -191,6 +202,7 @@ public final class IoView implements View {
       }
     }
     addMemory(cards, new Memory.Flags(), labels);
+    cards.add(modbus.component());
     cards.add(readings.component());
     return cards;
   }
@@ -250,6 +262,7 @@ public final class IoView implements View {
     tool.refresh(state);
     memories.forEach(each -> each.refresh(state));
     showForced();
+    modbus.refresh(state);
     readings.refresh(state);
   }
 }

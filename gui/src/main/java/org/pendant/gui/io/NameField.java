@@ -21,12 +21,19 @@ final class NameField {
     field.putClientProperty("JTextField.placeholderText", "Name");
     field.putClientProperty(
         "FlatLaf.style", "borderColor: $Card.fieldBorder; background: null; arc: 8");
+    labels.addListener(
+        () -> {
+          if (!field.getText().equals(labels.of(id)) && !field.isFocusOwner()) {
+            field.setText(labels.of(id));
+          }
+        });
     field.addActionListener(event -> labels.name(id, field.getText()));
     field.addFocusListener(
         new FocusAdapter() {
           @Override
           public void focusLost(FocusEvent event) {
             labels.name(id, field.getText());
+            field.setText(labels.of(id));
           }
         });
     return field;

@@ -8,6 +8,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalWrite;
+import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.io.ToolConnector;
 import org.pendant.controller.io.ToolOutputMode;
 import org.pendant.controller.io.ToolPinMode;
@@ -25,6 +26,7 @@ final class ToolCard {
   private final JComboBox<String> mode;
   private final List<JComboBox<String>> pins;
   private final JLabel current = new JLabel("\u2013");
+  private final JLabel line = new JLabel("\u2013");
   private boolean showing;
 
   ToolCard(Forcing forcing) {
@@ -49,6 +51,9 @@ final class ToolCard {
                     new SignalWrite.ToolOutputs(
                         chosen == 0 ? ToolOutputMode.DIGITAL : ToolOutputMode.DUAL_PIN_POWER)));
     pins = List.of(pin(0), pin(1));
+    line.setName("tool-line");
+    card.add(new JLabel("Serial line"));
+    card.add(line, "wmin 0, h 22::");
   }
 
   private JComboBox<String> pin(int index) {
@@ -112,6 +117,32 @@ final class ToolCard {
     if (!current.getText().equals(text)) {
       current.setText(text);
     }
+    String words = words(tool.communication());
+    if (!line.getText().equals(words)) {
+      line.setText(words);
+      line.setToolTipText(
+          tool.communication().enabled()
+              ? words + "; its wires are those of the tool's analog inputs"
+              : "Programs turn it on by set_tool_communication");
+    }
+  }
+
+  /** The serial line in words. */
+  static String words(ToolCommunication line) {
+    if (!line.enabled()) {
+      return "Off";
+    }
+    String parity =
+        switch (line.parity()) {
+          case NONE -> "no parity";
+          case ODD -> "odd parity";
+          case EVEN -> "even parity";
+        };
+    return line.baudRate()
+        + " baud, "
+        + parity
+        + ", "
+        + (line.stopBits() == 1 ? "1 stop bit" : line.stopBits() + " stop bits");
   }
 
   private static void show(JComboBox<String> box, boolean settable, int chosen) {

@@ -74,7 +74,10 @@ final class LogDetail {
   private static String headline(LogLine line) {
     StringBuilder words = new StringBuilder();
     words.append(line.severity()).append(" from ").append(line.source().title());
-    words.append(" at ").append(line.timeText()).append(" s (").append(line.wallText()).append(')');
+    words.append(" at ").append(line.timeText()).append(" s");
+    if (!line.wallText().isEmpty()) {
+      words.append(" (").append(line.wallText()).append(')');
+    }
     line.place()
         .ifPresent(
             at -> {

@@ -44,7 +44,7 @@ enum LogExport {
       return String.join(
               ",",
               line.timeText(),
-              line.wall().toString(),
+              line.isoText(),
               line.severity(),
               line.source().title(),
               quoted(line.code()),

@@ -32,6 +32,9 @@ record LogLine(
   /** The name of the text that interpreter mode is fed with: no line of a file. */
   private static final String INTERPRETER = "interpreter";
 
+  /** For messages of which nobody knows when they arrived: those of a recording. */
+  static final Instant NO_WALL = Instant.MIN;
+
   private static final DateTimeFormatter CLOCK =
       DateTimeFormatter.ofPattern("HH:mm:ss.SSS", Locale.ROOT).withZone(ZoneId.systemDefault());
 
@@ -89,9 +92,14 @@ record LogLine(
     return String.format(Locale.ROOT, "%.3f", timeS);
   }
 
-  /** Time of day when it arrived. */
+  /** Time of day when it arrived; empty if nobody knows. */
   String wallText() {
-    return CLOCK.format(wall);
+    return wall.equals(NO_WALL) ? "" : CLOCK.format(wall);
+  }
+
+  /** When it arrived, by ISO 8601; empty if nobody knows. */
+  String isoText() {
+    return wall.equals(NO_WALL) ? "" : wall.toString();
   }
 
   /** What people call the severity. */

@@ -45,8 +45,8 @@ final class LogMailbox implements FrameListener {
   @Override
   public void frame(ControllerState state) {
     if (state.frame() < lastFrame) {
-      // another controller has been switched on
-      lastNumber = 0;
+      // another controller has been switched on; what one said that repeats the run is here already
+      lastNumber = state.frame() == 1 ? 0 : state.newestEntry() - state.newEntries().size();
     }
     lastFrame = state.frame();
     timeS = state.timeS();

@@ -21,6 +21,7 @@ final class LogPresenter {
   private long dropped;
   private long missed;
   private boolean following = true;
+  private long pastPosition = Long.MAX_VALUE;
   private int unread;
 
   /**
@@ -124,6 +125,13 @@ final class LogPresenter {
     unread = 0;
   }
 
+  /** Empties the screen and takes what there is from the first message on. */
+  void restart() {
+    clear();
+    taken = 0;
+    lookAtNow();
+  }
+
   /** How many rows there are. */
   int rows() {
     return shown.size();
@@ -182,6 +190,34 @@ final class LogPresenter {
       return store.first();
     }
     return row < shown.size() ? shown.get(row) : store.end();
+  }
+
+  /**
+   * Looks at a time of what the present controller did.
+   *
+   * @return the row that was the newest then; -1 if none was there
+   */
+  int lookAt(double timeS) {
+    int row = shown.size() - 1;
+    double later = Double.POSITIVE_INFINITY;
+    while (row >= 0 && row(row).timeS() > timeS && row(row).timeS() <= later) {
+      later = row(row).timeS();
+      row--;
+    }
+    // Where time goes up backwards, the log of another controller begins.
+    boolean found = row >= 0 && row(row).timeS() <= timeS;
+    pastPosition = row >= 0 ? shown.get(row) : store.first() - 1;
+    return found ? row : -1;
+  }
+
+  /** Looks at now again. */
+  void lookAtNow() {
+    pastPosition = Long.MAX_VALUE;
+  }
+
+  /** Whether a row came later than what is looked at. */
+  boolean later(int row) {
+    return row >= 0 && row < shown.size() && shown.get(row) > pastPosition;
   }
 
   /** Whether the newest row is kept in sight. */

@@ -1,5 +1,6 @@
 package org.pendant.gui.log;
 
+import java.awt.Component;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.event.MouseEvent;
@@ -9,7 +10,9 @@ import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
 import javax.swing.SwingConstants;
 import javax.swing.Timer;
+import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
+import org.pendant.gui.workbench.Palette;
 
 /**
  * A table whose columns fit its width, and whose rows fit the font and, for errors and warnings,
@@ -63,6 +66,15 @@ final class LogRows extends JTable {
     if (columns != null) {
       fitFont();
     }
+  }
+
+  @Override
+  public Component prepareRenderer(TableCellRenderer renderer, int row, int column) {
+    Component cell = super.prepareRenderer(renderer, row, column);
+    if (presenter.later(row) && !isRowSelected(row)) {
+      cell.setForeground(Palette.tint(Palette.quiet(), 0.55));
+    }
+    return cell;
   }
 
   private void fitFont() {

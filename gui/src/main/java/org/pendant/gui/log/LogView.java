@@ -7,12 +7,15 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.KeyStroke;
+import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.export.SaveDialog;
 import org.pendant.gui.session.Session;
@@ -32,6 +35,8 @@ public final class LogView implements View {
   private final LogBar bar;
   private final LogDetail detail;
   private final JPanel content = new JPanel(new BorderLayout());
+  private Optional<List<LogLine>> recorded = Optional.empty();
+  private OptionalDouble looking = OptionalDouble.empty();
 
   /** A log whose lines lead to the current program. */
   public LogView(Workbench workbench) {
@@ -76,6 +81,48 @@ public final class LogView implements View {
     if (!text.isBlank()) {
       mailbox.told(text);
     }
+  }
+
+  /** Selects what was the newest at a time, robot time in s, and dims what came later. */
+  public void lookAt(double timeS) {
+    looking = OptionalDouble.of(timeS);
+    int row = presenter.lookAt(timeS);
+    table.select(row);
+    presenter.follow(false);
+    table.repaint();
+  }
+
+  /** Shows the log of a recording instead of what comes, or no longer. */
+  public void showRecorded(Optional<List<LogEntry>> log) {
+    recorded = log.map(LogView::lines);
+    table.keepingSelection(presenter::restart);
+    LogPresenter.Change change = take();
+    table.changed(change);
+    showCounts();
+  }
+
+  private static List<LogLine> lines(List<LogEntry> log) {
+    List<LogLine> lines = new ArrayList<>();
+    for (LogEntry each : log) {
+      lines.add(LogLine.of(lines.size() + 1L, LogLine.NO_WALL, LogSource.of(each.origin()), each));
+    }
+    return lines;
+  }
+
+  private LogPresenter.Change take() {
+    return recorded
+        .map(
+            lines ->
+                presenter.take(lines.size(), after -> lines.subList((int) after, lines.size())))
+        .orElseGet(() -> presenter.take(mailbox.newest(), mailbox::since));
+  }
+
+  /** Ends {@link #lookAt}. */
+  public void lookAtNow() {
+    looking = OptionalDouble.empty();
+    presenter.lookAtNow();
+    table.jumpToNewest();
+    table.repaint();
   }
 
   private JSplitPane split() {
@@ -153,10 +200,11 @@ public final class LogView implements View {
 
   @Override
   public void refresh(ControllerState state) {
-    LogPresenter.Change change = presenter.take(mailbox.newest(), mailbox::since);
+    LogPresenter.Change change = take();
     if (!change.none()) {
       table.changed(change);
       showCounts();
+      looking.ifPresent(this::lookAt);
     }
     bar.showFollowing(presenter.following());
   }

@@ -1,11 +1,14 @@
 package org.pendant.gui.move;
 
+import java.util.Map;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.gui.layout.Card;
 import org.pendant.gui.workbench.Palette;
+import org.pendant.models.pose.Pose;
 
 /** A frame of people's own, along whose axes the tool can be moved; seen while it is chosen. */
 final class FrameCard {
@@ -13,6 +16,8 @@ final class FrameCard {
   private final Card card = new Card("Frame in the base", "[grow, fill]");
   private final PoseFields fields;
   private final Remark problem = new Remark("move-frame-problem", Palette::error);
+  private final JComboBox<String> features = new JComboBox<>();
+  private Map<String, Pose> frames = Map.of();
   private final JButton set = new JButton("Set frame");
   private final JButton reset = new JButton("Discard");
 
@@ -33,10 +38,32 @@ final class FrameCard {
     row.add(set);
     row.add(reset);
     row.add(here);
+    Card.named(features, "move-frame-features", "Take a feature of the installation");
+    features.addActionListener(event -> choose());
+    offer(Map.of());
+    card.add(features, "growx");
     card.add(fields.component(), "grow");
     card.add(problem, Remark.LAYOUT);
     card.add(row, "grow, gaptop 4");
     card.setVisible(false);
+  }
+
+  /** Features that can be taken for the frame, by name. */
+  void offer(Map<String, Pose> offered) {
+    frames = Map.of();
+    features.removeAllItems();
+    features.addItem("Take a feature\u2026");
+    offered.keySet().forEach(features::addItem);
+    features.setVisible(!offered.isEmpty());
+    frames = offered;
+  }
+
+  private void choose() {
+    Pose chosen = frames.get(String.valueOf(features.getSelectedItem()));
+    if (chosen != null) {
+      presenter.frame().set(chosen);
+      features.setSelectedIndex(0);
+    }
   }
 
   JComponent component() {

@@ -5,7 +5,7 @@ import javax.swing.JButton;
 
 /** A button that does something as long as mouse, finger or space bar holds it. */
 @SuppressWarnings("serial") // never written to a stream
-final class HoldButton extends JButton {
+public final class HoldButton extends JButton {
   private boolean held;
 
   /**
@@ -14,7 +14,7 @@ final class HoldButton extends JButton {
    * @param press runs when it is pressed
    * @param release runs when it is let go, is disabled, or loses the pointer or the focus
    */
-  HoldButton(String text, Icon icon, Runnable press, Runnable release) {
+  public HoldButton(String text, Icon icon, Runnable press, Runnable release) {
     super(text, icon);
     addChangeListener(
         event -> {

@@ -1,6 +1,7 @@
 package org.pendant.gui.move;
 
 import java.util.Collections;
+import java.util.function.Consumer;
 import java.util.function.IntFunction;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.gui.workbench.Settings;
@@ -12,6 +13,7 @@ final class HomePresenter {
   private final Draft draft;
   private String robotId;
   private Joints homeRad;
+  private Consumer<Joints> listener = home -> {};
 
   /**
    * As it was left.
@@ -57,6 +59,21 @@ final class HomePresenter {
     settings.put(key(), NumberList.text(positionRad.toArray()));
     draft.reset();
     draft.follow(positionRad.toArray());
+    listener.accept(positionRad);
+  }
+
+  /** Home is what the installation says, until it is set here. */
+  void follow(Joints installedRad) {
+    if (!installedRad.equals(homeRad)) {
+      homeRad = installedRad;
+      draft.reset();
+      draft.follow(installedRad.toArray());
+    }
+  }
+
+  /** Tells {@code next} of each home that is set here. */
+  void whenSet(Consumer<Joints> next) {
+    listener = next;
   }
 
   /** Home is what somebody has typed. */

@@ -13,7 +13,7 @@ import org.pendant.controller.jog.JogMove;
  * let go, or the controller says that the arm goes no further. One thread uses it, the one behind
  * its executor.
  */
-final class JogHold {
+public final class JogHold {
   private final Function<Command, CompletableFuture<Reply>> submit;
   private final Executor executor;
   private Optional<Press> press = Optional.empty();
@@ -37,13 +37,13 @@ final class JogHold {
    * @param submit hands commands to the controller
    * @param executor runs what replies lead to in the thread that uses this object
    */
-  JogHold(Function<Command, CompletableFuture<Reply>> submit, Executor executor) {
+  public JogHold(Function<Command, CompletableFuture<Reply>> submit, Executor executor) {
     this.submit = submit;
     this.executor = executor;
   }
 
   /** A button is pressed; the same one again, as keys that repeat do, changes nothing. */
-  void press(JogMove move, double speedFraction) {
+  public void press(JogMove move, double speedFraction) {
     if (press.isPresent() && press.get().command.move().equals(move)) {
       return;
     }
@@ -54,7 +54,7 @@ final class JogHold {
   }
 
   /** Time goes by: about 30 times a second. A reply that is due is waited for. */
-  void repeat() {
+  public void repeat() {
     if (press.isPresent() && !press.get().waiting && !press.get().refused) {
       Press present = press.get();
       present.waiting = true;
@@ -75,7 +75,7 @@ final class JogHold {
   }
 
   /** The button is let go. */
-  void release() {
+  public void release() {
     if (press.isPresent()) {
       press = Optional.empty();
       var _ = submit.apply(new Command.StopJog());
@@ -93,7 +93,7 @@ final class JogHold {
   }
 
   /** Why the arm did not do what was held last, or not any further; empty if it did. */
-  String reason() {
+  public String reason() {
     return reason;
   }
 }

@@ -5,7 +5,9 @@ import java.awt.EventQueue;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.HierarchyEvent;
+import java.util.LinkedHashMap;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -13,6 +15,9 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.installation.Feature;
+import org.pendant.controller.installation.FeaturePoses;
+import org.pendant.controller.installation.Installation;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.layout.CardSheet;
 import org.pendant.gui.workbench.Action;
@@ -20,6 +25,8 @@ import org.pendant.gui.workbench.Actions;
 import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
 
 /** The screen that moves the arm by hand. */
 public final class MoveView implements View {
@@ -30,6 +37,7 @@ public final class MoveView implements View {
   private final MovePresenter presenter;
   private final JPanel content = new JPanel(new BorderLayout());
   private final ObstacleBar obstacle;
+  private final TeachBar teaching;
   private final JogCard jog;
   private final FreedriveCard freedrive;
   private final JointsCard joints;
@@ -65,6 +73,7 @@ public final class MoveView implements View {
             ghost);
     Consumer<String> copy = text -> copy(workbench, text);
     obstacle = new ObstacleBar(presenter);
+    teaching = new TeachBar();
     jog = new JogCard(presenter.jog());
     freedrive = new FreedriveCard(presenter.freedrive());
     joints = new JointsCard(presenter, copy, insertWaypoint);
@@ -75,7 +84,10 @@ public final class MoveView implements View {
     payload = new PayloadCard(presenter.tool());
     content.setName("move-view");
     content.getAccessibleContext().setAccessibleName(title());
-    content.add(obstacle, BorderLayout.NORTH);
+    JPanel head = new JPanel(new BorderLayout());
+    head.add(teaching, BorderLayout.NORTH);
+    head.add(obstacle, BorderLayout.SOUTH);
+    content.add(head, BorderLayout.NORTH);
     content.add(cards(), BorderLayout.CENTER);
     content.addHierarchyListener(this::hidden);
     declareActions(workbench.actions(), copy, insertWaypoint);
@@ -181,6 +193,38 @@ public final class MoveView implements View {
       presenter.jog().release();
       presenter.freedrive().release();
     }
+  }
+
+  /**
+   * Comes to the front to have the arm moved somewhere.
+   *
+   * @param what is taught, such as {@code Waypoint_1}
+   * @param accepted runs when people say that the arm is there
+   * @param left runs when they do not want to any more
+   */
+  public void teach(String what, Runnable accepted, Runnable left) {
+    workbench.show(id());
+    teaching.ask(what, accepted, left);
+  }
+
+  /** Goes by an installation: its home, its TCPs, and its features as frames to move along. */
+  public void setInstallation(Installation installation) {
+    presenter.home().follow(installation.homeRad());
+    Map<String, Pose> tools = new LinkedHashMap<>();
+    installation.tools().forEach(each -> tools.put(each.name(), each.inFlange()));
+    presenter.tool().named().install(tools);
+    Map<String, Pose> frames = new LinkedHashMap<>();
+    for (Feature each : installation.features()) {
+      if (each.joggable()) {
+        FeaturePoses.pose(each).ifPresent(pose -> frames.put(each.name(), pose));
+      }
+    }
+    frame.offer(frames);
+  }
+
+  /** Tells {@code listener} of each home that is set here. */
+  public void whenHomeSet(Consumer<Joints> listener) {
+    presenter.home().whenSet(listener);
   }
 
   @Override

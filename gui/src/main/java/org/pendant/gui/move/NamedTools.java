@@ -1,14 +1,22 @@
 package org.pendant.gui.move;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.pendant.gui.workbench.Settings;
 import org.pendant.models.pose.Pose;
 
-/** Tool centre points by name, kept from one start to the next. */
+/**
+ * Tool centre points by name: those of the installation, and others kept from one start to the
+ * next.
+ */
 final class NamedTools {
   /** Longest name, in characters. */
   static final int LONGEST_NAME = 40;
@@ -16,6 +24,7 @@ final class NamedTools {
   private static final String KEY = "move.tcps";
 
   private final Settings settings;
+  private Map<String, Pose> installed = Map.of();
   private final SortedMap<String, Pose> tools = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
 
   /** As they were left; what is none is skipped. */
@@ -43,13 +52,21 @@ final class NamedTools {
     return name.chars().anyMatch(Character::isISOControl) ? "The name has control characters." : "";
   }
 
+  /** Those of the installation; they come before others of the same name. */
+  void install(Map<String, Pose> inFlange) {
+    installed = Collections.unmodifiableMap(new LinkedHashMap<>(inFlange));
+  }
+
+  /** Names of all, those of the installation first. */
   List<String> names() {
-    return List.copyOf(tools.keySet());
+    Set<String> names = new LinkedHashSet<>(installed.keySet());
+    names.addAll(tools.keySet());
+    return List.copyOf(names);
   }
 
   /** The pose in the flange of the one with this name. */
   Optional<Pose> find(String name) {
-    return Optional.ofNullable(tools.get(name));
+    return Optional.ofNullable(installed.get(name)).or(() -> Optional.ofNullable(tools.get(name)));
   }
 
   /** Keeps one, in place of another of the same name. */

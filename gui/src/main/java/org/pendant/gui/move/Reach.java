@@ -16,7 +16,7 @@ import org.pendant.models.pose.Pose;
  * @param text why none do, or that the pose is close to a singularity; empty if there is nothing to
  *     say
  */
-record Reach(Optional<Joints> q, String text) {
+public record Reach(Optional<Joints> q, String text) {
   /** Nearer than this to a singularity, straight moves become slow or impossible. */
   private static final double CLOSE = 0.03;
 
@@ -24,7 +24,7 @@ record Reach(Optional<Joints> q, String text) {
   private static final double ERROR = 1e-9;
 
   /** Looks for joint positions near {@code near} that put the TCP at {@code tcpInBase}. */
-  static Reach of(
+  public static Reach of(
       ArmDescription arm,
       InverseKinematics inverse,
       Pose tcpInBase,

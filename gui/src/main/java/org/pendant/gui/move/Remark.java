@@ -8,16 +8,22 @@ import javax.swing.JTextArea;
 
 /** A sentence about a card, wrapped and never cut; gone when there is nothing to say. */
 @SuppressWarnings("serial") // never written to a stream
-final class Remark extends JTextArea {
+public final class Remark extends JTextArea {
   /** Said of numbers that somebody has typed. */
   static final String GOAL = "A goal, not where the arm is: hold the button to go there.";
 
   /** How it lies in a card: as wide as that, and never a reason for the card to be wider. */
-  static final String LAYOUT = "growx, width 0:10:";
+  public static final String LAYOUT = "growx, width 0:10:";
 
   private final Supplier<Color> color;
 
-  Remark(String name, Supplier<Color> color) {
+  /**
+   * Nothing to say yet.
+   *
+   * @param name of the component
+   * @param color of the words
+   */
+  public Remark(String name, Supplier<Color> color) {
     this.color = color;
     setName(name);
     setEditable(false);
@@ -31,7 +37,7 @@ final class Remark extends JTextArea {
   }
 
   /** Shows a sentence; empty for none. */
-  void say(String text) {
+  public void say(String text) {
     if (!getText().equals(text)) {
       setText(text);
       getAccessibleContext().setAccessibleName(text);

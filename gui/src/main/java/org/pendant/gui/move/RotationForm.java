@@ -4,39 +4,39 @@ import java.util.List;
 import org.pendant.models.pose.Rotations;
 
 /** How a rotation is written in three angles. */
-enum RotationForm {
+public enum RotationForm {
   VECTOR("Rotation vector") {
     @Override
-    List<String> labels() {
+    public List<String> labels() {
       return List.of("RX", "RY", "RZ");
     }
 
     @Override
-    void fromVector(double rx, double ry, double rz, double[] angles) {
+    public void fromVector(double rx, double ry, double rz, double[] angles) {
       angles[0] = rx;
       angles[1] = ry;
       angles[2] = rz;
     }
 
     @Override
-    void toVector(double a, double b, double c, double[] vector) {
+    public void toVector(double a, double b, double c, double[] vector) {
       fromVector(a, b, c, vector);
     }
   },
   /** Turns about the fixed axes x, y and z, in this order. */
   ROLL_PITCH_YAW("Roll, pitch, yaw") {
     @Override
-    List<String> labels() {
+    public List<String> labels() {
       return List.of("Roll", "Pitch", "Yaw");
     }
 
     @Override
-    void fromVector(double rx, double ry, double rz, double[] angles) {
+    public void fromVector(double rx, double ry, double rz, double[] angles) {
       Rotations.vectorToRpy(rx, ry, rz, angles);
     }
 
     @Override
-    void toVector(double a, double b, double c, double[] vector) {
+    public void toVector(double a, double b, double c, double[] vector) {
       Rotations.rpyToVector(a, b, c, vector);
     }
   };
@@ -48,13 +48,13 @@ enum RotationForm {
   }
 
   /** Rotation vector to the three angles, all in rad. */
-  abstract void fromVector(double rx, double ry, double rz, double[] angles);
+  public abstract void fromVector(double rx, double ry, double rz, double[] angles);
 
   /** The three angles to a rotation vector, all in rad. */
-  abstract void toVector(double a, double b, double c, double[] vector);
+  public abstract void toVector(double a, double b, double c, double[] vector);
 
   /** Names of the three angles. */
-  abstract List<String> labels();
+  public abstract List<String> labels();
 
   @Override
   public String toString() {

@@ -26,12 +26,16 @@ public final class PlotView implements View {
   private final QuantityTree tree;
   private final JPanel content = new JPanel(new BorderLayout());
 
-  /** Charts that were there the last time; recording begins now. */
-  public PlotView(Workbench workbench) {
+  /**
+   * Charts that were there the last time; recording begins now.
+   *
+   * @param labels names of signals
+   */
+  public PlotView(Workbench workbench, SignalLabels labels) {
     this.workbench = workbench;
     Tape tape = new Tape();
     workbench.session().addFrameListener(tape);
-    Quantities quantities = Quantities.standard(new SignalLabels(workbench.settings())::of);
+    Quantities quantities = Quantities.standard(labels::of);
     presenter = new PlotPresenter(quantities, new History(tape), workbench.settings());
     presenter.onRefusal(workbench::notify);
     VariableTrace trace =

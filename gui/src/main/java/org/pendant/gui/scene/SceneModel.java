@@ -25,6 +25,7 @@ import org.pendant.models.pose.Pose;
  * @param touched names of the objects of the world that the tool touches
  * @param trace where the tool centre point has been
  * @param theme colours
+ * @param waymarks the places that a program goes to
  */
 public record SceneModel(
     ArmDescription arm,
@@ -37,7 +38,8 @@ public record SceneModel(
     Scene world,
     Set<String> touched,
     Trace trace,
-    Theme theme) {
+    Theme theme,
+    Waymarks waymarks) {
 
   /** Copies the collections. */
   public SceneModel {
@@ -58,7 +60,8 @@ public record SceneModel(
         Scene.EMPTY,
         Set.of(),
         Trace.EMPTY,
-        Theme.LIGHT);
+        Theme.LIGHT,
+        Waymarks.NONE);
   }
 
   /** The arm as a snapshot of the controller has it, with its active tool centre point. */
@@ -74,7 +77,8 @@ public record SceneModel(
         world,
         touched,
         trace,
-        theme);
+        theme,
+        waymarks);
   }
 
   public SceneModel withGhost(Optional<Joints> positionOfGhostRad) {
@@ -89,7 +93,8 @@ public record SceneModel(
         world,
         touched,
         trace,
-        theme);
+        theme,
+        waymarks);
   }
 
   public SceneModel withTool(Pose tcp) {
@@ -104,7 +109,8 @@ public record SceneModel(
         world,
         touched,
         trace,
-        theme);
+        theme,
+        waymarks);
   }
 
   public SceneModel withFrames(List<Pose> frames) {
@@ -119,7 +125,8 @@ public record SceneModel(
         world,
         touched,
         trace,
-        theme);
+        theme,
+        waymarks);
   }
 
   public SceneModel withPayload(Optional<Ball> ball) {
@@ -134,7 +141,8 @@ public record SceneModel(
         world,
         touched,
         trace,
-        theme);
+        theme,
+        waymarks);
   }
 
   public SceneModel withWorld(Scene surroundings, Set<String> touchedNames) {
@@ -149,7 +157,8 @@ public record SceneModel(
         surroundings,
         touchedNames,
         trace,
-        theme);
+        theme,
+        waymarks);
   }
 
   public SceneModel withTrace(Trace way) {
@@ -164,7 +173,8 @@ public record SceneModel(
         world,
         touched,
         way,
-        theme);
+        theme,
+        waymarks);
   }
 
   public SceneModel withTheme(Theme colours) {
@@ -179,7 +189,24 @@ public record SceneModel(
         world,
         touched,
         trace,
-        colours);
+        colours,
+        waymarks);
+  }
+
+  public SceneModel withWaymarks(Waymarks marks) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        framesInBase,
+        payload,
+        world,
+        touched,
+        trace,
+        theme,
+        marks);
   }
 
   /** Pose of the tool centre point in the base frame. */

@@ -9,6 +9,9 @@ import org.pendant.controller.FrameLoop;
 import org.pendant.controller.Pace;
 import org.pendant.controller.Reply;
 import org.pendant.controller.SteerableClock;
+import org.pendant.controller.recording.RecordingRing;
+import org.pendant.controller.replay.Journal;
+import org.pendant.controller.state.ControllerState;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 
 /** One controller with the thread that drives it, until it is switched off. */
@@ -30,7 +33,13 @@ final class DrivenController implements AutoCloseable {
     clock = new SteerableClock(pace);
     loop =
         FrameLoop.start(
-            controller, clock, () -> listeners.forEach(each -> each.frame(controller.state())));
+            controller,
+            clock,
+            () -> {
+              ControllerState state = controller.state();
+              on.ring().take(state);
+              listeners.forEach(each -> each.frame(state));
+            });
   }
 
   ControllerOptions options() {
@@ -39,6 +48,14 @@ final class DrivenController implements AutoCloseable {
 
   Controller controller() {
     return controller;
+  }
+
+  Journal journal() {
+    return on.journal();
+  }
+
+  RecordingRing ring() {
+    return on.ring();
   }
 
   ToolSerialLine tool() {
@@ -74,7 +91,6 @@ final class DrivenController implements AutoCloseable {
     if (loop.failure().isEmpty()) {
       controller.advance();
     }
-    on.doors().close();
-    on.tool().close();
+    on.close();
   }
 }

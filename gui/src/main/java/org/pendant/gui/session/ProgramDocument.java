@@ -13,8 +13,16 @@ import org.pendant.language.source.Source;
  * One thread uses it, the dispatch thread.
  */
 public final class ProgramDocument {
+  /** Ending of the names of files that hold program trees. */
+  public static final String TREE = ".pendant";
+
+  /** Ending of the names of files that hold scripts. */
+  public static final String SCRIPT = ".script";
+
   private final List<Listener> listeners = new ArrayList<>();
   private final String untitledName;
+  private final Optional<ProgramDocument> tree;
+  private Optional<ProgramDocument> generated = Optional.empty();
   private Optional<ProgramFile> onDisk;
   private String savedText;
   private String text;
@@ -36,8 +44,13 @@ public final class ProgramDocument {
     default void fileChanged() {}
   }
 
-  private ProgramDocument(String untitledName, Optional<ProgramFile> onDisk, String text) {
+  private ProgramDocument(
+      String untitledName,
+      Optional<ProgramFile> onDisk,
+      String text,
+      Optional<ProgramDocument> tree) {
     this.untitledName = untitledName;
+    this.tree = tree;
     this.onDisk = onDisk;
     this.text = text;
     savedText = text;
@@ -45,17 +58,45 @@ public final class ProgramDocument {
 
   /** A program without a file, not modified yet. */
   public static ProgramDocument untitled(String name, String text) {
-    return new ProgramDocument(name, Optional.empty(), text);
+    return new ProgramDocument(name, Optional.empty(), text, Optional.empty());
   }
 
   /** A program as it was read. */
   public static ProgramDocument of(ProgramFile file) {
-    return new ProgramDocument("", Optional.of(file), file.text());
+    return new ProgramDocument("", Optional.of(file), file.text(), Optional.empty());
   }
 
   /** Name of the file without its folder, or what was given to one that has none. */
   public String name() {
-    return onDisk.map(file -> file.path().getFileName().toString()).orElse(untitledName);
+    return tree.map(ProgramDocument::name)
+        .map(ProgramDocument::scriptName)
+        .orElseGet(
+            () -> onDisk.map(file -> file.path().getFileName().toString()).orElse(untitledName));
+  }
+
+  private static String scriptName(String treeName) {
+    return treeName.endsWith(TREE)
+        ? treeName.substring(0, treeName.length() - TREE.length()) + SCRIPT
+        : treeName;
+  }
+
+  /** Whether the text is a program tree, not a script. */
+  public boolean isTree() {
+    return tree.isEmpty() && name().endsWith(TREE);
+  }
+
+  /**
+   * The program as a script: itself, or for a tree a document with what the tree generates, which
+   * whoever knows the tree keeps up to date.
+   */
+  public ProgramDocument script() {
+    if (!isTree()) {
+      return this;
+    }
+    if (generated.isEmpty()) {
+      generated = Optional.of(new ProgramDocument("", Optional.empty(), "", Optional.of(this)));
+    }
+    return generated.get();
   }
 
   /** The text; lines end with a line feed. */
@@ -123,7 +164,14 @@ public final class ProgramDocument {
   /** The text as the controller takes it; offsets are those of the bytes in the file's charset. */
   public Source source() {
     Charset charset = onDisk.map(ProgramFile::charset).orElse(StandardCharsets.UTF_8);
-    return Source.of(file().map(Path::toString).orElse(untitledName), text.getBytes(charset));
+    return Source.of(sourceName(), text.getBytes(charset));
+  }
+
+  /** Beside the tree that it is generated from, for what it reads from its folder. */
+  private String sourceName() {
+    return tree.map(ProgramDocument::sourceName)
+        .map(ProgramDocument::scriptName)
+        .orElseGet(() -> file().map(Path::toString).orElse(untitledName));
   }
 
   /** {@code file} has been written; the text may have changed since. */

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.locks.ReentrantLock;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
@@ -13,6 +14,9 @@ import org.pendant.controller.WallClock.Lateness;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.machine.Loaded;
 import org.pendant.controller.machine.Program;
+import org.pendant.controller.recording.Recording;
+import org.pendant.controller.replay.Rerun;
+import org.pendant.controller.replay.RerunRefused;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.toolserial.ToolSerialLine;
@@ -20,6 +24,7 @@ import org.pendant.protocols.toolserial.ToolSerialLine;
 /**
  * The controller that the desktop works with, and the thread that drives it at the chosen pace. Any
  * thread may call it; no call waits for a frame except {@link #restart} and {@link #close}.
+ * Programs can be run once more up to any frame, and go on otherwise from there: {@link #branch}.
  *
  * <p>What is chained to a reply runs in the frame loop unless an executor is named: views chain
  * with {@code SwingUtilities::invokeLater}.
@@ -28,7 +33,10 @@ public final class Session implements AutoCloseable {
   private final List<FrameListener> listeners = new CopyOnWriteArrayList<>();
   private final List<SwitchListener> switchListeners = new CopyOnWriteArrayList<>();
   private final ProgramOrigin origin = new ProgramOrigin();
+  private final ReentrantLock switching = new ReentrantLock();
   private volatile DrivenController driven;
+  private volatile Optional<Branching> branching = Optional.empty();
+  private boolean closed;
 
   private Session(ControllerOptions options) {
     listeners.add(origin);
@@ -59,6 +67,15 @@ public final class Session implements AutoCloseable {
    */
   public ControllerState state() {
     return driven.controller().state();
+  }
+
+  /**
+   * What the controller did in the last minutes; it stays as it is while the controller goes on, so
+   * ask again for what is newer. Costs next to nothing. After {@link #restart} there is another
+   * one, which begins with the new controller; that of a branch has the run up to its frame.
+   */
+  public Recording recording() {
+    return driven.ring().recording();
   }
 
   /** Leaves a command for the next frame; there is one for it even while robot time is paused. */
@@ -160,16 +177,94 @@ public final class Session implements AutoCloseable {
   public void restart(ControllerOptions options) {
     // Made first: where that fails, the old one goes on.
     SwitchedOn next = SwitchedOn.with(options);
+    cancelBranch();
+    switching.lock();
+    try {
+      exchange(next, pace());
+    } finally {
+      switching.unlock();
+    }
+  }
+
+  private void exchange(SwitchedOn next, Pace pace) {
     switchListeners.forEach(SwitchListener::switchingOff);
     driven.close();
-    driven = new DrivenController(next, pace(), listeners);
+    origin.goBack(next.controller().state().frame());
+    driven = new DrivenController(next, pace, listeners);
+    // clients that had taken signals are gone with the ports; a new controller knows of none
+    for (String owner : next.journal().owners()) {
+      var _ = driven.submit(new Command.ReleaseSignals(owner));
+    }
     switchListeners.forEach(SwitchListener::switchedOn);
+  }
+
+  /** Why there can be no branch from the end of a frame; empty if there can. */
+  public Optional<String> branchRefusal(long frame) {
+    return driven.journal().refusal(frame);
+  }
+
+  /**
+   * Begins to branch from the end of a frame of the present run: another controller with the same
+   * options runs up to it, with the same commands in the same frames and as fast as the processor
+   * goes, and takes the place of the present one as after {@link #restart}. Robot time is paused
+   * then, so that people can look and change something before it goes on. Until that moment the
+   * present controller goes on; a branch that was begun before is cancelled.
+   *
+   * @param frame 0 to that of the newest snapshot
+   * @throws RerunRefused if the run cannot be repeated so far; nothing has changed
+   */
+  public Branching branch(long frame) throws RerunRefused {
+    DrivenController from = driven;
+    return branch(from, Rerun.to(frame, from.journal()));
+  }
+
+  /**
+   * As {@link #branch(long)}; refused in the end if the new controller does not stand as the old
+   * one did.
+   *
+   * @param recorded a snapshot of the present run
+   */
+  public Branching branch(ControllerState recorded) throws RerunRefused {
+    DrivenController from = driven;
+    return branch(from, Rerun.to(recorded, from.journal()));
+  }
+
+  private Branching branch(DrivenController from, Rerun rerun) {
+    cancelBranch();
+    Branching begun = Branching.begin(rerun, () -> branchOff(from, rerun));
+    branching = Optional.of(begun);
+    return begun;
+  }
+
+  private void branchOff(DrivenController from, Rerun rerun) throws RerunRefused {
+    SwitchedOn next = SwitchedOn.again(from.options(), from.controller().builtins(), rerun);
+    switching.lock();
+    try {
+      if (closed || driven != from) {
+        next.close();
+        throw new RerunRefused("the controller was switched off meanwhile");
+      }
+      exchange(next, new Pace.Paused());
+    } finally {
+      switching.unlock();
+    }
+  }
+
+  private void cancelBranch() {
+    branching.ifPresent(Branching::cancel);
   }
 
   /** Switches the controller off. */
   @Override
   public void close() {
-    switchListeners.forEach(SwitchListener::switchingOff);
-    driven.close();
+    cancelBranch();
+    switching.lock();
+    try {
+      closed = true;
+      switchListeners.forEach(SwitchListener::switchingOff);
+      driven.close();
+    } finally {
+      switching.unlock();
+    }
   }
 }

@@ -1,7 +1,14 @@
 package org.pendant.gui.session;
 
+import java.util.concurrent.CancellationException;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.recording.RecordingRing;
+import org.pendant.controller.replay.Journal;
+import org.pendant.controller.replay.Rerun;
+import org.pendant.controller.replay.RerunRefused;
 import org.pendant.protocols.ScriptDoors;
 import org.pendant.protocols.reach.AllowedHosts;
 import org.pendant.protocols.toolserial.ToolSerialLine;
@@ -12,21 +19,75 @@ import org.pendant.protocols.toolserial.ToolSerialLine;
  * @param options it was made with
  * @param doors by which its programs reach other computers
  * @param tool the serial line of its tool connector
+ * @param journal the commands that it got so far
+ * @param ring what it did so far
  */
 record SwitchedOn(
-    ControllerOptions options, ScriptDoors doors, ToolSerialLine tool, Controller controller) {
+    ControllerOptions options,
+    ScriptDoors doors,
+    ToolSerialLine tool,
+    Journal journal,
+    RecordingRing ring)
+    implements AutoCloseable {
+  /** Makes the journal of a controller that was just switched on. */
+  private interface Begin {
+    Journal of(Controller controller, RecordingRing ring) throws RerunRefused;
+  }
+
   /**
    * Switches one on.
    *
    * @throws IllegalArgumentException if the robot or an input is not known
    */
   static SwitchedOn with(ControllerOptions options) {
+    try {
+      return with(options, StandardBuiltins.create(), (controller, ring) -> Journal.of(controller));
+    } catch (RerunRefused e) {
+      throw new IllegalStateException("nothing is run again", e);
+    }
+  }
+
+  /**
+   * Switches one on and brings it to where {@code rerun} leads.
+   *
+   * @param options those of the controller whose run is repeated
+   * @param builtins those of that controller
+   * @throws RerunRefused if the run came out otherwise
+   * @throws CancellationException if the rerun was cancelled
+   */
+  static SwitchedOn again(ControllerOptions options, Builtins builtins, Rerun rerun)
+      throws RerunRefused {
+    return with(options, builtins, (controller, ring) -> rerun.run(controller, ring::take));
+  }
+
+  private static SwitchedOn with(ControllerOptions options, Builtins builtins, Begin begin)
+      throws RerunRefused {
     ScriptDoors doors = new ScriptDoors(AllowedHosts.ANY);
     ToolSerialLine tool = new ToolSerialLine();
-    return new SwitchedOn(
-        options,
-        doors,
-        tool,
-        new Controller(options.withOutside(doors.doors().withToolSerial(tool))));
+    boolean made = false;
+    try {
+      Controller controller =
+          new Controller(options.withOutside(doors.doors().withToolSerial(tool)), builtins);
+      RecordingRing ring = new RecordingRing(controller.state(), controller::programSource);
+      SwitchedOn on = new SwitchedOn(options, doors, tool, begin.of(controller, ring), ring);
+      made = true;
+      return on;
+    } finally {
+      if (!made) {
+        doors.close();
+        tool.close();
+      }
+    }
+  }
+
+  Controller controller() {
+    return journal.controller();
+  }
+
+  /** Closes the ways to the outside. */
+  @Override
+  public void close() {
+    doors.close();
+    tool.close();
   }
 }

@@ -11,8 +11,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.InstallationCheck;
+import org.pendant.controller.installation.InstallationProblem;
 import org.pendant.controller.message.Operator;
 import org.pendant.gui.ports.PortWishes;
 import org.pendant.gui.session.ProgramDocument;
@@ -20,6 +24,7 @@ import org.pendant.gui.session.ProgramFile;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.RecoveryFolder;
 import org.pendant.gui.session.Session;
+import org.pendant.gui.session.StartInstallation;
 import org.pendant.gui.shell.look.Look;
 import org.pendant.gui.shell.look.SystemTheme;
 import org.pendant.gui.workbench.ConfigurationFolder;
@@ -33,17 +38,20 @@ public final class Desktop {
 
   private final Path folder;
   private final FileSettings settings;
-  private final List<String> missing = new ArrayList<>();
+  private final List<String> missing = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Boolean> closed = new CompletableFuture<>();
+
+  /** What the controller is set up with; written before the window is made. */
+  private volatile Optional<StartInstallation> start = Optional.empty();
 
   private Desktop(Path folder) {
     this.folder = folder;
     settings = FileSettings.open(folder.resolve("settings.txt"));
   }
 
-  /** As {@link #open(List, Optional)}, with the programs of last time and closed ports. */
+  /** As the other one, with the programs and the installation of last time, and closed ports. */
   public static Desktop open() {
-    return open(List.of(), Optional.empty());
+    return open(List.of(), Optional.empty(), Optional.empty());
   }
 
   /**
@@ -52,14 +60,24 @@ public final class Desktop {
    * @param files programs to open besides those that were open last time; the window tells which of
    *     them cannot be
    * @param ports where others reach the controller from the start; empty for nowhere
+   * @param installation how the controller is set up from the start, empty for as last time; with
+   *     one that is for another arm than that of last time there is that arm, and with one that
+   *     cannot be used the window tells why
    * @throws java.awt.HeadlessException if there is no display
    * @throws java.awt.AWTError if the display cannot be used
    */
-  public static Desktop open(List<Path> files, Optional<PortWishes> ports) {
+  public static Desktop open(
+      List<Path> files, Optional<PortWishes> ports, Optional<StartInstallation> installation) {
     Desktop desktop = new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()));
     // The arm's files are read while the look is set up.
     CompletableFuture<Session> session =
-        CompletableFuture.supplyAsync(() -> Session.start(options(desktop.settings)));
+        CompletableFuture.supplyAsync(
+            () -> {
+              installation
+                  .or(desktop::installationOfLastTime)
+                  .ifPresent(start -> desktop.start = Optional.of(start));
+              return Session.start(desktop.options(installation));
+            });
     Look look = new Look(desktop.settings);
     Programs programs = desktop.lastTime();
     EventQueue.invokeLater(
@@ -73,6 +91,44 @@ public final class Desktop {
           }
         });
     return desktop;
+  }
+
+  /** The installation that was open at the end. */
+  private Optional<StartInstallation> installationOfLastTime() {
+    Optional<Path> file = InstallationFiles.openLastTime(settings);
+    if (file.isEmpty()) {
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(
+          new StartInstallation(file.get(), InstallationFiles.load(file.get()).installation()));
+    } catch (IOException e) {
+      missing.add("Not opened again: " + e.getMessage());
+      return Optional.empty();
+    }
+  }
+
+  /**
+   * Options of the controller.
+   *
+   * @param wanted the installation that somebody asked for; one of last time gives way to the robot
+   */
+  private ControllerOptions options(Optional<StartInstallation> wanted) {
+    ControllerOptions bare = options(settings);
+    Optional<Installation> installation = start.map(StartInstallation::installation);
+    if (installation.isEmpty()) {
+      return bare;
+    }
+    String robot = installation.get().robot();
+    ControllerOptions options =
+        wanted.isPresent() && ArmLibrary.find(robot).isPresent() ? bare.withRobot(robot) : bare;
+    Optional<InstallationProblem> refusal =
+        InstallationCheck.refusal(installation.get(), ArmLibrary.load(options.robotId()));
+    if (refusal.isPresent()) {
+      missing.add("The installation cannot be used: " + refusal.get());
+      return bare;
+    }
+    return options.withInstallation(installation.get());
   }
 
   private static ControllerOptions options(Settings settings) {
@@ -133,6 +189,7 @@ public final class Desktop {
     window.open();
     settings.notice().ifPresent(window::warn);
     settings.onTrouble(text -> EventQueue.invokeLater(() -> window.warn(text)));
+    start.ifPresent(window::begin);
     missing.forEach(window::warn);
     files.forEach(window::open);
     ports.ifPresent(window::openPorts);

@@ -11,10 +11,12 @@ import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.ports.PortWishes;
+import org.pendant.gui.session.InstallationLink;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.RecoveryFolder;
 import org.pendant.gui.session.Session;
+import org.pendant.gui.session.StartInstallation;
 import org.pendant.gui.shell.bar.Footer;
 import org.pendant.gui.shell.bar.Header;
 import org.pendant.gui.shell.bar.ProgramMenu;
@@ -24,6 +26,8 @@ import org.pendant.gui.shell.dock.DockFrame;
 import org.pendant.gui.shell.dock.DockPlan;
 import org.pendant.gui.shell.look.Look;
 import org.pendant.gui.shell.prompt.PromptPanel;
+import org.pendant.gui.shell.start.StartPanel;
+import org.pendant.gui.timeline.TimelineView;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
 import org.pendant.gui.workbench.Settings;
@@ -32,7 +36,9 @@ import org.pendant.gui.workbench.View;
 /** The window: makes its parts, puts them together and shows them the newest snapshot. */
 final class DesktopWindow {
   private static final int REFRESH_MS = 33;
-  private static final int KEEP_MS = 2_000;
+
+  /** How often what is not saved is kept against a crash. */
+  static final int KEEP_MS = 2_000;
 
   /** How many warnings are shown at a time; they take room from the views. */
   private static final int WARNINGS = 3;
@@ -43,6 +49,7 @@ final class DesktopWindow {
   private final ActionTable actions;
   private final ProgramRunner runner;
   private final ProgramFiles files;
+  private final InstallationFiles installationFiles;
   private final ShellWorkbench workbench;
   private final Views views;
   private final DockFrame docks;
@@ -50,6 +57,7 @@ final class DesktopWindow {
   private final DiskWatch disk;
   private final Leaving leaving;
   private final PromptPanel prompts;
+  private final StartPanel startPanel;
   private final StopNotice stopNotice;
   private final WindowFrame window;
   private final Typing typing = new Typing();
@@ -89,16 +97,28 @@ final class DesktopWindow {
     programActions.addRobot();
     views = new Views(workbench, programs, runner);
     status.alsoTell(views::told);
+    var _ =
+        new InstallationLink(
+            session,
+            views.installation(),
+            EventQueue::invokeLater,
+            status::tell,
+            runner::startByInput);
     docks = new DockFrame(new DockPlan(settings, views.home()), views.all(), views.home());
     workbench.attach(docks);
     files = new ProgramFiles(programs, settings, status::tell, this::warn, docks.component());
+    installationFiles =
+        new InstallationFiles(
+            views.installation(), settings, notices, status::tell, this::warn, docks.component());
     header =
         new Header(
             new ProgramMenu(actions, programs, files::recent, files::open), this::chooseRobot);
     robot = new RobotChange(session, settings, notices, status::tell, header::showRobot);
-    keeper = new Keeper(programs, recovery, notices, this::warn);
-    disk = new DiskWatch(programs, notices, status::tell);
-    leaving = new Leaving(programs, files, notices, this::dispose);
+    keeper = new Keeper(programs, views.installation(), recovery, notices, this::warn);
+    disk = new DiskWatch(programs, views.installation(), notices, status::tell);
+    leaving =
+        new Leaving(
+            programs, files, views.installation(), installationFiles, notices, this::dispose);
     keep =
         new Timer(
             KEEP_MS,
@@ -110,6 +130,7 @@ final class DesktopWindow {
     addActions(programActions);
     footer = new Footer(session, actions, runner::send);
     prompts = new PromptPanel(docks.component(), actions, runner::send);
+    startPanel = new StartPanel(docks.component(), views.start());
     stopNotice = new StopNotice(notices, () -> views.showing("run"), () -> docks.show("run"));
     KeyBindings.bind(window.frame().getRootPane(), actions);
     build();
@@ -118,6 +139,7 @@ final class DesktopWindow {
 
   private void addActions(ProgramActions programActions) {
     programActions.addFiles(files, programs);
+    installationFiles.addActions(actions);
     actions.add(
         Action.of("file.recent", "Open a recent program\u2026", "control E", header::openPrograms));
     actions.add(Action.of("file.quit", "Quit", "control Q", leaving::ask));
@@ -133,17 +155,21 @@ final class DesktopWindow {
 
   private void build() {
     JPanel middle = new JPanel(new BorderLayout());
-    middle.add(notices, BorderLayout.NORTH);
+    JPanel above = new JPanel(new BorderLayout());
+    above.add(notices, BorderLayout.NORTH);
+    above.add(views.past().banner(), BorderLayout.SOUTH);
+    middle.add(above, BorderLayout.NORTH);
     middle.add(docks.component(), BorderLayout.CENTER);
     JPanel south = new JPanel(new BorderLayout());
     south.add(status, BorderLayout.NORTH);
     south.add(footer, BorderLayout.CENTER);
     JFrame frame = window.frame();
+    frame.getRootPane().setTransferHandler(new FileDrop(this::open));
     frame.add(header, BorderLayout.NORTH);
     frame.add(rail(), BorderLayout.WEST);
     frame.add(middle, BorderLayout.CENTER);
     frame.add(south, BorderLayout.SOUTH);
-    frame.setJMenuBar(new Menus(actions, files::recent, files::open).bar());
+    frame.setJMenuBar(new Menus(actions, files::recent, files::open, installationFiles).bar());
   }
 
   private Rail rail() {
@@ -203,11 +229,21 @@ final class DesktopWindow {
     refresh.start();
     keep.start();
     keeper.offerLeftBehind();
+    installationFiles.offerBeside(programs);
   }
 
   /** Opens a program. */
   void open(Path file) {
+    if (TimelineView.isRecording(file)) {
+      views.past().open(file);
+      return;
+    }
     files.open(file);
+  }
+
+  /** Goes on with the installation that the controller has begun with. */
+  void begin(StartInstallation start) {
+    installationFiles.begin(start);
   }
 
   /** Lets others reach the controller. */
@@ -237,9 +273,10 @@ final class DesktopWindow {
     prompts.refresh(state);
     stopNotice.refresh(state);
     views.follow(state);
+    startPanel.refresh(state);
     for (View view : docks.views()) {
       if (view.component().isShowing()) {
-        view.refresh(state);
+        view.refresh(views.past().shown(view, state));
       }
     }
     Optional<Throwable> failure = session.failure();

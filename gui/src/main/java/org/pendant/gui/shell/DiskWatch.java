@@ -6,15 +6,17 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.pendant.gui.session.ActiveInstallation;
 import org.pendant.gui.session.DiskChange;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.shell.Notices.Choice;
 
-/** Notices what others do to the files of the open programs. */
+/** Notices what others do to the files of the open programs and the installation. */
 final class DiskWatch {
   private final Programs programs;
+  private final ActiveInstallation installation;
   private final Notices notices;
   private final Consumer<String> tell;
   private final IdentityHashMap<ProgramDocument, DiskChange> watched = new IdentityHashMap<>();
@@ -37,17 +39,21 @@ final class DiskWatch {
     record Unreadable(Watched watched, String why) implements Found {}
   }
 
-  DiskWatch(Programs programs, Notices notices, Consumer<String> tell) {
+  DiskWatch(
+      Programs programs, ActiveInstallation installation, Notices notices, Consumer<String> tell) {
     this.programs = programs;
+    this.installation = installation;
     this.notices = notices;
     this.tell = tell;
   }
 
-  /** Looks at the files of all open programs; called every few seconds. */
+  /** Looks at the files of all that is open; called every few seconds. */
   void look() {
-    watched.keySet().removeIf(each -> !programs.all().contains(each));
+    List<ProgramDocument> all = new ArrayList<>(programs.all());
+    all.add(installation.document());
+    watched.keySet().removeIf(each -> !all.contains(each));
     List<Watched> files = new ArrayList<>();
-    for (ProgramDocument each : programs.all()) {
+    for (ProgramDocument each : all) {
       each.onDisk()
           .ifPresent(
               known ->

@@ -8,6 +8,8 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.pendant.controller.installation.text.InstallationText;
+import org.pendant.gui.session.ActiveInstallation;
 import org.pendant.gui.session.FileTrouble;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
@@ -18,6 +20,7 @@ import org.pendant.gui.shell.Notices.Choice;
 /** Keeps what is not saved against a crash, and offers it at the next start. */
 final class Keeper {
   private final Programs programs;
+  private final ActiveInstallation installation;
   private final RecoveryFolder recovery;
   private final Notices notices;
   private final Consumer<String> tell;
@@ -39,8 +42,14 @@ final class Keeper {
     void run() throws IOException;
   }
 
-  Keeper(Programs programs, RecoveryFolder recovery, Notices notices, Consumer<String> tell) {
+  Keeper(
+      Programs programs,
+      ActiveInstallation installation,
+      RecoveryFolder recovery,
+      Notices notices,
+      Consumer<String> tell) {
     this.programs = programs;
+    this.installation = installation;
     this.recovery = recovery;
     this.notices = notices;
     this.tell = tell;
@@ -71,7 +80,7 @@ final class Keeper {
 
   private void restore(RecoveryFolder.LeftBehind left) {
     Optional<ProgramDocument> open =
-        left.file().flatMap(programs::of).filter(program -> !program.modified());
+        left.file().flatMap(this::open).filter(program -> !program.modified());
     if (open.isPresent()) {
       restore(left, open.get());
       return;
@@ -82,9 +91,21 @@ final class Keeper {
         failed -> notices.tell("not-restored", "Not restored: " + failed.getMessage()));
   }
 
+  /** What is open already of a file. */
+  private Optional<ProgramDocument> open(Path file) {
+    return installation.document().file().equals(Optional.of(file))
+        ? Optional.of(installation.document())
+        : programs.of(file);
+  }
+
   private void restore(RecoveryFolder.LeftBehind left, ProgramDocument document) {
-    programs.select(document);
-    document.setText(left.text());
+    if (document.name().endsWith(InstallationText.ENDING)) {
+      document.setText(left.text());
+      installation.open(document);
+    } else {
+      programs.select(document);
+      document.setText(left.text());
+    }
     List<IoAction> work = new ArrayList<>();
     // Kept anew before the old one goes: there is no moment without it.
     keep(document, work);
@@ -114,14 +135,20 @@ final class Keeper {
       return;
     }
     List<IoAction> work = new ArrayList<>();
-    programs.all().forEach(each -> keep(each, work));
+    all().forEach(each -> keep(each, work));
     List.copyOf(kept.keySet()).stream()
-        .filter(each -> !programs.all().contains(each))
+        .filter(each -> !all().contains(each))
         .forEach(closed -> drop(closed, work));
     if (!work.isEmpty()) {
       busy = true;
       run(work, () -> busy = false);
     }
+  }
+
+  private List<ProgramDocument> all() {
+    List<ProgramDocument> all = new ArrayList<>(programs.all());
+    all.add(installation.document());
+    return all;
   }
 
   private void keep(ProgramDocument document, List<IoAction> work) {

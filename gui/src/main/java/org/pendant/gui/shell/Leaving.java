@@ -3,6 +3,8 @@ package org.pendant.gui.shell;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
+import java.util.function.Consumer;
+import org.pendant.gui.session.ActiveInstallation;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.shell.Notices.Choice;
@@ -13,6 +15,8 @@ final class Leaving {
 
   private final Programs programs;
   private final ProgramFiles files;
+  private final ActiveInstallation installation;
+  private final InstallationFiles installationFiles;
   private final Notices notices;
   private final Runnable leave;
 
@@ -21,9 +25,17 @@ final class Leaving {
    *
    * @param leave closes the window
    */
-  Leaving(Programs programs, ProgramFiles files, Notices notices, Runnable leave) {
+  Leaving(
+      Programs programs,
+      ProgramFiles files,
+      ActiveInstallation installation,
+      InstallationFiles installationFiles,
+      Notices notices,
+      Runnable leave) {
     this.programs = programs;
     this.files = files;
+    this.installation = installation;
+    this.installationFiles = installationFiles;
     this.notices = notices;
     this.leave = leave;
   }
@@ -47,7 +59,10 @@ final class Leaving {
   }
 
   private List<ProgramDocument> unsaved() {
-    return new ArrayList<>(programs.all().stream().filter(ProgramDocument::modified).toList());
+    List<ProgramDocument> all = new ArrayList<>(programs.all());
+    all.add(installation.document());
+    all.removeIf(each -> !each.modified());
+    return all;
   }
 
   private void saveAndLeave() {
@@ -62,13 +77,17 @@ final class Leaving {
       return;
     }
     ProgramDocument next = left.next();
-    programs.select(next);
-    files.save(
-        next,
+    Consumer<Boolean> then =
         saved -> {
           if (saved) {
             saveNext(left);
           }
-        });
+        };
+    if (next == installation.document()) {
+      installationFiles.save(then);
+    } else {
+      programs.select(next);
+      files.save(next, then);
+    }
   }
 }

@@ -25,9 +25,15 @@ final class Menus {
   /** What goes where; the last menu takes the actions that no other takes. */
   private static final List<Group> GROUPS =
       List.of(
-          new Group("File", List.of("file"), List.of("editor.close")),
+          new Group("File", List.of("file"), List.of("installation"), List.of("editor.close")),
           new Group(
               "Edit", List.of("edit", "editor", "script"), List.of("editor.fold", "editor.unfold")),
+          new Group(
+              "Nodes",
+              List.of("tree"),
+              List.of("tree.find", "tree.palette", "tree.form", "tree.to-tree"),
+              List.of("tree.fold", "tree.unfold"),
+              List.of("tree.breakpoint", "tree.script", "tree.as-text", "tree.follow")),
           new Group(
               "Go",
               List.of("editor.find", "editor.replace"),
@@ -53,6 +59,9 @@ final class Menus {
   /** Too many for a list: each view has a menu of its own in {@code View}. */
   private static final String ARRANGE = "arrange.";
 
+  /** Too many as well: they are on the Program screen. */
+  private static final String ADD = "tree.add-";
+
   /**
    * A menu.
    *
@@ -70,11 +79,17 @@ final class Menus {
   private final JMenuBar bar = new JMenuBar();
   private final Supplier<List<Path>> recent;
   private final Consumer<Path> open;
+  private final InstallationFiles installations;
 
-  Menus(ActionTable actions, Supplier<List<Path>> recent, Consumer<Path> open) {
+  Menus(
+      ActionTable actions,
+      Supplier<List<Path>> recent,
+      Consumer<Path> open,
+      InstallationFiles installations) {
     this.actions = actions;
     this.recent = recent;
     this.open = open;
+    this.installations = installations;
     // Wraps where the window is too narrow for all menus.
     bar.setLayout(new WrappingRow(0));
     // Filled when they open. Items that stay would do actions by keys that these had once.
@@ -128,7 +143,8 @@ final class Menus {
       List<String> ids =
           actions.all().stream()
               .map(Action::id)
-              .filter(id -> !id.startsWith(ARRANGE) && sectionOf(id).equals(section))
+              .filter(id -> !id.startsWith(ARRANGE) && !id.startsWith(ADD))
+              .filter(id -> sectionOf(id).equals(section))
               .toList();
       if (menu.getItemCount() > 0 && !ids.isEmpty()) {
         menu.addSeparator();
@@ -136,7 +152,13 @@ final class Menus {
       ids.forEach(id -> menu.add(ActionItem.of(actions, id)));
     }
     if (group.title().equals("File")) {
-      addRecent(menu);
+      addRecent(menu, "Recent", Math.min(2, menu.getItemCount()), recent.get(), open);
+      addRecent(
+          menu,
+          "Recent installations",
+          menu.getItemCount(),
+          installations.recent(),
+          installations::open);
     }
     if (group.title().equals("View")) {
       menu.addSeparator();
@@ -164,15 +186,15 @@ final class Menus {
     return new JMenu(show.replaceFirst("^Show ", ""));
   }
 
-  private void addRecent(JMenu menu) {
-    List<Path> files = recent.get();
-    JMenu list = new JMenu("Recent");
-    list.setName("menu-recent");
+  private static void addRecent(
+      JMenu menu, String title, int at, List<Path> files, Consumer<Path> open) {
+    JMenu list = new JMenu(title);
+    list.setName("menu-" + title.toLowerCase(Locale.ROOT).replace(' ', '-'));
     list.setEnabled(!files.isEmpty());
     for (Path file : files) {
       list.add(ProgramMenu.recentItem(file, open));
     }
-    menu.insert(list, Math.min(2, menu.getItemCount()));
+    menu.insert(list, at);
   }
 
   /** Fills a menu each time it opens: actions may have come, and may be enabled now. */

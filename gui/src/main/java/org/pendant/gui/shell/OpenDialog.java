@@ -13,18 +13,32 @@ import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
-/** Asks for programs to open, while the window behind it can be used. */
+/** Asks for files to open, while the window behind it can be used. */
 final class OpenDialog {
   private OpenDialog() {}
 
-  static void show(Component parent, Optional<Path> folder, Consumer<Path> chosen) {
+  /**
+   * Opens the dialog.
+   *
+   * @param title what it is called
+   * @param kind what the files are called
+   * @param endings of their names, such as {@code script}
+   * @param folder that is shown first
+   * @param chosen takes each file
+   */
+  static void show(
+      Component parent,
+      String title,
+      String kind,
+      String[] endings,
+      Optional<Path> folder,
+      Consumer<Path> chosen) {
     JDialog dialog =
-        new JDialog(
-            SwingUtilities.getWindowAncestor(parent), "Open program", ModalityType.MODELESS);
+        new JDialog(SwingUtilities.getWindowAncestor(parent), title, ModalityType.MODELESS);
     JFileChooser chooser = new JFileChooser(folder.map(Path::toFile).orElse(null));
     chooser.setName("open-dialog");
-    chooser.getAccessibleContext().setAccessibleName("Open program");
-    chooser.setFileFilter(new FileNameExtensionFilter("URScript programs", "script", "urscript"));
+    chooser.getAccessibleContext().setAccessibleName(title);
+    chooser.setFileFilter(new FileNameExtensionFilter(kind, endings));
     chooser.setMultiSelectionEnabled(true);
     chooser.addActionListener(
         event -> {

@@ -156,6 +156,7 @@ final class ProgramActions {
   /** Files. */
   void addFiles(ProgramFiles files, Programs programs) {
     actions.add(Action.of("file.new", "New program", "control N", files::create));
+    actions.add(Action.of("file.new-script", "New script", "control alt N", files::createScript));
     actions.add(Action.of("file.open", "Open program\u2026", "control O", files::open));
     actions.add(
         new Action(
@@ -171,6 +172,14 @@ final class ProgramActions {
             "Save program as\u2026",
             "control shift S",
             () -> files.saveAs(programs.current())));
+    actions.add(
+        new Action(
+            "file.save-script",
+            "Save as script\u2026",
+            "",
+            () -> programs.current().isTree(),
+            () -> files.saveScript(programs.current())),
+        () -> "The program is a script");
     actions.add(
         new Action(
             "file.reload",

@@ -1,12 +1,15 @@
 package org.pendant.gui.shell;
 
 import java.awt.Component;
+import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.pendant.controller.program.ProgramTree;
+import org.pendant.controller.program.text.ProgramText;
 import org.pendant.gui.export.SaveDialog;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
@@ -47,16 +50,35 @@ final class ProgramFiles {
     programs.addListener(this::rememberOpen);
   }
 
-  /** A new program with a frame to fill. */
+  /** A new program without nodes. */
   void create() {
+    programs.select(
+        ProgramDocument.untitled(
+            newName() + ProgramDocument.TREE, ProgramText.write(ProgramTree.empty())));
+  }
+
+  /** A new script with a frame to fill. */
+  void createScript() {
+    String name = newName();
+    programs.select(
+        ProgramDocument.untitled(name + ProgramDocument.SCRIPT, "def " + name + "():\n  \nend\n"));
+  }
+
+  private String newName() {
     String name = "untitled" + (untitled == 1 ? "" : untitled);
     untitled++;
-    programs.select(ProgramDocument.untitled(name + ".script", "def " + name + "():\n  \nend\n"));
+    return name;
   }
 
   /** Asks for a file and opens it. */
   void open() {
-    OpenDialog.show(parent, folder(), this::open);
+    OpenDialog.show(
+        parent,
+        "Open program",
+        "Programs and scripts",
+        new String[] {"pendant", "urp", "script", "urscript"},
+        folder(),
+        this::open);
   }
 
   private Optional<Path> folder() {
@@ -70,13 +92,33 @@ final class ProgramFiles {
       programs.select(already.get());
       return;
     }
+    if (ForeignProgram.is(file)) {
+      Background.run(() -> ForeignProgram.read(file), this::opened, this::notOpened);
+      return;
+    }
     Background.run(
         () -> ProgramFile.read(file),
         this::opened,
         failed -> {
-          warn.accept("Not opened: " + failed.getMessage());
+          notOpened(failed);
           forget(file);
         });
+  }
+
+  private void notOpened(IOException failed) {
+    warn.accept("Not opened: " + failed.getMessage());
+  }
+
+  /** The file itself stays as it is: what was read from it is a new program. */
+  private void opened(ForeignProgram read) {
+    ProgramDocument before = programs.current();
+    ProgramDocument fresh =
+        ProgramDocument.untitled(read.name() + ProgramDocument.TREE, read.text());
+    fresh.gone();
+    programs.select(fresh);
+    closeUntouched(before);
+    tell.accept("Opened a copy of " + read.file() + "; saving writes a program of Pendant");
+    read.remarks().forEach(warn);
   }
 
   private void opened(ProgramFile read) {
@@ -84,11 +126,35 @@ final class ProgramFiles {
     Optional<ProgramDocument> already = programs.of(read.path());
     ProgramDocument before = programs.current();
     programs.select(already.orElseGet(() -> ProgramDocument.of(read)));
+    closeUntouched(before);
+    remember(read.path());
+  }
+
+  /** The example, or a new program that nobody has touched. */
+  private void closeUntouched(ProgramDocument before) {
     if (before.file().isEmpty() && !before.modified()) {
-      // The example, or a new program that nobody has touched.
       programs.close(before, before);
     }
-    remember(read.path());
+  }
+
+  /** Asks where to save the script of a program tree. */
+  void saveScript(ProgramDocument document) {
+    ProgramDocument script = document.script();
+    SaveDialog.ask(
+        parent,
+        "Save the script of " + document.name() + " as",
+        folder().orElse(home()).resolve(script.name()),
+        new String[] {"script"},
+        chosen ->
+            chosen.ifPresent(
+                path ->
+                    Background.run(
+                        () -> {
+                          ProgramFile.create(path, script.text()).write();
+                          return path;
+                        },
+                        written -> tell.accept("Saved " + written.toAbsolutePath()),
+                        failed -> warn.accept("Not saved: " + failed.getMessage()))));
   }
 
   /** Saves a program where it is, or asks where. */
@@ -121,10 +187,19 @@ final class ProgramFiles {
         parent,
         "Save " + document.name() + " as",
         document.file().isPresent() ? here.toAbsolutePath() : folder().orElse(home()).resolve(here),
-        new String[] {"script"},
+        new String[] {document.isTree() ? "pendant" : "script"},
         chosen ->
             chosen.ifPresentOrElse(
-                path -> write(document, document.toSaveAs(path), then), () -> then.accept(false)));
+                path -> write(document, document.toSaveAs(fitting(document, path)), then),
+                () -> then.accept(false)));
+  }
+
+  /** A tree is known by the ending of its file. */
+  private static Path fitting(ProgramDocument document, Path path) {
+    String name = path.getFileName().toString();
+    return document.isTree() && !name.endsWith(ProgramDocument.TREE)
+        ? path.resolveSibling(name + ProgramDocument.TREE)
+        : path;
   }
 
   /** The folder of the program that was opened last. */
@@ -211,7 +286,8 @@ final class ProgramFiles {
     return files(settings, RECENT);
   }
 
-  private static List<Path> files(Settings settings, String name) {
+  /** The files that a setting lists. */
+  static List<Path> files(Settings settings, String name) {
     return settings.get(name).orElse("").lines().flatMap(line -> path(line).stream()).toList();
   }
 

@@ -3,6 +3,7 @@ package org.pendant.gui.shell;
 import java.awt.EventQueue;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.pendant.controller.Command;
 import org.pendant.controller.Reply;
@@ -10,6 +11,7 @@ import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.machine.Loaded;
 import org.pendant.controller.machine.ProgramState;
+import org.pendant.gui.debug.RunScript;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.Session;
@@ -24,11 +26,35 @@ final class ProgramRunner {
   private final Consumer<String> tell;
   private final SourcePlace showSource;
   private Optional<Running> running = Optional.empty();
-  private Consumer<ProgramDocument> beforeRun = document -> {};
+  private BiConsumer<ProgramDocument, RunScript> beforeRun = (document, script) -> {};
+  private Gate gate = (document, from, run) -> run.run();
+  private Texts texts = (document, from) -> RunScript.whole(document.script().source());
   private boolean loading;
 
   /** A program and its text when it was started. */
   private record Running(ProgramDocument document, Source source) {}
+
+  /** Decides whether a program may start. */
+  @FunctionalInterface
+  interface Gate {
+    /**
+     * Runs {@code run} now or later, or tells why not.
+     *
+     * @param from key of the node that it starts at; 0 for its beginning
+     */
+    void pass(ProgramDocument document, long from, Runnable run);
+  }
+
+  /** Knows what a program is as a script. */
+  @FunctionalInterface
+  interface Texts {
+    /**
+     * What to run.
+     *
+     * @param from as for {@link Gate}
+     */
+    RunScript of(ProgramDocument document, long from);
+  }
 
   ProgramRunner(Session session, Programs programs, Consumer<String> tell, SourcePlace showSource) {
     this.session = session;
@@ -38,8 +64,18 @@ final class ProgramRunner {
   }
 
   /** Has {@code action} follow each program that is about to start, secondary ones apart. */
-  void beforeEachRun(Consumer<ProgramDocument> action) {
+  void beforeEachRun(BiConsumer<ProgramDocument, RunScript> action) {
     beforeRun = action;
+  }
+
+  /** Has programs pass {@code wanted} before they are compiled. */
+  void setGate(Gate wanted) {
+    gate = wanted;
+  }
+
+  /** Has {@code wanted} say what programs are as scripts. */
+  void setTexts(Texts wanted) {
+    texts = wanted;
   }
 
   /** Whether a program is being compiled. */
@@ -57,7 +93,20 @@ final class ProgramRunner {
       tellRefusal(session.resume());
       return;
     }
-    load(() -> {});
+    load(0, () -> {});
+  }
+
+  /** Starts the current program, a tree, at the node of a key. */
+  void runFrom(long key) {
+    load(key, () -> {});
+  }
+
+  /** An input asks for what {@link #runOrResume} does; nothing happens while a program runs. */
+  void startByInput() {
+    ProgramState state = session.state().program().state();
+    if (state != ProgramState.RUNNING && !loading) {
+      runOrResume();
+    }
   }
 
   /** Runs a held program to its next line; holds one that runs, or one that it starts. */
@@ -67,7 +116,7 @@ final class ProgramRunner {
       int thread = stop.get().thread();
       send(new Command.Debug(debugger -> debugger.stepOver(thread)));
     } else if (session.state().program().state() == ProgramState.STOPPED) {
-      load(() -> send(new Command.Debug(Debugger::pause)));
+      load(0, () -> send(new Command.Debug(Debugger::pause)));
     } else {
       send(new Command.Debug(Debugger::pause));
     }
@@ -76,25 +125,29 @@ final class ProgramRunner {
   /**
    * @param then follows the command that starts the program
    */
-  private void load(Runnable then) {
+  private void load(long from, Runnable then) {
     ProgramDocument document = programs.current();
-    Source source = document.source();
+    gate.pass(document, from, () -> load(document, texts.of(document, from), then));
+  }
+
+  private void load(ProgramDocument document, RunScript script, Runnable then) {
     loading = true;
     Background.run(
-        () -> session.load(source),
-        loaded -> start(document, source, loaded, then),
+        () -> session.load(script.source()),
+        loaded -> start(document, script, loaded, then),
         failed -> {
           throw new AssertionError("loading reads no file", failed);
         });
   }
 
-  private void start(ProgramDocument document, Source source, Loaded loaded, Runnable then) {
+  private void start(ProgramDocument document, RunScript script, Loaded loaded, Runnable then) {
     loading = false;
+    Source source = script.source();
     Optional<Diagnostic> error =
         loaded.diagnostics().stream().filter(Diagnostic::isError).findFirst();
     if (error.isPresent()) {
       int start = error.get().range().start();
-      int line = source.line(start);
+      int line = script.lines().toShown(source.line(start));
       long count = loaded.diagnostics().stream().filter(Diagnostic::isError).count();
       String others = count > 1 ? " (and " + (count - 1) + " more)" : "";
       tell.accept(
@@ -109,7 +162,7 @@ final class ProgramRunner {
     }
     running = Optional.of(new Running(document, source));
     if (!loaded.program().orElseThrow().secondary()) {
-      beforeRun.accept(document);
+      beforeRun.accept(document, script);
     }
     tellRefusal(session.run(loaded.program().orElseThrow()));
     then.run();

@@ -1,14 +1,19 @@
 package org.pendant.gui.shell;
 
+import java.util.function.BooleanSupplier;
 import org.pendant.controller.world.Vector3;
 import org.pendant.gui.move.ArmPull;
 import org.pendant.gui.scene.view.ArmHand;
 
-/** Hands what is dragged in the picture to what pulls the arm. */
-record PullingHand(ArmPull pull) implements ArmHand {
+/**
+ * Hands what is dragged in the picture to what pulls the arm.
+ *
+ * @param past whether the picture shows the past, in which nothing can be pulled
+ */
+record PullingHand(ArmPull pull, BooleanSupplier past) implements ArmHand {
   @Override
   public boolean grabs(boolean key) {
-    return pull.grabs(key);
+    return !past.getAsBoolean() && pull.grabs(key);
   }
 
   @Override

@@ -7,14 +7,18 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Supplier;
 import javax.imageio.ImageIO;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.Timer;
+import org.pendant.controller.installation.Feature;
+import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Scene;
@@ -30,6 +34,7 @@ import org.pendant.gui.scene.Theme;
 import org.pendant.gui.scene.Touching;
 import org.pendant.gui.scene.Trace;
 import org.pendant.gui.scene.TraceRing;
+import org.pendant.gui.scene.Waymarks;
 import org.pendant.gui.scene.view.SceneView;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.gui.workbench.View;
@@ -52,6 +57,7 @@ final class ScenePanel implements View, GhostArm {
   private static final long REST_NS = 300_000_000;
 
   private final Workbench workbench;
+  private final Supplier<Optional<ControllerState>> past;
   private final SceneView picture = new SceneView();
   private final JPanel panel = new JPanel(new BorderLayout());
   private final TraceRing trace = new TraceRing(TRACE_POINTS);
@@ -60,6 +66,8 @@ final class ScenePanel implements View, GhostArm {
   private final SceneBar bar;
   private final Timer moving = new Timer(MOVING_MS, event -> follow());
   private Optional<Joints> ghostRad = Optional.empty();
+  private Waymarks waymarks = Waymarks.NONE;
+  private List<Waymarks.Mark> features = List.of();
   private Optional<Surroundings> surroundings = Optional.empty();
   private Optional<Seen> seen = Optional.empty();
   private long changedNs;
@@ -76,13 +84,20 @@ final class ScenePanel implements View, GhostArm {
       Optional<Payload> payload,
       boolean frames,
       Trace trace,
-      Theme theme) {}
+      Theme theme,
+      Waymarks waymarks) {}
 
-  ScenePanel(Workbench workbench) {
+  /**
+   * The arm.
+   *
+   * @param past the moment that people look at; empty for now
+   */
+  ScenePanel(Workbench workbench, Supplier<Optional<ControllerState>> past) {
     this.workbench = workbench;
+    this.past = past;
     shows = new SceneShows(workbench.settings());
     pull = new ArmPull(workbench.session()::submit, EventQueue::invokeLater);
-    picture.setHand(new PullingHand(pull));
+    picture.setHand(new PullingHand(pull, () -> past.get().isPresent()));
     bar = bar();
     panel.add(bar, BorderLayout.NORTH);
     panel.add(picture, BorderLayout.CENTER);
@@ -126,6 +141,16 @@ final class ScenePanel implements View, GhostArm {
         shows::setFrames);
     buttons.check("scene.payload", "Show the payload as a ball", shows::payload, shows::setPayload);
     buttons.check("scene.trace", "Show where the tool was", shows::trace, shows::setTrace);
+    buttons.check(
+        "scene.waypoints",
+        "Show the waypoints of the program",
+        shows::waypoints,
+        shows::setWaypoints);
+    buttons.check(
+        "scene.features",
+        "Show the features of the installation",
+        shows::features,
+        shows::setFeatures);
     buttons.item("scene.clear", "Forget where the tool was", trace::clear);
     buttons.item("scene.save", "Save the picture\u2026", this::save);
     return buttons.done();
@@ -151,11 +176,38 @@ final class ScenePanel implements View, GhostArm {
     ghostRad = goalRad;
   }
 
+  /** Shows the places that a program goes to from now on. */
+  void show(Waymarks marks) {
+    waymarks = marks;
+  }
+
+  /** Shows the features of an installation that are finished. */
+  void show(List<Feature> installed) {
+    List<Waymarks.Mark> marks = new ArrayList<>();
+    for (Feature each : installed) {
+      FeaturePoses.pose(each)
+          .ifPresent(pose -> marks.add(new Waymarks.Mark(each.name(), pose, false)));
+    }
+    features = List.copyOf(marks);
+  }
+
+  /** Ways go by the numbers of waypoints, so these come first. */
+  private Waymarks marks() {
+    Waymarks shown = shows.waypoints() ? waymarks : Waymarks.NONE;
+    if (!shows.features() || features.isEmpty()) {
+      return shown;
+    }
+    List<Waymarks.Mark> all = new ArrayList<>(shown.marks());
+    all.addAll(features);
+    return new Waymarks(all, shown.ways());
+  }
+
   @Override
   public void refresh(ControllerState state) {
     bar.refresh();
     see(state);
-    pull.take(state, workbench.session().pace());
+    // A hand pulls the arm where it is, whatever is shown.
+    pull.take(workbench.session().state(), workbench.session().pace());
     pull.newReason().ifPresent(workbench::notify);
   }
 
@@ -163,14 +215,16 @@ final class ScenePanel implements View, GhostArm {
     if (!panel.isShowing() || System.nanoTime() - changedNs > REST_NS) {
       moving.stop();
     } else if (picture.hasTime()) {
-      see(workbench.session().state());
+      see(past.get().orElseGet(workbench.session()::state));
     }
   }
 
   private void see(ControllerState state) {
-    Surroundings around = surroundings();
+    Surroundings around = surroundings(state.arm().description().id());
     ArmState arm = state.arm();
-    trace.add(arm, state.timeS());
+    if (past.get().isEmpty()) {
+      trace.add(arm, state.timeS());
+    }
     Seen now =
         new Seen(
             around,
@@ -180,7 +234,8 @@ final class ScenePanel implements View, GhostArm {
             shows.payload() ? Optional.of(state.readings().payload()) : Optional.empty(),
             shows.frames(),
             shows.trace() ? trace.trace() : Trace.EMPTY,
-            Palette.dark() ? Theme.DARK : Theme.LIGHT);
+            Palette.dark() ? Theme.DARK : Theme.LIGHT,
+            marks());
     if (seen.equals(Optional.of(now))) {
       return;
     }
@@ -206,11 +261,11 @@ final class ScenePanel implements View, GhostArm {
         now.surroundings.scene,
         now.surroundings.touching.names(arm.kinematics(), now.positionRad, now.toolInFlange),
         now.trace,
-        now.theme);
+        now.theme,
+        now.waymarks);
   }
 
-  private Surroundings surroundings() {
-    String id = workbench.session().options().robotId();
+  private Surroundings surroundings(String id) {
     Scene scene = workbench.session().options().scene();
     if (surroundings.isEmpty()
         || !surroundings.get().arm.id().equals(id)

@@ -6,7 +6,9 @@ import org.pendant.gui.workbench.Settings;
 final class SceneShows {
   private static final String FRAMES = "scene.frames";
   private static final String PAYLOAD = "scene.payload";
+  private static final String FEATURES = "scene.features";
   private static final String TRACE = "scene.trace";
+  private static final String WAYPOINTS = "scene.waypoints";
 
   private final Settings settings;
 
@@ -32,6 +34,15 @@ final class SceneShows {
     settings.put(PAYLOAD, Boolean.toString(on));
   }
 
+  /** The features of the installation. */
+  boolean features() {
+    return on(FEATURES, true);
+  }
+
+  void setFeatures(boolean on) {
+    settings.put(FEATURES, Boolean.toString(on));
+  }
+
   /** Where the tool was. */
   boolean trace() {
     return on(TRACE, true);
@@ -39,6 +50,15 @@ final class SceneShows {
 
   void setTrace(boolean on) {
     settings.put(TRACE, Boolean.toString(on));
+  }
+
+  /** The places that the program in front goes to. */
+  boolean waypoints() {
+    return on(WAYPOINTS, true);
+  }
+
+  void setWaypoints(boolean on) {
+    settings.put(WAYPOINTS, Boolean.toString(on));
   }
 
   private boolean on(String name, boolean usually) {

@@ -2,6 +2,7 @@ package org.pendant.gui.shell;
 
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.pendant.gui.session.Session;
 import org.pendant.gui.shell.dock.DockFrame;
 import org.pendant.gui.workbench.ActionTable;
@@ -17,7 +18,7 @@ final class ShellWorkbench implements Workbench {
   private final Consumer<String> tell;
   private DockFrame docks;
   private final Typing typing;
-  private Optional<View> sourceView = Optional.empty();
+  private Optional<Supplier<View>> sourceView = Optional.empty();
   private SourcePlace source = (line, column) -> {};
 
   ShellWorkbench(
@@ -60,8 +61,8 @@ final class ShellWorkbench implements Workbench {
     }
   }
 
-  /** Source is shown by {@code place}, in {@code view}. */
-  void showSourceIn(View view, SourcePlace place) {
+  /** Source is shown by {@code place}, in what is {@code view} then. */
+  void showSourceIn(Supplier<View> view, SourcePlace place) {
     sourceView = Optional.of(view);
     source = place;
   }
@@ -75,7 +76,7 @@ final class ShellWorkbench implements Workbench {
     if (docks == null || sourceView.isEmpty()) {
       return;
     }
-    View view = sourceView.get();
+    View view = sourceView.get().get();
     if (typing.within(view.component())) {
       return;
     }

@@ -1,9 +1,12 @@
 package org.pendant.gui.shell;
 
+import java.awt.EventQueue;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
+import org.pendant.controller.installation.SignalUse;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.debug.BreakpointsView;
 import org.pendant.gui.debug.CallStackView;
@@ -17,7 +20,11 @@ import org.pendant.gui.editor.OutlineView;
 import org.pendant.gui.editor.PlacesView;
 import org.pendant.gui.editor.ProblemsView;
 import org.pendant.gui.editor.ScriptEditor;
+import org.pendant.gui.editor.WorkerThread;
+import org.pendant.gui.installation.InstallationView;
+import org.pendant.gui.installation.SignalNames;
 import org.pendant.gui.io.IoView;
+import org.pendant.gui.io.SignalLabels;
 import org.pendant.gui.log.LogView;
 import org.pendant.gui.move.MoveView;
 import org.pendant.gui.plot.PlotView;
@@ -25,23 +32,39 @@ import org.pendant.gui.ports.DeskPorts;
 import org.pendant.gui.ports.PortWishes;
 import org.pendant.gui.ports.PortsView;
 import org.pendant.gui.ports.StateFolder;
+import org.pendant.gui.program.ProgramView;
+import org.pendant.gui.program.ScriptLink;
+import org.pendant.gui.program.TreePrograms;
+import org.pendant.gui.program.TreeRuns;
+import org.pendant.gui.session.ActiveInstallation;
+import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.Session;
 import org.pendant.gui.shell.dock.Side;
 import org.pendant.gui.shell.look.Glyph;
 import org.pendant.gui.shell.run.RunView;
+import org.pendant.gui.shell.start.StartChoice;
+import org.pendant.gui.shell.start.StartPlace;
 import org.pendant.gui.workbench.View;
+import org.pendant.models.arm.ArmLibrary;
 
 /** Everything that is in the window: a line for each view. */
 final class Views {
   private final List<Place> places;
   private final ScriptEditor editor;
+  private final ProgramView program;
+  private final ActiveInstallation installation = new ActiveInstallation();
   private final ProgramRunner runner;
   private final LogView log;
   private final DebugPresenter debug;
   private final EditorLink link;
   private final PortsView ports;
   private final Session session;
+  private final Consumer<String> tell;
+  private final StartMove startMove;
+  private final StartChoice start;
+  private final PastViews past;
+  private TreeRuns runs;
   private long strangers;
 
   /**
@@ -55,47 +78,174 @@ final class Views {
     editor = new ScriptEditor(workbench, programs);
     this.runner = runner;
     session = workbench.session();
+    tell = workbench::notify;
     ports =
         new PortsView(
             workbench, new DeskPorts(session, StateFolder.of(System.getenv()).resolve("desktop")));
-    workbench.showSourceIn(editor, editor::show);
     debug = new DebugPresenter(workbench, programs);
     link = new EditorLink(editor, debug, programs);
     runner.beforeEachRun(link::beforeRun);
     BreakpointsView breakpoints = new BreakpointsView(workbench, debug);
     DebugActions.addTo(workbench, debug, breakpoints, editor::caretLine);
-    ScenePanel scene = new ScenePanel(workbench);
+    past = new PastViews(workbench, programs, editor);
+    ScenePanel scene = new ScenePanel(workbench, past::past);
+    MoveView move =
+        new MoveView(workbench, scene, line -> insertLine(programs.current().isTree(), line));
+    program = programScreen(workbench, programs, move, scene);
+    installation.addListener(
+        () -> {
+          scene.show(installation.current().features());
+          move.setInstallation(installation.current());
+        });
+    move.whenHomeSet(home -> installation.set(installation.current().withHome(home)));
+    startMove = new StartMove(session, this::forgetRun);
+    start = new StartChoice(startMove, workbench.settings());
+    runner.setGate(this::gate);
+    runner.setTexts(runs::script);
+    RunFrom.addTo(workbench.actions(), session, runs, program::selected, runner, start, tell);
+    workbench.showSourceIn(
+        () -> programs.current().isTree() && !editor.component().isShowing() ? program : editor,
+        (line, column) -> showSource(programs.current().isTree(), line, column));
     Favourites favourites = new Favourites(workbench.settings());
-    PlotView plots = new PlotView(workbench);
+    SignalLabels labels = labels(workbench);
+    PlotView plots = new PlotView(workbench, labels);
     View run =
         new RunView(
             workbench,
             workbench.actions(),
             programs,
-            runner::line,
+            past.run(
+                new StartedRun(
+                    runner,
+                    debug,
+                    runs,
+                    installation,
+                    line -> showStarted(workbench, programs, line),
+                    program::show)),
             runner::send,
-            line -> showStarted(workbench, programs, line),
-            favourites);
+            favourites,
+            past::showBefore);
+    VariablesView variables = new VariablesView(workbench, debug, favourites, plots::addVariables);
+    variables.setPast(past::past);
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));
     places =
         List.of(
-            screen(run, Glyph.RUN),
-            // A Program screen goes here.
+            screen(past.held(run), Glyph.RUN),
+            screen(program, Glyph.PROGRAM),
             screen(editor, Glyph.SCRIPT),
-            // An Installation screen goes here.
-            screen(new MoveView(workbench, scene, editor::insertLine), Glyph.MOVE),
-            screen(new IoView(workbench), Glyph.SIGNALS),
+            screen(new InstallationView(workbench, installation), Glyph.INSTALLATION),
+            screen(past.held(move), Glyph.MOVE),
+            screen(past.held(new IoView(workbench, labels)), Glyph.SIGNALS),
             screen(log, Glyph.LOG),
             screen(plots, Glyph.PLOT),
             panel(scene, Side.RIGHT),
-            panel(new VariablesView(workbench, debug, favourites, plots::addVariables), Side.RIGHT),
+            panel(past.held(variables), Side.RIGHT),
             panel(new WatchesView(workbench, debug), Side.RIGHT),
             panel(new OutlineView(workbench, editor), Side.RIGHT),
             panel(ports, Side.RIGHT),
             panel(new ProblemsView(workbench, editor), Side.BOTTOM),
             panel(new PlacesView(workbench, editor), Side.BOTTOM),
             panel(new CallStackView(workbench, debug), Side.BOTTOM),
-            panel(breakpoints, Side.BOTTOM));
+            panel(breakpoints, Side.BOTTOM),
+            panel(past.timeline(), Side.BOTTOM));
+  }
+
+  /** Names of signals: those of the installation, and of the settings where it has none. */
+  private SignalLabels labels(ShellWorkbench workbench) {
+    SignalLabels labels =
+        SignalLabels.installed(
+            workbench.settings(),
+            signal ->
+                installation.current().signals().stream()
+                    .filter(each -> each.signal().equals(signal))
+                    .map(SignalUse::name)
+                    .findFirst()
+                    .orElse(""),
+            (signal, name) ->
+                SignalNames.rename(
+                        installation.current(),
+                        ArmLibrary.load(session.options().robotId()),
+                        signal,
+                        name)
+                    .ifPresentOrElse(
+                        installation::set,
+                        () -> tell.accept(name + " is the name of another signal too")));
+    installation.addListener(labels::changed);
+    return labels;
+  }
+
+  private ProgramView programScreen(
+      ShellWorkbench workbench, Programs programs, MoveView move, ScenePanel scene) {
+    WorkerThread worker = new WorkerThread("program-trees");
+    TreePrograms trees =
+        new TreePrograms(
+            programs, installation, work -> worker.run(0, work), EventQueue::invokeLater);
+    ScriptLink scripts = new ScriptLink(editor, debug, workbench::notify);
+    trees.setSink(scripts);
+    runs = new TreeRuns(trees, scripts);
+    return new ProgramView(workbench, programs, trees, scripts, move::teach, scene::show);
+  }
+
+  /** Lets a program start when it can, and the arm is where it goes first or people want it so. */
+  private void gate(ProgramDocument document, long from, Runnable run) {
+    program.whenReady(document, () -> ask(document, from, run));
+  }
+
+  private void ask(ProgramDocument document, long from, Runnable run) {
+    Optional<String> refusal = runs.whyNot(document, from);
+    if (refusal.isPresent()) {
+      tell.accept(document.name() + " cannot start there: " + refusal.get());
+      return;
+    }
+    Optional<StartPlace> first =
+        runs.first(document, from)
+            .flatMap(
+                place ->
+                    StartPlace.of(
+                        place, installation.current(), session.state().arm().description()));
+    // The program may be edited while people choose.
+    Runnable again =
+        () ->
+            program.whenReady(
+                document,
+                () -> {
+                  if (runs.whyNot(document, from).isEmpty()) {
+                    run.run();
+                  }
+                });
+    start.begin(first, session.state(), again);
+  }
+
+  /** What starts next is none of the open programs. */
+  private void forgetRun() {
+    runner.forget();
+    link.strangerStarted();
+  }
+
+  /** What is asked before a program starts. */
+  StartChoice start() {
+    return start;
+  }
+
+  /** Writes a line of script: below the caret, or as a node of the tree. */
+  private void insertLine(boolean tree, String line) {
+    if (tree) {
+      program.insertScript(line);
+    } else {
+      editor.insertLine(line);
+    }
+  }
+
+  private void showSource(boolean tree, int line, int column) {
+    editor.show(line, column);
+    if (tree) {
+      program.showLine(line);
+    }
+  }
+
+  /** What programs can refer to. */
+  ActiveInstallation installation() {
+    return installation;
   }
 
   /** Shows a line of the program that was started last, whichever is in front. */
@@ -105,7 +255,7 @@ final class Views {
       return;
     }
     runner.program().ifPresent(programs::select);
-    workbench.showSource(line, 1);
+    workbench.showSource(debug.lineNow(line), 1);
   }
 
   /** Lets others reach the controller. */
@@ -134,7 +284,15 @@ final class Views {
       link.strangerStarted();
     }
     debug.refresh(state);
-    link.follow(state);
+    if (!past.follow(state, log)) {
+      link.follow(state);
+    }
+    startMove.refresh(state);
+  }
+
+  /** What happens while people look at the past. */
+  PastViews past() {
+    return past;
   }
 
   /** All of them, screens first. */

@@ -9,6 +9,7 @@ import org.pendant.gui.shell.find.CommandPalette;
 import org.pendant.gui.shell.find.KeyEditor;
 import org.pendant.gui.shell.look.Look;
 import org.pendant.gui.shell.look.Theme;
+import org.pendant.gui.timeline.TimelineView;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
 import org.pendant.gui.workbench.View;
@@ -25,11 +26,15 @@ final class WindowActions {
   void addViews(DockFrame docks, List<String> screens) {
     for (View view : docks.views()) {
       int number = screens.indexOf(view.id()) + 1;
-      String keys = number >= 1 && number <= 9 ? "alt " + number : "";
+      String keys = number >= 1 && number <= 9 ? "alt " + number : keysOf(view);
       actions.add(
           Action.of(
               "view." + view.id(), "Show " + view.title(), keys, () -> docks.show(view.id())));
     }
+  }
+
+  private static String keysOf(View panel) {
+    return panel.id().equals(TimelineView.ID) ? "control alt T" : "";
   }
 
   /** Moving views, and folding docks. */

@@ -56,6 +56,19 @@ final class DebugFixture {
     advance();
   }
 
+  /** Starts a text that may be a part of the program, and runs it until it is held or has ended. */
+  void run(RunScript script) {
+    start(script);
+    advance();
+  }
+
+  /** Starts a text that may be a part of the program. */
+  void start(RunScript script) {
+    debug.breakpoints().beforeRun(document, script);
+    var _ =
+        submit(new Command.StartProgram(controller.load(script.source()).program().orElseThrow()));
+  }
+
   /** Others start a program of their own, which runs until it is held or has ended. */
   void runStranger(String... lines) {
     debug.breakpoints().strangerStarted();

@@ -69,6 +69,19 @@ final class LogMailboxTest {
   }
 
   @Test
+  void aBranchDoesNotSayItsPastAgain() {
+    Controller first = running();
+    LogMailbox mailbox = new LogMailbox(8, first::logSince, InstantSource.system());
+    finish(first, mailbox);
+    Controller branch = running();
+    branch.advance();
+    mailbox.frame(branch.state());
+    assertEquals(List.of("b"), texts(mailbox, 3));
+    finish(branch, mailbox);
+    assertEquals(List.of("b", "c"), texts(mailbox, 3));
+  }
+
+  @Test
   void onlyTheNewestAreKept() {
     Controller controller = running();
     LogMailbox mailbox = new LogMailbox(2, controller::logSince, InstantSource.system());

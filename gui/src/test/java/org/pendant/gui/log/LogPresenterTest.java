@@ -1,6 +1,7 @@
 package org.pendant.gui.log;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Instant;
@@ -170,5 +171,56 @@ final class LogPresenterTest {
     long position = presenter.positionOf(1);
     presenter.setFilter(new LogFilter(Set.of(Level.ERROR), LogFilter.ALL.sources()));
     assertEquals(0, presenter.rowAt(position));
+  }
+
+  private void sayAt(double timeS, String text) {
+    long number = written.size() + 1L;
+    written.add(
+        LogLine.of(
+            number,
+            LogLine.NO_WALL,
+            LogSource.of(Origin.SCRIPT),
+            new LogEntry(number, timeS, Level.INFO, Origin.SCRIPT, text)));
+  }
+
+  @Test
+  void knowsWhatWasTheNewestAtATimeAndWhatCameLater() {
+    LogPresenter presenter = new LogPresenter(10);
+    sayAt(1, "a");
+    sayAt(2, "b");
+    sayAt(3, "c");
+    take(presenter);
+    assertEquals(1, presenter.lookAt(2.5));
+    assertFalse(presenter.later(1));
+    assertTrue(presenter.later(2));
+    assertEquals(-1, presenter.lookAt(0.5));
+    assertTrue(presenter.later(0));
+    presenter.lookAtNow();
+    assertFalse(presenter.later(2));
+  }
+
+  @Test
+  void whatAnotherControllerWroteBeforeIsNotLater() {
+    LogPresenter presenter = new LogPresenter(10);
+    sayAt(8, "before");
+    sayAt(1, "a");
+    sayAt(2, "b");
+    take(presenter);
+    assertEquals(1, presenter.lookAt(1.5));
+    assertFalse(presenter.later(0));
+    assertTrue(presenter.later(2));
+    assertEquals(-1, presenter.lookAt(0.5));
+    assertFalse(presenter.later(0));
+  }
+
+  @Test
+  void startsAgainFromTheFirstMessage() {
+    LogPresenter presenter = new LogPresenter(10);
+    say("a", "b");
+    take(presenter);
+    presenter.restart();
+    assertEquals(0, presenter.rows());
+    take(presenter);
+    assertEquals(List.of("a", "b"), texts(presenter));
   }
 }

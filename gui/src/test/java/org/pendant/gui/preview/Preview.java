@@ -11,6 +11,7 @@ import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.machine.Loaded;
 import org.pendant.gui.io.IoView;
+import org.pendant.gui.io.SignalLabels;
 import org.pendant.gui.log.LogView;
 import org.pendant.gui.plot.PlotView;
 import org.pendant.gui.session.Session;
@@ -54,7 +55,7 @@ public final class Preview {
     return switch (name) {
       case "log" -> LogView::new;
       case "io" -> IoView::new;
-      case "plot" -> PlotView::new;
+      case "plot" -> workbench -> new PlotView(workbench, new SignalLabels(workbench.settings()));
       default ->
           throw new IllegalArgumentException("view is '" + name + "', must be log, io or plot");
     };

@@ -27,6 +27,7 @@ import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.machine.Program;
 import org.pendant.gui.io.IoView;
+import org.pendant.gui.io.SignalLabels;
 import org.pendant.gui.log.LogView;
 import org.pendant.gui.plot.PlotView;
 import org.pendant.gui.session.Session;
@@ -145,7 +146,7 @@ final class ViewsTest {
   @Test
   void chartsComeAndGo() throws InterruptedException, InvocationTargetException {
     show(
-        PlotView::new,
+        made -> new PlotView(made, new SignalLabels(made.settings())),
         view -> {
           AbstractButton remove =
               find(view.component(), "plot-remove-tcp_speed", AbstractButton.class);

@@ -2,6 +2,7 @@ package org.pendant.gui.session;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -184,5 +185,27 @@ final class ProgramDocumentTest {
     programs.close(first, spare);
     assertEquals(List.of(spare), programs.all());
     assertEquals(spare, programs.current());
+  }
+
+  @Test
+  void aTreeIsKnownByTheEndingOfItsFileAndHasAScriptOfItsOwn() {
+    ProgramDocument script = ProgramDocument.untitled("a.script", "text");
+    assertFalse(script.isTree());
+    assertSame(script, script.script());
+    ProgramDocument tree = ProgramDocument.untitled("a.pendant", "text");
+    assertTrue(tree.isTree());
+    assertSame(tree.script(), tree.script());
+    assertFalse(tree.script().isTree());
+    assertEquals("a.script", tree.script().name());
+  }
+
+  @Test
+  void theScriptOfATreeIsNamedBesideTheFileOfTheTree() {
+    ProgramDocument tree =
+        ProgramDocument.of(ProgramFile.create(Path.of("folder", "cell.pendant"), "text"));
+    assertEquals(Path.of("folder", "cell.script").toString(), tree.script().source().name());
+    tree.saved(ProgramFile.create(Path.of("other", "b.pendant"), "text"));
+    assertEquals("b.script", tree.script().name());
+    assertEquals("", tree.script().text());
   }
 }

@@ -1,6 +1,8 @@
 package org.pendant.gui.program.form;
 
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.check.NodeProblem;
@@ -27,6 +29,11 @@ public interface FormHost {
    *     with the same words within a short time are undone together
    */
   void change(String what, ProgramTree next);
+
+  /** Where the program's file is; empty while it has none. */
+  default Optional<Path> folder() {
+    return Optional.empty();
+  }
 
   /** What keeps a node from running. */
   List<NodeProblem> problems(long key);

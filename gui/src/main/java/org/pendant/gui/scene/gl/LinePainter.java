@@ -9,6 +9,7 @@ import org.pendant.gui.scene.Ground;
 import org.pendant.gui.scene.SceneModel;
 import org.pendant.gui.scene.Theme;
 import org.pendant.gui.scene.Trace;
+import org.pendant.gui.scene.Waymarks;
 import org.pendant.gui.scene.mesh.BoxEdges;
 import org.pendant.gui.scene.mesh.Finish;
 import org.pendant.gui.scene.mesh.FloorScale;
@@ -21,6 +22,7 @@ final class LinePainter implements AutoCloseable {
   private static final float LEAST_TRACE_PX = 1.5f;
   private static final float LEAST_EDGE_PX = 1.1f;
   private static final float HIDDEN_TRACE_OPACITY = 0.16f;
+  private static final float HIDDEN_WAY_OPACITY = 0.3f;
   private static final float EDGE_OPACITY = 0.75f;
   private static final float SCALE_OPACITY = 0.85f;
 
@@ -28,11 +30,15 @@ final class LinePainter implements AutoCloseable {
   private final LineStrip trace = new LineStrip();
   private final LineStrip edges = new LineStrip();
   private final LineStrip scale = new LineStrip();
+  private final LineStrip ways = new LineStrip();
   private Trace tracedNow = Trace.EMPTY;
   private Optional<EdgesOf> edged = Optional.empty();
   private Optional<ScaleOf> scaled = Optional.empty();
+  private Optional<WaysOf> waysNow = Optional.empty();
 
   private record EdgesOf(Object world, Object touched, Theme theme) {}
+
+  private record WaysOf(Waymarks marks, Theme theme) {}
 
   private record ScaleOf(double reachM, double heightM, int quarters, Theme theme) {}
 
@@ -60,12 +66,16 @@ final class LinePainter implements AutoCloseable {
     }
     line.set("opacity", EDGE_OPACITY);
     edges.draw();
+    ways.draw();
     line.set("width", Math.max(LEAST_TRACE_PX, TRACE_PX_AT_800 * height / 800f));
     line.set("opacity", 1);
     trace.draw();
     glDepthFunc(GL_GREATER);
     line.set("opacity", HIDDEN_TRACE_OPACITY);
     trace.draw();
+    line.set("width", Math.max(LEAST_EDGE_PX, EDGE_PX_AT_800 * height / 800f));
+    line.set("opacity", HIDDEN_WAY_OPACITY);
+    ways.draw();
     glDepthFunc(GL_LESS);
     glDepthMask(true);
   }
@@ -85,6 +95,11 @@ final class LinePainter implements AutoCloseable {
               model.touched(),
               theme.edgeRgb(),
               theme.rgb(Finish.TOUCHED)));
+    }
+    WaysOf newWays = new WaysOf(model.waymarks(), theme);
+    if (!waysNow.equals(Optional.of(newWays))) {
+      waysNow = Optional.of(newWays);
+      ways.load(newWays.marks().lines(theme));
     }
     ScaleOf newScale =
         new ScaleOf(
@@ -112,5 +127,6 @@ final class LinePainter implements AutoCloseable {
     trace.close();
     edges.close();
     scale.close();
+    ways.close();
   }
 }

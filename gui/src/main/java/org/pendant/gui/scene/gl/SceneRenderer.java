@@ -15,6 +15,7 @@ import org.pendant.gui.scene.Ground;
 import org.pendant.gui.scene.LinkPlaces;
 import org.pendant.gui.scene.SceneModel;
 import org.pendant.gui.scene.Theme;
+import org.pendant.gui.scene.Waymarks;
 import org.pendant.gui.scene.mesh.ArmMeshes;
 import org.pendant.gui.scene.mesh.Detail;
 import org.pendant.gui.scene.mesh.Link;
@@ -38,6 +39,9 @@ final class SceneRenderer implements AutoCloseable {
 
   /** Extra frames are smaller than those of base and tool. */
   private static final float EXTRA_FRAME_SHARE = 0.75f;
+
+  private static final float MARK_SHARE = 0.32f;
+  private static final float CHOSEN_MARK_SHARE = 0.6f;
 
   private static final float HIDDEN_FRAME_OPACITY = 0.45f;
 
@@ -201,6 +205,10 @@ final class SceneRenderer implements AutoCloseable {
     drawFrame(sight, solid, tcp, length);
     for (Pose frame : model.framesInBase()) {
       drawFrame(sight, solid, LinkPlaces.matrix(frame), EXTRA_FRAME_SHARE * length);
+    }
+    for (Waymarks.Mark mark : model.waymarks().marks()) {
+      float share = mark.chosen() ? CHOSEN_MARK_SHARE : MARK_SHARE;
+      drawFrame(sight, solid, LinkPlaces.matrix(mark.inBase()), share * length);
     }
     drawRod(sight, solid, new Matrix4f(sight.places.of(Link.WRIST_3)), tcp);
     model.payload().ifPresent(ball -> drawBall(sight, solid, ball));

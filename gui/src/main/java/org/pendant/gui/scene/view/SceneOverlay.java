@@ -15,6 +15,7 @@ import java.util.Optional;
 import org.pendant.controller.world.Vector3;
 import org.pendant.gui.scene.SceneModel;
 import org.pendant.gui.scene.SpeedColours;
+import org.pendant.gui.scene.Waymarks;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.models.pose.Pose;
 
@@ -22,6 +23,10 @@ import org.pendant.models.pose.Pose;
 final class SceneOverlay {
   private static final List<String> JOINT_FRAMES =
       List.of("J1", "J2", "J3", "J4", "J5", "J6, flange");
+
+  /** With more of them names would cover the picture. */
+  private static final int MOST_PLACE_NAMES = 15;
+
   private static final int LEAST_WIDTH_FOR_LEGEND = 150;
   private static final double NEAR_POINTER_EM = 1.2;
 
@@ -95,6 +100,27 @@ final class SceneOverlay {
           .ifPresent(at -> addName(names, at, name));
     }
     names.forEach((at, name) -> chip(name, at.getX() + em / 2.0, at.getY() - em));
+  }
+
+  /** Names beside the places that a program goes to; that of a chosen one comes last, on top. */
+  void placeNames(PictureRequest shown) {
+    List<Waymarks.Mark> marks = shown.model().waymarks().marks();
+    if (marks.size() > MOST_PLACE_NAMES) {
+      marks = marks.stream().filter(Waymarks.Mark::chosen).toList();
+    }
+    Map<Point2D, String> names = new LinkedHashMap<>();
+    for (boolean chosen : new boolean[] {false, true}) {
+      for (Waymarks.Mark mark : marks) {
+        Pose place = mark.inBase();
+        if (mark.chosen() == chosen) {
+          shown
+              .camera()
+              .pixel(new Vector3(place.x(), place.y(), place.z()), width, height)
+              .ifPresent(at -> addName(names, at, mark.name()));
+        }
+      }
+    }
+    names.forEach((at, name) -> chip(name, at.getX() + em / 2.0, at.getY() + 1.5 * em));
   }
 
   /** Frames in one place share a plate. */

@@ -334,6 +334,7 @@ public final class SceneView extends JPanel {
     }
     Graphics2D own = (Graphics2D) graphics.create();
     SceneOverlay overlay = new SceneOverlay(own, getWidth(), getHeight());
+    overlay.placeNames(drawn.get());
     overlay.frameNames(drawn.get());
     overlay.legend(drawn.get().model());
     overlay.pointed(hover.pointer(), hover.name());

@@ -1,6 +1,7 @@
 package org.pendant.gui.shell.bar;
 
 import java.awt.Color;
+import java.awt.Component;
 import java.awt.Graphics;
 import java.util.List;
 import java.util.function.Consumer;
@@ -74,6 +75,7 @@ public final class Footer extends JPanel {
     ActionButton stop =
         new ActionButton(actions, "program.stop", "Stop", icon(Glyph.STOP, Palette::error));
     buttons = List.of(run, pause, step, stop);
+    run.setComponentPopupMenu(runMenu());
     more.setName("footer-more");
     more.setToolTipText("Speed, pace of robot time and what else has no room here");
     more.getAccessibleContext().setAccessibleName("More of the footer");
@@ -128,6 +130,20 @@ public final class Footer extends JPanel {
         });
   }
 
+  /** The ways to start a program, by a click with the other button. */
+  private JPopupMenu runMenu() {
+    return new JPopupMenu() {
+      @Override
+      public void show(Component invoker, int x, int y) {
+        removeAll();
+        add(ActionItem.of(actions, "program.run"));
+        add(ActionItem.of(actions, "program.run-from"));
+        add(ActionItem.of(actions, "program.step"));
+        super.show(invoker, 0, -getPreferredSize().height);
+      }
+    };
+  }
+
   /** What the footer has no room for. */
   private JPopupMenu moreMenu() {
     JPopupMenu menu = new JPopupMenu();
@@ -146,7 +162,13 @@ public final class Footer extends JPanel {
       menu.add(item);
     }
     menu.addSeparator();
-    for (String id : List.of("clock.step-frame", "robot.ready", "program.pause", "program.step")) {
+    for (String id :
+        List.of(
+            "clock.step-frame",
+            "robot.ready",
+            "program.run-from",
+            "program.pause",
+            "program.step")) {
       menu.add(ActionItem.of(actions, id));
     }
     return menu;

@@ -33,6 +33,8 @@ public final class Header extends JPanel {
   private final JComboBox<RobotChoice> robot = new JComboBox<>();
   private final Badge robotMode = new Badge("robot-mode", "Robot mode");
   private final Badge safetyMode = new Badge("safety-mode", "Safety mode");
+  private final Badge checksum =
+      new Badge("safety-checksum", "Checksum of the safety configuration");
   private final Badge programState = new Badge("program-state", "Program state");
   private final JLabel time = new JLabel();
   private final transient Squeeze squeeze;
@@ -58,7 +60,9 @@ public final class Header extends JPanel {
   public Header(ProgramMenu menu, Consumer<String> chooseRobot) {
     super(
         new MigLayout(
-            "insets 8 6 8 12, gap 8, hidemode 3", "[grow, 90::]16[]16[][][]16[right]", "[center]"));
+            "insets 8 6 8 12, gap 8, hidemode 3",
+            "[grow, 90::]16[]16[][][][]16[right]",
+            "[center]"));
     setName("header");
     program = new ProgramButton(menu);
     robot.setName("robot");
@@ -78,7 +82,7 @@ public final class Header extends JPanel {
     time.setToolTipText("Robot time since the controller was switched on");
     time.getAccessibleContext().setAccessibleName("Robot time");
     add(program, "wmin 90");
-    for (JComponent each : List.of(robot, robotMode, safetyMode, programState, time)) {
+    for (JComponent each : List.of(robot, robotMode, safetyMode, checksum, programState, time)) {
       add(each, "wmin pref");
     }
     // What vanishes is shown or done elsewhere too; the safety mode stays.
@@ -87,6 +91,7 @@ public final class Header extends JPanel {
             this,
             List.of(
                 time::setVisible,
+                checksum::setVisible,
                 this::showWords,
                 robotMode::setVisible,
                 robot::setVisible,
@@ -157,6 +162,7 @@ public final class Header extends JPanel {
         List.of(
             now.safety().robotMode(),
             now.safety().safetyMode(),
+            now.safety().checksum(),
             now.program().state(),
             now.debug().held());
     if (!modes.equals(fitted)) {
@@ -178,6 +184,7 @@ public final class Header extends JPanel {
     robotMode.show(words("Robot ", Words.of(mode)), color(mode));
     SafetyMode safety = now.safety().safetyMode();
     safetyMode.show(safetyText(safety), color(safety));
+    checksum.show(now.safety().checksum().toString(), Palette::quiet);
     ProgramState program = now.program().state();
     boolean held = now.debug().held();
     programState.show(

@@ -37,7 +37,7 @@ public final class Rail extends JPanel {
 
   private static final int WORDLESS = 38;
   private static final int GAP = 4;
-  private static final int WIDTH = 76;
+  private static final int WIDTH = 86;
 
   private final Map<String, Screen> screens = new LinkedHashMap<>();
   private final ButtonGroup group = new ButtonGroup();

@@ -25,6 +25,15 @@ public final class Glyph {
   public static final Glyph RUN =
       Drawing.stroked().circle(12, 12, 9).polygon(10, 8, 16, 12, 10, 16).glyph();
 
+  public static final Glyph PROGRAM =
+      Drawing.stroked()
+          .line(5, 4, 5, 18, 10, 18)
+          .line(5, 11, 10, 11)
+          .box(11, 8.5, 9, 5)
+          .box(11, 15.5, 9, 5)
+          .disc(5, 4, 1.8)
+          .glyph();
+
   public static final Glyph SCRIPT =
       Drawing.stroked()
           .polygon(5, 3, 15, 3, 19, 7, 19, 21, 5, 21)
@@ -49,6 +58,20 @@ public final class Glyph {
           .line(3, 16, 21, 16)
           .disc(15, 8, 3.2)
           .disc(9, 16, 3.2)
+          .glyph();
+
+  public static final Glyph INSTALLATION =
+      Drawing.stroked()
+          .circle(12, 12, 3.2)
+          .circle(12, 12, 6.8)
+          .line(12, 2.5, 12, 5.2)
+          .line(12, 18.8, 12, 21.5)
+          .line(2.5, 12, 5.2, 12)
+          .line(18.8, 12, 21.5, 12)
+          .line(5.3, 5.3, 7.2, 7.2)
+          .line(16.8, 16.8, 18.7, 18.7)
+          .line(5.3, 18.7, 7.2, 16.8)
+          .line(16.8, 7.2, 18.7, 5.3)
           .glyph();
 
   public static final Glyph LOG =

@@ -3,6 +3,7 @@ package org.pendant.gui.shell.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.IntUnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.pendant.controller.debug.DebugState;
@@ -47,20 +48,30 @@ record RunFacts(
    * The facts of a snapshot.
    *
    * @param lineText text of the line that was reached
+   * @param shown the line that people see for one of what runs; 0 where they see none
    */
-  static RunFacts of(ControllerState state, String lineText) {
+  static RunFacts of(ControllerState state, String lineText, IntUnaryOperator shown) {
     ProgramStatus program = state.program();
     return new RunFacts(
-        state.debug().stop().map(RunFacts::heldText).orElseGet(() -> stateText(program)),
+        state
+            .debug()
+            .stop()
+            .map(stop -> heldText(stop, shown))
+            .orElseGet(() -> stateText(program, shown)),
         program.failed(),
-        program.line() == 0
-            ? ""
-            : lineText.isBlank()
-                ? "Line " + program.line()
-                : "Line " + program.line() + ":  " + ByteText.decoded(lineText.strip()),
+        line(shown.applyAsInt(program.line()), lineText),
         waiting(state.openPopups().size(), state.openQuestions().size()),
         pose(state.arm().actualTcpInBase()),
         joints(state));
+  }
+
+  private static String line(int line, String text) {
+    if (line == 0) {
+      return "";
+    }
+    return text.isBlank()
+        ? "Line " + line
+        : "Line " + line + ":  " + ByteText.decoded(text.strip());
   }
 
   private static String waiting(int popups, int questions) {
@@ -79,11 +90,11 @@ record RunFacts(
     };
   }
 
-  private static String heldText(DebugState.Stop stop) {
-    return "Held before line " + stop.line();
+  private static String heldText(DebugState.Stop stop, IntUnaryOperator shown) {
+    return "Held before line " + shown.applyAsInt(stop.line());
   }
 
-  private static String stateText(ProgramStatus program) {
+  private static String stateText(ProgramStatus program, IntUnaryOperator shown) {
     if (program.state() != ProgramState.STOPPED) {
       return Words.capital(Words.of(program.state()));
     }
@@ -96,7 +107,7 @@ record RunFacts(
       case Ending.Stopped stopped -> "Stopped";
       case Ending.Failed failed ->
           "Failed in line "
-              + failed.failure().line()
+              + shown.applyAsInt(failed.failure().line())
               + ": "
               + ByteText.decoded(failed.failure().message());
     };

@@ -3,19 +3,24 @@ package org.pendant.gui.shell.run;
 import com.formdev.flatlaf.util.UIScale;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.function.Consumer;
-import java.util.function.IntConsumer;
-import java.util.function.IntFunction;
+import java.util.function.DoubleConsumer;
 import javax.swing.BorderFactory;
+import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.debug.Favourites;
 import org.pendant.gui.debug.VariablesView;
+import org.pendant.gui.layout.FlushRow;
+import org.pendant.gui.program.RunNode;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.shell.bar.ActionButton;
 import org.pendant.gui.shell.look.Card;
@@ -38,13 +43,15 @@ public final class RunView implements View {
 
   private final Workbench workbench;
   private final Programs programs;
-  private final IntFunction<String> lineOf;
+  private final RunProgram run;
   private final MigLayout layout = new MigLayout(WIDE, WIDE_COLUMNS, "[][][][][grow]");
   private final JPanel content = new WideContent(layout);
   private final JScrollPane scroll = new JScrollPane(content);
   private final JLabel name = new JLabel();
   private final JLabel state = new JLabel();
   private final JLabel elapsed = new JLabel();
+  private final JLabel turns = new JLabel();
+  private final JButton node = new JButton();
   private final JLabel line = new JLabel();
   private final JLabel waiting = new JLabel();
   private final StopPanel stop;
@@ -53,30 +60,31 @@ public final class RunView implements View {
   private final NumbersPanel tcp = new NumbersPanel("run-tcp", "TCP in the base", RunFacts.POSE);
   private final NumbersPanel joints = new NumbersPanel("run-joints", "Joints", RunFacts.JOINTS);
   private final RunTimer timer = new RunTimer();
+  private Optional<RunNode> shownNode = Optional.empty();
   private final List<ActionButton> buttons;
   private boolean narrow;
 
   /**
    * The Run screen.
    *
-   * @param lineOf text of a line of the program that runs
+   * @param run the program that was started last
    * @param send has the controller do something, and tells when it is refused
-   * @param showLine shows a line of that program
    * @param favourites variables that come first
+   * @param showBefore shows how it came to what happened at a time, s
    */
   public RunView(
       Workbench workbench,
       ActionTable actions,
       Programs programs,
-      IntFunction<String> lineOf,
+      RunProgram run,
       Consumer<Command> send,
-      IntConsumer showLine,
-      Favourites favourites) {
+      Favourites favourites,
+      DoubleConsumer showBefore) {
     this.workbench = workbench;
     this.programs = programs;
-    this.lineOf = lineOf;
+    this.run = run;
     variables = new VariablesPanel(favourites, () -> workbench.show(VariablesView.ID));
-    stop = new StopPanel(send, showLine);
+    stop = new StopPanel(send, run::showLine, showBefore);
     buttons =
         List.of(
             button(actions, "program.run", "Run", GlyphIcon.of(Glyph.PLAY, 28, Palette::ok)),
@@ -116,6 +124,7 @@ public final class RunView implements View {
         new Card(new MigLayout("insets 16, gap 8, wrap 1, hidemode 3", "[grow, fill, 0::]", ""));
     card.setName("run-program");
     name.putClientProperty("FlatLaf.styleClass", "h1");
+    state.putClientProperty("FlatLaf.styleClass", "h3");
     elapsed.putClientProperty("FlatLaf.styleClass", "h2");
     elapsed.setToolTipText("Robot time since the program was started");
     line.putClientProperty("FlatLaf.styleClass", "monospaced");
@@ -123,12 +132,26 @@ public final class RunView implements View {
     name("run-name", name, "Program");
     name("run-state", state, "Program state");
     name("run-elapsed", elapsed, "Running time");
+    turns.putClientProperty("FlatLaf.styleClass", "h2");
+    turns.setToolTipText("How many times the main program has begun");
+    name("run-turns", turns, "Turns of the main program");
+    node.setName("run-node");
+    node.putClientProperty("FlatLaf.styleClass", "h3");
+    node.putClientProperty("FlatLaf.style", "toolbar.margin: 2,0,2,4");
+    node.putClientProperty("JButton.buttonType", "toolBarButton");
+    node.setVisible(false);
+    node.setHorizontalAlignment(SwingConstants.LEADING);
+    node.addActionListener(event -> shownNode.ifPresent(run::show));
     name("run-line", line, "Line");
     name("run-waiting", waiting, "Popups");
     waiting.setIcon(GlyphIcon.of(Glyph.WARNING, 16, Palette::warning));
     card.add(name, "wmin 0");
     card.add(state, "wmin 0");
-    card.add(elapsed, "wmin 0");
+    JPanel times = new FlushRow(24);
+    times.add(elapsed);
+    times.add(turns);
+    card.add(times, "wmin 0");
+    card.add(node, "wmin 0");
     card.add(line, "wmin 0");
     card.add(waiting, "wmin 0");
     JPanel row = new JPanel(new MigLayout("insets 8 0 0 0, gap 8", "[sg b][sg b][sg b]"));
@@ -162,11 +185,13 @@ public final class RunView implements View {
   public void refresh(ControllerState snapshot) {
     arrange();
     int number = snapshot.program().line();
-    RunFacts facts = RunFacts.of(snapshot, number == 0 ? "" : lineOf.apply(number));
+    RunFacts facts = RunFacts.of(snapshot, number == 0 ? "" : run.lineText(number), run::shownLine);
     show(name, programName(snapshot));
     show(state, facts.state());
     state.setForeground(facts.failed() ? Palette.error() : name.getForeground());
     show(elapsed, timer.take(snapshot));
+    show(turns, turnText(run.turns(snapshot)));
+    showNode(run.node(snapshot));
     show(line, facts.line().isEmpty() ? " " : facts.line());
     show(waiting, facts.waiting());
     waiting.setVisible(!facts.waiting().isEmpty());
@@ -174,13 +199,34 @@ public final class RunView implements View {
     stop.refresh(snapshot);
     tcp.show(facts.tcp());
     joints.show(facts.joints());
-    variables.refresh(snapshot);
+    variables.refresh(snapshot, run.installationVariables());
     messages.refresh(snapshot, workbench.session().controller());
     buttons.forEach(ActionButton::refresh);
   }
 
+  private static String turnText(OptionalLong turns) {
+    return turns.isPresent() && turns.getAsLong() > 0 ? "Turn " + turns.getAsLong() : "";
+  }
+
+  private void showNode(Optional<RunNode> now) {
+    if (!now.equals(shownNode)) {
+      // Room for one once there was one: what is below must not jump.
+      node.setVisible(node.isVisible() || now.isPresent());
+      shownNode = now;
+      String words = now.map(each -> each.number() + "  " + each.label()).orElse(" ");
+      node.setText(words);
+      node.setEnabled(now.isPresent());
+      node.setToolTipText(now.isPresent() ? "Shows the node in the program: " + words : null);
+      node.getAccessibleContext().setAccessibleName("Node " + words);
+    }
+  }
+
   /** A program of others goes by the name that it gives itself. */
   private String programName(ControllerState snapshot) {
+    return run.name().orElseGet(() -> liveName(snapshot));
+  }
+
+  private String liveName(ControllerState snapshot) {
     return workbench.session().strangerLast() && !snapshot.program().name().isEmpty()
         ? ByteText.decoded(snapshot.program().name()) + " (sent from outside)"
         : programs.current().name();

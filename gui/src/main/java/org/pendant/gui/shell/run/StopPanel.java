@@ -1,7 +1,9 @@
 package org.pendant.gui.shell.run;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -30,10 +32,12 @@ final class StopPanel {
   private final JTextArea suggestion = text("stop-suggestion", "What to do");
   private final JButton remedy = new JButton();
   private final JButton source = new JButton();
+  private final JButton recording = new JButton("Show recording");
   private Optional<StopCard> shown = Optional.empty();
   private Optional<Command> command = Optional.empty();
+  private OptionalDouble stopS = OptionalDouble.empty();
 
-  StopPanel(Consumer<Command> send, IntConsumer showLine) {
+  StopPanel(Consumer<Command> send, IntConsumer showLine, DoubleConsumer showBefore) {
     panel.setName("stop-card");
     panel.setVisible(false);
     title.putClientProperty("FlatLaf.styleClass", "h3");
@@ -44,14 +48,19 @@ final class StopPanel {
     source.setToolTipText("Shows the line that the program has reached");
     source.addActionListener(
         event -> shown.filter(card -> card.line() > 0).ifPresent(c -> showLine.accept(c.line())));
+    recording.setName("stop-recording");
+    recording.setToolTipText("Shows the two seconds before the stop on the timeline");
+    recording.getAccessibleContext().setAccessibleName(recording.getText());
+    recording.addActionListener(event -> stopS.ifPresent(showBefore));
     panel.add(title);
     panel.add(message);
     panel.add(facts);
     panel.add(suggestion);
-    JPanel buttons = new JPanel(new MigLayout("insets 0, gap 8, hidemode 3", "[][]"));
+    JPanel buttons = new JPanel(new MigLayout("insets 0, gap 8, hidemode 3", "[][][]"));
     buttons.setOpaque(false);
     buttons.add(remedy);
     buttons.add(source);
+    buttons.add(recording);
     panel.add(buttons);
   }
 
@@ -74,6 +83,12 @@ final class StopPanel {
 
   void refresh(ControllerState state) {
     Optional<StopCard> card = StopCard.of(state);
+    stopS =
+        state
+            .safety()
+            .stop()
+            .map(stop -> OptionalDouble.of(stop.timeS()))
+            .orElse(OptionalDouble.empty());
     if (!card.equals(shown)) {
       shown = card;
       card.ifPresent(this::show);

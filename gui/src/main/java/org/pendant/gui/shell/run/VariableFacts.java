@@ -1,11 +1,16 @@
 package org.pendant.gui.shell.run;
 
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.pendant.controller.debug.Variable;
+import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.variables.VariableSample;
 import org.pendant.controller.variables.VariableSamples;
@@ -29,31 +34,47 @@ record VariableFacts(List<Row> rows, int more) {
    * A variable.
    *
    * @param value as scripts print it, strings in quotes; a dash before it was assigned
+   * @param installed whether it is one of the installation's, which keep their values
    */
-  record Row(String name, String value, boolean favourite) {}
+  record Row(String name, String value, boolean favourite, boolean installed) {}
 
   /**
    * The facts of samples.
    *
    * @param favourites names of variables that come first
+   * @param installed variables that every program has; their favourites come first as well
    */
-  static VariableFacts of(VariableSamples samples, Set<String> favourites) {
-    List<VariableSample> all =
-        Stream.concat(samples.locals().stream(), samples.globals().stream()).toList();
-    List<VariableSample> ordered = new ArrayList<>(all);
-    ordered.removeIf(each -> !favourites.contains(each.name()));
-    all.stream().filter(each -> !favourites.contains(each.name())).forEach(ordered::add);
-    List<Row> rows =
-        ordered.stream().limit(MOST).map(each -> row(each.variable(), favourites)).toList();
-    return new VariableFacts(rows, all.size() - rows.size() + samples.omitted());
+  static VariableFacts of(
+      VariableSamples samples, Set<String> favourites, List<InstallationVariable> installed) {
+    Set<String> first = new HashSet<>(favourites);
+    Map<String, Row> rows = new LinkedHashMap<>();
+    for (InstallationVariable each : installed) {
+      if (each.favourite()) {
+        first.add(each.name());
+      }
+    }
+    Stream.concat(samples.locals().stream(), samples.globals().stream())
+        .map(VariableSample::variable)
+        .map(each -> row(each, first, installed))
+        .forEach(row -> rows.putIfAbsent(row.name(), row));
+    for (InstallationVariable each : installed) {
+      rows.putIfAbsent(
+          each.name(), new Row(each.name(), each.value(), first.contains(each.name()), true));
+    }
+    List<Row> ordered = new ArrayList<>(rows.values());
+    ordered.sort(Comparator.comparing(Row::favourite).reversed());
+    List<Row> shown = ordered.stream().limit(MOST).toList();
+    return new VariableFacts(shown, ordered.size() - shown.size() + samples.omitted());
   }
 
-  private static Row row(Variable variable, Set<String> favourites) {
+  private static Row row(
+      Variable variable, Set<String> favourites, List<InstallationVariable> installed) {
     String text = ByteText.decoded(variable.text());
     String value = variable.kind().equals(Optional.of(Kind.STRING)) ? '"' + text + '"' : text;
     return new Row(
         ByteText.decoded(variable.name()),
         variable.kind().isEmpty() ? "\u2013" : value,
-        favourites.contains(variable.name()));
+        favourites.contains(variable.name()),
+        installed.stream().anyMatch(each -> each.name().equals(variable.name())));
   }
 }

@@ -7,6 +7,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.variables.VariableSamples;
 import org.pendant.gui.debug.Favourites;
@@ -17,7 +18,8 @@ import org.pendant.gui.workbench.Palette;
 /** A card with the variables of the running or last program, favourites first. */
 final class VariablesPanel {
   private static final String EMPTY =
-      "The variables of a program appear here while it runs, favourites first.";
+      "The variables of a program appear here while it runs, favourites first,"
+          + " and those of the installation at any time.";
 
   /** Least time between two changes of the texts, ms. */
   private static final long PERIOD_MS = 95;
@@ -34,6 +36,7 @@ final class VariablesPanel {
   private final List<JLabel> names = new ArrayList<>();
   private final List<JLabel> values = new ArrayList<>();
   private VariableSamples shown = VariableSamples.NONE;
+  private List<InstallationVariable> shownInstalled = List.of();
   private String program = "";
   private long shownMs;
   private boolean stale = true;
@@ -78,16 +81,23 @@ final class VariablesPanel {
     return card;
   }
 
-  void refresh(ControllerState state) {
+  /**
+   * Shows a snapshot.
+   *
+   * @param installed variables that every program has
+   */
+  void refresh(ControllerState state, List<InstallationVariable> installed) {
     none.setForeground(Palette.quiet());
     long nowMs = System.nanoTime() / 1_000_000;
     boolean other = !state.program().name().equals(program) || !state.variables().equals(shown);
+    other |= !installed.equals(shownInstalled);
     if (stale || (other && nowMs - shownMs >= PERIOD_MS)) {
       stale = false;
       shown = state.variables();
+      shownInstalled = installed;
       program = state.program().name();
       shownMs = nowMs;
-      show(VariableFacts.of(shown, favourites.of(program)));
+      show(VariableFacts.of(shown, favourites.of(program), installed));
     }
   }
 
@@ -109,7 +119,10 @@ final class VariablesPanel {
     JLabel name = names.get(place);
     if (!row.name().equals(name.getText()) || row.favourite() != (name.getIcon() != null)) {
       name.setText(row.name());
-      name.setToolTipText(row.favourite() ? row.name() + ", a favourite" : row.name());
+      name.setToolTipText(
+          row.name()
+              + (row.favourite() ? ", a favourite" : "")
+              + (row.installed() ? ", kept by the installation" : ""));
       name.setIcon(row.favourite() ? new Star(true, false) : null);
     }
     JLabel value = values.get(place);

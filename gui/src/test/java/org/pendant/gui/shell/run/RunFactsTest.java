@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.function.IntUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
@@ -27,7 +28,7 @@ final class RunFactsTest {
   }
 
   private RunFacts facts(String lineText) {
-    return RunFacts.of(controller.state(), lineText);
+    return RunFacts.of(controller.state(), lineText, IntUnaryOperator.identity());
   }
 
   private void runFrames(int frames) {
@@ -48,6 +49,15 @@ final class RunFactsTest {
     start("sleep(1)\n");
     assertEquals("Running", facts("").state());
     assertEquals("Line 1:  sleep(1)", facts("   sleep(1)").line());
+  }
+
+  @Test
+  void linesAreThoseThatPeopleSee() {
+    start("sleep(1)\n");
+    assertEquals(
+        "Line 11:  sleep(1)",
+        RunFacts.of(controller.state(), "sleep(1)", line -> line + 10).line());
+    assertEquals("", RunFacts.of(controller.state(), "sleep(1)", line -> 0).line());
   }
 
   @Test

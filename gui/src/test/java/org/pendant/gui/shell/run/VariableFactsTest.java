@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.variables.VariableSamples;
 import org.pendant.language.source.Source;
 
@@ -27,14 +28,34 @@ final class VariableFactsTest {
   void favouritesComeFirstAndStringsAreInQuotes() {
     VariableSamples samples =
         samples("def p():", "  a = 1", "  name = \"bolt\"", "  sleep(1)", "  late = 2", "end");
-    VariableFacts facts = VariableFacts.of(samples, Set.of("name"));
+    VariableFacts facts = VariableFacts.of(samples, Set.of("name"), List.of());
     assertEquals(
         List.of(
-            new VariableFacts.Row("name", "\"bolt\"", true),
-            new VariableFacts.Row("a", "1", false),
-            new VariableFacts.Row("late", "\u2013", false)),
+            new VariableFacts.Row("name", "\"bolt\"", true, false),
+            new VariableFacts.Row("a", "1", false, false),
+            new VariableFacts.Row("late", "\u2013", false, false)),
         facts.rows());
     assertEquals(0, facts.more());
+  }
+
+  @Test
+  void thoseOfTheInstallationAreThereAtAnyTime() {
+    List<InstallationVariable> installed =
+        List.of(
+            new InstallationVariable("parts", "7", false),
+            new InstallationVariable("shift", "2", true));
+    assertEquals(
+        List.of(
+            new VariableFacts.Row("shift", "2", true, true),
+            new VariableFacts.Row("parts", "7", false, true)),
+        VariableFacts.of(VariableSamples.NONE, Set.of(), installed).rows());
+    assertEquals(
+        List.of(
+            new VariableFacts.Row("shift", "2", true, true),
+            new VariableFacts.Row("parts", "8", false, true)),
+        VariableFacts.of(
+                samples("def p():", "  parts = 8", "  sleep(1)", "end"), Set.of(), installed)
+            .rows());
   }
 
   @Test
@@ -44,7 +65,8 @@ final class VariableFactsTest {
       text.append("  v").append(i).append(" = 1\n");
     }
     VariableFacts facts =
-        VariableFacts.of(samples(text.append("  sleep(1)\nend").toString()), Set.of("v24"));
+        VariableFacts.of(
+            samples(text.append("  sleep(1)\nend").toString()), Set.of("v24"), List.of());
     assertEquals(VariableFacts.MOST, facts.rows().size());
     assertEquals("v24", facts.rows().getFirst().name());
     assertEquals(25 - VariableFacts.MOST, facts.more());
@@ -52,6 +74,8 @@ final class VariableFactsTest {
 
   @Test
   void thereIsNothingBeforeTheFirstProgram() {
-    assertEquals(new VariableFacts(List.of(), 0), VariableFacts.of(VariableSamples.NONE, Set.of()));
+    assertEquals(
+        new VariableFacts(List.of(), 0),
+        VariableFacts.of(VariableSamples.NONE, Set.of(), List.of()));
   }
 }

@@ -1,0 +1,44 @@
+package org.pendant.gui.editor;
+
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.gui.workbench.Palette;
+
+/** Says that a script comes from a program tree, and leads there. */
+@SuppressWarnings("serial") // never written to a stream
+final class GeneratedBar extends JPanel {
+
+  /**
+   * A bar.
+   *
+   * @param desk does what its buttons say
+   */
+  GeneratedBar(EditorDesk desk) {
+    super(new MigLayout("insets 4 12 4 12, gap 8", "[grow, fill, 0::][][]"));
+    setName("generated-bar");
+    JLabel text = new JLabel("Generated from the program tree, which the Program screen edits");
+    text.setToolTipText(text.getText());
+    add(text, "wmin 0");
+    record Press(String name, String title, String action) {}
+    for (Press each :
+        List.of(
+            new Press("generated-tree", "Show the tree", "view.program"),
+            new Press("generated-save", "Save as script\u2026", "file.save-script"))) {
+      JButton button = new JButton(each.title());
+      button.setName(each.name());
+      button.addActionListener(event -> desk.run(each.action()));
+      add(button);
+    }
+  }
+
+  @Override
+  public void updateUI() {
+    super.updateUI();
+    setBackground(Palette.tint(Palette.accent(), 0.10));
+    setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
+  }
+}

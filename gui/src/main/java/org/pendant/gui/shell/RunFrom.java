@@ -1,0 +1,76 @@
+package org.pendant.gui.shell;
+
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.gui.program.TreeRuns;
+import org.pendant.gui.session.ProgramControls;
+import org.pendant.gui.session.Session;
+import org.pendant.gui.shell.start.StartChoice;
+import org.pendant.gui.workbench.Action;
+import org.pendant.gui.workbench.ActionTable;
+
+/** The actions for starting programs that are trees. */
+final class RunFrom {
+  private final Session session;
+  private final TreeRuns runs;
+  private final LongSupplier selected;
+  private final ProgramRunner runner;
+
+  private RunFrom(Session session, TreeRuns runs, LongSupplier selected, ProgramRunner runner) {
+    this.session = session;
+    this.runs = runs;
+    this.selected = selected;
+    this.runner = runner;
+  }
+
+  /**
+   * Adds them.
+   *
+   * @param selected key of the selected node; 0 for none
+   * @param tell says what has become of a setting
+   */
+  static void addTo(
+      ActionTable actions,
+      Session session,
+      TreeRuns runs,
+      LongSupplier selected,
+      ProgramRunner runner,
+      StartChoice start,
+      Consumer<String> tell) {
+    RunFrom from = new RunFrom(session, runs, selected, runner);
+    actions.add(
+        new Action(
+            "program.run-from",
+            "Run from the selected node",
+            "control F5",
+            () -> from.whyNot().isEmpty(),
+            () -> runner.runFrom(selected.getAsLong())),
+        from::whyNot);
+    actions.add(
+        Action.of(
+            "program.ask-start",
+            "Ask before starting away from the first waypoint, or not",
+            "",
+            () -> {
+              start.setAsks(!start.asks());
+              tell.accept(
+                  start.asks()
+                      ? "Programs ask when the arm is not at their first waypoint"
+                      : "Programs start wherever the arm is");
+            }));
+  }
+
+  private String whyNot() {
+    if (runner.loading()) {
+      return "The program is being compiled";
+    }
+    ProgramControls controls = ProgramControls.of(session.state());
+    if (controls.state() != ProgramState.STOPPED) {
+      return "Stop the program first";
+    }
+    return controls.whyNoRun().isEmpty()
+        ? runs.whyNot(selected.getAsLong()).orElse("")
+        : controls.whyNoRun();
+  }
+}

@@ -1,0 +1,117 @@
+package org.pendant.gui.debug;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.pendant.controller.program.ProgramTree.node;
+
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalLong;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.program.ActionStep;
+import org.pendant.controller.program.ProgramNode;
+import org.pendant.controller.program.ProgramTree;
+import org.pendant.controller.program.Section;
+import org.pendant.controller.program.WaitFor;
+import org.pendant.controller.program.script.GeneratedScript;
+import org.pendant.controller.program.script.ScriptGenerator;
+import org.pendant.language.source.Source;
+
+/** A tree that was started at a node, while people see the script of all of it. */
+final class PartialRunTest {
+  private static final long FIRST = 2;
+  private static final long SECOND = 3;
+  private static final long WAIT = 4;
+
+  private static final ProgramTree TREE =
+      new ProgramTree("", Map.of(), List.of(), 1)
+          .insert(
+              ProgramTree.ROOT,
+              0,
+              List.of(
+                  node(
+                      new Section.MainProgram(true),
+                      assign("first"),
+                      assign("second"),
+                      node(new ActionStep.Wait(new WaitFor.Time(0.1))))));
+
+  private static final GeneratedScript WHOLE =
+      ScriptGenerator.generate("test", TREE, Installation.NONE);
+  private static final GeneratedScript PART =
+      ScriptGenerator.generateFrom("test", TREE, SECOND, Installation.NONE);
+
+  private final DebugFixture fixture =
+      new DebugFixture(WHOLE.text().lines().toArray(String[]::new));
+  private final DebugPresenter debug = fixture.debug();
+
+  private static ProgramNode assign(String name) {
+    return node(new ActionStep.Assignment(name, "1"));
+  }
+
+  private static int line(long key) {
+    return WHOLE.of(key).orElseThrow().first();
+  }
+
+  private static RunScript part(int turnLine) {
+    return new RunScript(
+        Source.of("test", PART.text()), RunLines.between(PART, WHOLE), turnLine, 1);
+  }
+
+  @Test
+  void linesBelongToTheSameNode() {
+    RunLines lines = RunLines.between(PART, WHOLE);
+    List<Integer> first = lines.toRun(line(FIRST));
+    List<Integer> second = lines.toRun(line(SECOND));
+    assertEquals(1, first.size());
+    assertEquals(2, second.size());
+    assertTrue(second.getFirst() < first.getFirst());
+    second.forEach(each -> assertEquals(line(SECOND), lines.toShown(each)));
+    assertEquals(0, lines.toShown(0));
+  }
+
+  @Test
+  void aBreakpointHoldsInTheFirstTurnAndInTheOthers() {
+    fixture.breakAt(line(SECOND));
+    fixture.run(part(0));
+    assertEquals(line(SECOND), fixture.execution().line());
+    debug.steps().resume();
+    fixture.advance();
+    assertTrue(debug.held());
+    assertEquals(line(SECOND), fixture.execution().line());
+    assertEquals(
+        2, debug.breakpoints().state(debug.breakpoints().all().getFirst()).orElseThrow().hits());
+  }
+
+  @Test
+  void theMarkerIsAtTheNodeThatRuns() {
+    fixture.breakAt(line(FIRST));
+    fixture.run(part(0));
+    assertEquals(line(FIRST), fixture.execution().line());
+    debug.steps().over();
+    fixture.advance();
+    assertEquals(line(SECOND), fixture.execution().line());
+  }
+
+  @Test
+  void runsToTheNextOfSeveralPlaces() {
+    fixture.breakAt(line(FIRST));
+    fixture.run(part(0));
+    debug.steps().runTo(line(WAIT));
+    fixture.advance();
+    assertEquals(line(WAIT), fixture.execution().line());
+  }
+
+  @Test
+  void turnsAreCountedWithoutStopping() {
+    int first = PART.of(FIRST).orElseThrow().first();
+    fixture.start(part(first - 1));
+    fixture.frames(130);
+    assertFalse(debug.held());
+    debug.breakpoints().lookAtTurns();
+    // One of its own, then one each 0.1 s.
+    assertEquals(OptionalLong.of(3), debug.breakpoints().turns());
+    assertEquals(List.of(), debug.breakpoints().all());
+  }
+}

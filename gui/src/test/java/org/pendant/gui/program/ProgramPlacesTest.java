@@ -1,0 +1,36 @@
+package org.pendant.gui.program;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.pendant.gui.program.Trees.move;
+import static org.pendant.gui.program.Trees.place;
+import static org.pendant.gui.program.Trees.waypoint;
+
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.program.ProgramTree;
+import org.pendant.gui.scene.Waymarks;
+
+final class ProgramPlacesTest {
+  /** Keys: move 2, A 3, B 4, A 5. */
+  private final ProgramTree tree =
+      Trees.of(move(waypoint("A"), waypoint("B"), waypoint("A"), waypoint("untaught")))
+          .withWaypoint("A", place(1))
+          .withWaypoint("B", place(2));
+
+  @Test
+  void eachPlaceIsMarkedOnceAndGoneToInOrder() {
+    Waymarks marks = ProgramPlaces.of(tree, Installation.NONE, Set.of(4L));
+    assertEquals(List.of("A", "B"), marks.marks().stream().map(Waymarks.Mark::name).toList());
+    assertEquals(List.of(List.of(0, 1, 0)), marks.ways());
+    assertEquals(List.of(false, true), marks.marks().stream().map(Waymarks.Mark::chosen).toList());
+  }
+
+  @Test
+  void suppressedNodesAreNotGoneTo() {
+    ProgramTree less = tree.withNode(4, node -> node.withSuppressed(true));
+    assertEquals(
+        List.of(List.of(0, 0)), ProgramPlaces.of(less, Installation.NONE, Set.of()).ways());
+  }
+}

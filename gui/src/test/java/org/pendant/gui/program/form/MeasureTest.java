@@ -1,0 +1,52 @@
+package org.pendant.gui.program.form;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import org.junit.jupiter.api.Test;
+
+final class MeasureTest {
+  @Test
+  void writesWithoutNeedlessDecimals() {
+    assertEquals("60", Measure.DEGREE_PER_S.text(Math.toRadians(60)));
+    assertEquals("12.5", Measure.MILLIMETRE.text(0.0125));
+    assertEquals("0", Measure.MILLIMETRE.text(-1e-9));
+    assertEquals("100 N", Measure.NEWTON.words(100));
+  }
+
+  @Test
+  void readsPointsCommasAndUnits() {
+    assertEquals(0.0125, Measure.MILLIMETRE.parse("12,5"), 1e-12);
+    assertEquals(0.0125, Measure.MILLIMETRE.parse(" 12.5 mm "), 1e-12);
+    assertEquals(Math.PI, Measure.DEGREE.parse("180\u00b0"), 1e-12);
+    assertEquals(1.2, Measure.MILLIMETRE_PER_S2.parse("1200 mm/s2"), 1e-12);
+  }
+
+  @Test
+  void refusesOtherUnits() {
+    assertEquals(
+        "unit is 's', must be mm",
+        assertThrows(IllegalArgumentException.class, () -> Measure.MILLIMETRE.parse("1 s"))
+            .getMessage());
+  }
+
+  @Test
+  void countsAreWhole() {
+    assertEquals(3, Measure.COUNT.parse("3"));
+    assertEquals(
+        "'2.5' is not a whole number",
+        assertThrows(IllegalArgumentException.class, () -> Measure.COUNT.parse("2.5"))
+            .getMessage());
+  }
+
+  @Test
+  void rangesSayWhatIsLegal() {
+    assertEquals("", Range.upTo(0.25).refusal(0.25, Measure.MILLIMETRE_PER_S));
+    assertEquals(
+        "must be above 0 and at most 250 mm/s",
+        Range.upTo(0.25).refusal(0, Measure.MILLIMETRE_PER_S));
+    assertEquals("must be 0 s or more", Range.FROM_ZERO.refusal(-1, Measure.SECOND));
+    assertEquals("must be 1 to 5", Range.of(1, 5).refusal(6, Measure.COUNT));
+    assertEquals("must be above 0 s", Range.ABOVE_ZERO.refusal(Double.NaN, Measure.SECOND));
+  }
+}
