@@ -122,6 +122,9 @@ final class Shots {
 
   private void tree(String theme) throws IOException {
     window.open(examples.resolve("stack_boxes.pendant"));
+    window.awaitWords("notices", "stack_boxes.pinst");
+    window.clickText("notices", "Open it");
+    window.awaitHidden("notices");
     window.click("rail-program");
     window.clickRow("program-tree", "Feeder");
     shoot("program", theme);

@@ -5,10 +5,12 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.pendant.controller.debug.Breakpoint;
@@ -36,6 +38,7 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
   private final Consumer<String> tell;
   private int seenCaret;
   private Optional<ProgramDocument> seenIn = Optional.empty();
+  private Function<ProgramDocument, OptionalInt> past = document -> OptionalInt.empty();
 
   /** Links trees with {@code editor}, which shows their scripts. */
   public ScriptLink(ScriptEditor editor, DebugPresenter debug, Consumer<String> tell) {
@@ -55,6 +58,15 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
         program.document(), now.text(), line -> breakpoints.moved(before, now, line));
     breakpoints.follow(before, now, lines);
     seenCaret = editor.caretLine();
+  }
+
+  /**
+   * Has the tree show the moment that people look at.
+   *
+   * @param line of the script of a program at that moment, 0 where it did not run; empty for now
+   */
+  public void setPast(Function<ProgramDocument, OptionalInt> line) {
+    past = line;
   }
 
   // --- breakpoints
@@ -94,6 +106,11 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
       boolean conditional = !each.condition().isEmpty() || each.fromHit() > 1;
       LineIcon.Dot dot = new LineIcon.Dot(each.enabled(), conditional, LineIcon.Reach.HERE);
       program.breakpoints().nodes(script, each.line()).forEach(key -> dots.put(key, dot));
+    }
+    OptionalInt then = past.apply(program.document());
+    if (then.isPresent()) {
+      long key = key(script, then.getAsInt());
+      return new TreeMarks(dots, key, Execution.State.RUNNING, "", Set.of());
     }
     boolean started = debug.breakpoints().started().filter(program.document()::equals).isPresent();
     if (!started) {

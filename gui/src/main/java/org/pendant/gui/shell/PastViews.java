@@ -4,6 +4,7 @@ import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.Set;
 import org.pendant.controller.installation.InstallationVariable;
@@ -155,6 +156,17 @@ final class PastViews {
         document -> editor.setExecution(document, Execution.running(past.program().line())));
     banner.refresh(ran.isPresent() && open.isEmpty());
     return true;
+  }
+
+  /** The line of an open program at the moment that people look at; 0 for none, empty for now. */
+  OptionalInt line(ProgramDocument document) {
+    if (!lookBack.back()) {
+      return OptionalInt.empty();
+    }
+    return OptionalInt.of(
+        marked.filter(document::equals).isPresent()
+            ? lookBack.past().map(state -> state.program().line()).orElse(0)
+            : 0);
   }
 
   private void unmark() {

@@ -181,6 +181,7 @@ final class Views {
         new TreePrograms(
             programs, installation, work -> worker.run(0, work), EventQueue::invokeLater);
     ScriptLink scripts = new ScriptLink(editor, debug, workbench::notify);
+    scripts.setPast(past::line);
     trees.setSink(scripts);
     runs = new TreeRuns(trees, scripts);
     return new ProgramView(workbench, programs, trees, scripts, move::teach, scene::show);
