@@ -73,7 +73,7 @@ final class KilledWindowTest {
     return (int) text.chars().filter(each -> each == ' ').count();
   }
 
-  /** Types numbers from 0; gives back when each was there, ms. */
+  /** Types numbers from 0; gives back when each was on the screen, ms. */
   private List<Long> typeAndKill(Path own, double lifeS) throws IOException {
     List<Long> typedMs = new ArrayList<>();
     try (OpenWindow window = OpenWindow.open(display, own)) {
@@ -84,7 +84,10 @@ final class KilledWindowTest {
       window.awaitFocus("form-comment-text");
       long startNs = System.nanoTime();
       while (System.nanoTime() - startNs < lifeS * 1e9) {
-        window.type(typedMs.size() + " ");
+        String number = typedMs.size() + " ";
+        window.type(number);
+        // What people have seen on the screen is what they can lose.
+        window.awaitWords("form-comment-text", number);
         typedMs.add(System.nanoTime() / 1_000_000);
       }
       window.kill();
