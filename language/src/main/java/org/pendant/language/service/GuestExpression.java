@@ -88,8 +88,16 @@ public final class GuestExpression {
         found.code(),
         found.severity(),
         new SourceRange(from, to),
-        found.message(),
+        found.range().start() < start + length ? found.message() : atEnd(found.message()),
         found.wireText());
+  }
+
+  /**
+   * What a fault behind the last character of an expression is called: the bracket that was found
+   * there is none of those that were typed.
+   */
+  public static String atEnd(String message) {
+    return message.replace("unexpected `)`", "unexpected end of the expression");
   }
 
   /** Whatever would end the condition that it is put into, or is no expression at all. */

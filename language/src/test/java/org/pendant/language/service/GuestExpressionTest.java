@@ -54,6 +54,16 @@ final class GuestExpressionTest {
   }
 
   @Test
+  void whatIsNotFinishedIsNotBlamedOnABracketThatNobodyTyped() {
+    assertEquals(
+        "unexpected end of the expression: expected a value",
+        guest(PROGRAM, 8, "count >").problem().orElseThrow().message());
+    assertEquals(
+        "unexpected `)`: expected a value",
+        guest(PROGRAM, 8, "weigh(2 + )").problem().orElseThrow().message());
+  }
+
+  @Test
   void faultsOfTheTextAroundAreNotItsOwn() {
     String broken = PROGRAM.replace("weigh(1)", "unknown(1)");
     assertTrue(guest(broken, 5, "doubled > 4").problem().isEmpty());

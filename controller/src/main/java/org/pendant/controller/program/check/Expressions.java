@@ -128,7 +128,8 @@ final class Expressions {
   static String located(String text, String bytes, int offset, String message) {
     int within = Math.clamp(offset, 0, bytes.length());
     int column = ByteText.decoded(bytes.substring(0, within)).length() + 1;
-    String about = ByteText.decoded(message);
+    String about =
+        ByteText.decoded(offset < bytes.length() ? message : GuestExpression.atEnd(message));
     return text.length() > 1 ? "column " + column + ": " + about : about;
   }
 }
