@@ -54,12 +54,19 @@ record Form(String kind, String title, String about, List<Part> parts) {
     return items().filter(each -> each.name().equals(name)).findFirst();
   }
 
-  /** The item where a problem with a component of the step is shown. */
+  /**
+   * The item where a problem with a component of the step is shown: the only field of what was
+   * chosen for it, otherwise where it is chosen.
+   */
   Optional<Item> itemFor(String component) {
+    Predicate<String> inner = name -> name.matches(Pattern.quote(component) + "\\.\\D.*");
+    List<Item> fields =
+        items().filter(Form::hasValue).filter(each -> inner.test(each.name())).limit(2).toList();
+    if (fields.size() == 1) {
+      return Optional.of(fields.getFirst());
+    }
     return Stream.<Predicate<String>>of(
-            name -> name.equals(component),
-            name -> name.endsWith("." + component),
-            name -> name.matches(Pattern.quote(component) + "\\.\\D.*"))
+            name -> name.equals(component), name -> name.endsWith("." + component), inner)
         .flatMap(
             test -> items().filter(Form::hasValue).filter(each -> test.test(each.name())).limit(1))
         .findFirst();

@@ -306,9 +306,19 @@ final class FormPresenterTest {
     host.addProblem(new NodeProblem(key, "what", "the condition is missing"));
     host.addProblem(new NodeProblem(key, "", "it is in the wrong place"));
     Form form = presenter.form().orElseThrow();
-    assertEquals("the condition is missing", presenter.problem(form, "what"));
-    assertEquals("", presenter.problem(form, "what.condition"));
+    assertEquals("the condition is missing", presenter.problem(form, "what.condition"));
+    assertEquals("", presenter.problem(form, "what"));
     assertEquals(List.of("it is in the wrong place"), presenter.problems(form));
+  }
+
+  @Test
+  void aProblemThatMayBeAboutSeveralFieldsStandsWhereTheyWereChosen() {
+    open(node(new ActionStep.Wait(new WaitFor.Analog("analog_in[7]", true, 2))));
+    long key = presenter.key().getAsLong();
+    host.addProblem(new NodeProblem(key, "what", "there is no analog_in[7]"));
+    Form form = presenter.form().orElseThrow();
+    assertEquals("there is no analog_in[7]", presenter.problem(form, "what"));
+    assertEquals("", presenter.problem(form, "what.signal"));
   }
 
   @Test
