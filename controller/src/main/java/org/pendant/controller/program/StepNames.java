@@ -1,9 +1,12 @@
 package org.pendant.controller.program;
 
 import java.util.Locale;
+import java.util.function.UnaryOperator;
+import java.util.regex.Pattern;
 
 /** What a node is called, in one line: in the tree and in the labels of the script. */
 public final class StepNames {
+  private static final Pattern BLANKS = Pattern.compile("\\s+");
   private static final String UNNAMED = "?";
 
   private StepNames() {}
@@ -15,14 +18,23 @@ public final class StepNames {
 
   /** The line for a step. */
   public static String label(Step step) {
-    return text(step).replaceAll("\\s+", " ");
+    return label(step, signal -> signal);
   }
 
-  private static String text(Step step) {
+  /**
+   * The line for a step as screens show it.
+   *
+   * @param signals what people call a signal
+   */
+  public static String label(Step step, UnaryOperator<String> signals) {
+    return BLANKS.matcher(text(step, signals)).replaceAll(" ");
+  }
+
+  private static String text(Step step, UnaryOperator<String> signals) {
     return switch (step) {
       case Section each -> section(each);
-      case MotionStep each -> motion(each);
-      case ActionStep each -> action(each);
+      case MotionStep each -> motion(each, signals);
+      case ActionStep each -> action(each, signals);
       case FlowStep each -> flow(each);
       case TemplateStep each -> template(each);
       case ForeignStep each -> foreign(each);
@@ -40,13 +52,13 @@ public final class StepNames {
     };
   }
 
-  private static String motion(MotionStep motion) {
+  private static String motion(MotionStep motion, UnaryOperator<String> signals) {
     return switch (motion) {
       case MotionStep.Move move -> move(move.kind());
       case MotionStep.Waypoint waypoint -> waypoint(waypoint.target());
       case MotionStep.CircleMove _ -> "CircleMove";
       case MotionStep.Direction direction -> "Direction: " + direction(direction);
-      case MotionStep.Until until -> "Until " + until(until.rule());
+      case MotionStep.Until until -> "Until " + until(until.rule(), signals);
       case MotionStep.Home _ -> "Home";
     };
   }
@@ -85,19 +97,19 @@ public final class StepNames {
     return name(direction.feature()) + " " + way;
   }
 
-  private static String until(UntilRule rule) {
+  private static String until(UntilRule rule, UnaryOperator<String> signals) {
     return switch (rule) {
       case UntilRule.Distance distance -> "distance: " + number(distance.distanceM()) + " m";
       case UntilRule.Contact _ -> "tool contact";
       case UntilRule.Expression expression -> condition(expression.condition());
-      case UntilRule.DigitalInput input -> level(input.signal(), input.level());
+      case UntilRule.DigitalInput input -> level(signals.apply(input.signal()), input.level());
     };
   }
 
-  private static String action(ActionStep action) {
+  private static String action(ActionStep action, UnaryOperator<String> signals) {
     return switch (action) {
-      case ActionStep.Wait wait -> wait(wait.what());
-      case ActionStep.SetAction set -> setting(set.setting());
+      case ActionStep.Wait wait -> wait(wait.what(), signals);
+      case ActionStep.SetAction set -> setting(set.setting(), signals);
       case ActionStep.Popup popup -> "Popup: " + popup.text();
       case ActionStep.Halt _ -> "Halt";
       case ActionStep.Comment comment -> "'" + comment.text() + "'";
@@ -113,30 +125,35 @@ public final class StepNames {
     };
   }
 
-  private static String wait(WaitFor what) {
+  private static String wait(WaitFor what, UnaryOperator<String> signals) {
     return switch (what) {
       case WaitFor.Nothing _ -> "Wait";
       case WaitFor.Time time -> "Wait: " + number(time.timeS());
-      case WaitFor.Digital digital -> "Wait " + level(digital.signal(), digital.level());
+      case WaitFor.Digital digital ->
+          "Wait " + level(signals.apply(digital.signal()), digital.level());
       case WaitFor.Analog analog ->
           "Wait "
-              + name(analog.signal())
+              + name(signals.apply(analog.signal()))
               + (analog.above() ? " > " : " < ")
               + number(analog.value());
       case WaitFor.Expression expression -> "Wait " + condition(expression.condition());
     };
   }
 
-  private static String setting(Setting setting) {
+  private static String setting(Setting setting, UnaryOperator<String> signals) {
     return switch (setting) {
       case Setting.Nothing _ -> "Set";
       case Setting.Digital digital ->
-          "Set " + name(digital.signal()) + " = " + (digital.level() ? "On" : "Off");
-      case Setting.Analog analog -> "Set " + name(analog.signal()) + " = " + number(analog.value());
+          "Set " + name(signals.apply(digital.signal())) + " = " + (digital.level() ? "On" : "Off");
+      case Setting.Analog analog ->
+          "Set " + name(signals.apply(analog.signal())) + " = " + number(analog.value());
       case Setting.Pulse pulse ->
-          "Set " + name(pulse.signal()) + ": pulse " + number(pulse.timeS());
+          "Set " + name(signals.apply(pulse.signal())) + ": pulse " + number(pulse.timeS());
       case Setting.Expression expression ->
-          "Set " + name(expression.signal()) + " = " + condition(expression.expression());
+          "Set "
+              + name(signals.apply(expression.signal()))
+              + " = "
+              + condition(expression.expression());
       case Setting.NamedPayload payload -> "Set payload: " + name(payload.name());
       case Setting.Payload payload -> "Set payload: " + number(payload.massKg()) + " kg";
       case Setting.Tcp tcp -> tcp.name().isEmpty() ? "Set TCP" : "Set TCP: " + tcp.name();

@@ -84,4 +84,18 @@ final class StepNamesTest {
         "Set payload: 1.5 kg", new ActionStep.SetAction(new Setting.Payload(1.5, 0, 0, 0)));
     assertCalled("Grip: Acme", new ForeignStep.Contributed("Acme", "Grip", List.of(), List.of()));
   }
+
+  @Test
+  void signalsAreCalledByTheirNamesWherePeopleRead() {
+    Step wait = new ActionStep.Wait(new WaitFor.Digital("digital_in[0]", true));
+    Step pulse = new ActionStep.SetAction(new Setting.Pulse("digital_out[3]", 0.5));
+    Step until = new MotionStep.Until(new UntilRule.DigitalInput("digital_in[0]", true));
+    assertEquals("Wait <digital_in[0]> \u225f True", StepNames.label(wait, StepNamesTest::named));
+    assertEquals("Set <digital_out[3]>: pulse 0.5", StepNames.label(pulse, StepNamesTest::named));
+    assertEquals("Until <digital_in[0]> \u225f True", StepNames.label(until, StepNamesTest::named));
+  }
+
+  private static String named(String signal) {
+    return "<" + signal + ">";
+  }
 }

@@ -16,6 +16,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
+import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.check.NodeProblem;
 import org.pendant.gui.workbench.Palette;
 
@@ -77,6 +78,9 @@ final class IncompleteBar extends JPanel {
   }
 
   void show(List<NodeProblem> problems) {
+    // All lines are as high as one: otherwise each change of a long program would look at all.
+    list.setPrototypeCellValue(null);
+    list.setPrototypeCellValue(new NodeProblem(ProgramTree.ROOT, "", ""));
     list.setListData(problems.toArray(new NodeProblem[0]));
     list.setVisibleRowCount(Math.clamp(problems.size(), 1, MOST_ROWS));
     heading.setText(

@@ -36,6 +36,12 @@ final class PalettePanel extends JPanel {
   private final transient Mouse mouse = new Mouse();
   private final JList<Entry> list =
       new JList<>() {
+        // Names that are too long for the palette end in an ellipsis.
+        @Override
+        public boolean getScrollableTracksViewportWidth() {
+          return true;
+        }
+
         // A drag takes a node along and selects no others.
         @Override
         protected void processMouseMotionEvent(MouseEvent event) {

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
@@ -196,6 +197,7 @@ public final class ProgramView implements View {
   }
 
   private void showChecked() {
+    list.setSignals(signals());
     program.ifPresent(
         shown -> {
           Map<Long, List<NodeProblem>> problems = new HashMap<>();
@@ -348,7 +350,11 @@ public final class ProgramView implements View {
   }
 
   private String label(long key) {
-    return host.tree().find(key).map(StepNames::label).orElse("");
+    return host.tree().find(key).map(node -> StepNames.label(node.step(), signals())).orElse("");
+  }
+
+  private UnaryOperator<String> signals() {
+    return new CalledSignals(host.installation())::of;
   }
 
   /** Selects a node and puts the keys into the field that has to be changed. */
@@ -407,7 +413,7 @@ public final class ProgramView implements View {
   }
 
   private void searched(String wanted) {
-    List<Long> matches = TreeSearch.matches(host.tree(), wanted);
+    List<Long> matches = TreeSearch.matches(host.tree(), wanted, signals());
     list.setFound(matches);
     pane.search().showCount(matches.size());
   }
@@ -418,7 +424,7 @@ public final class ProgramView implements View {
   }
 
   void findNext(boolean forward) {
-    List<Long> matches = TreeSearch.matches(host.tree(), pane.search().wanted());
+    List<Long> matches = TreeSearch.matches(host.tree(), pane.search().wanted(), signals());
     TreeSearch.next(host.tree(), matches, list.lead().orElse(0), forward).ifPresent(list::select);
   }
 

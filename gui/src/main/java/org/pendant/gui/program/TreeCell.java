@@ -46,6 +46,9 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
     List<NodeProblem> problems(long key);
 
     boolean found(long key);
+
+    /** What people call a node. */
+    String label(TreeRow row);
   }
 
   TreeCell(TreeLooks looks) {
@@ -100,7 +103,7 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
   /** What a screen reader says. */
   private String spoken(TreeRow shown) {
     StringBuilder text = new StringBuilder();
-    text.append("Line ").append(shown.number()).append(", ").append(shown.label());
+    text.append("Line ").append(shown.number()).append(", ").append(looks.label(shown));
     text.append(", level ").append(shown.depth() + 1);
     if (shown.hasChildren()) {
       text.append(shown.folded() ? ", folded" : ", unfolded");
@@ -233,7 +236,7 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
       paintIncomplete(
           pen, right + UIScale.scale(GAP), middle(size), selected ? color : Palette.warning());
     }
-    String label = clipped(shown.label(), metrics, right - x);
+    String label = clipped(looks.label(shown), metrics, right - x);
     pen.setFont(getFont());
     pen.setColor(incomplete && !selected ? Palette.warning() : color);
     pen.drawString(label, x, baseline(metrics));

@@ -19,6 +19,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import javax.swing.JList;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
@@ -41,6 +42,7 @@ final class TreeList extends JList<TreeRow> {
   private transient TreeMarks shownMarks = TreeMarks.NONE;
   private transient Map<Long, List<NodeProblem>> problems = Map.of();
   private transient Set<Long> found = Set.of();
+  private transient UnaryOperator<String> signals = signal -> signal;
   private transient Optional<DropSpots.Target> drop = Optional.empty();
   private boolean dropCopies;
   private int digits = 2;
@@ -192,6 +194,12 @@ final class TreeList extends JList<TreeRow> {
 
   void setProblems(Map<Long, List<NodeProblem>> wanted) {
     problems = wanted;
+    repaint();
+  }
+
+  /** Has signals called so. */
+  void setSignals(UnaryOperator<String> names) {
+    signals = names;
     repaint();
   }
 
@@ -402,7 +410,7 @@ final class TreeList extends JList<TreeRow> {
           : "Click to set or clear a breakpoint (F9)";
     }
     List<NodeProblem> wrong = problems.getOrDefault(row.get().key(), List.of());
-    return wrong.isEmpty() ? row.get().label() : wrong.getFirst().message();
+    return wrong.isEmpty() ? row.get().label(signals) : wrong.getFirst().message();
   }
 
   // --- drops
@@ -469,6 +477,11 @@ final class TreeList extends JList<TreeRow> {
     @Override
     public boolean found(long key) {
       return found.contains(key);
+    }
+
+    @Override
+    public String label(TreeRow row) {
+      return row.label(signals);
     }
   }
 }

@@ -3,6 +3,7 @@ package org.pendant.gui.program;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.StepNames;
@@ -51,13 +52,13 @@ record TreeRow(ProgramNode node, int number, int depth, boolean off, boolean fol
     return !node.children().isEmpty();
   }
 
-  /** What people read. */
-  String label() {
-    return StepNames.label(node);
+  /** What people read, with signals called as the installation calls them. */
+  String label(UnaryOperator<String> signals) {
+    return StepNames.label(node.step(), signals);
   }
 
   @Override
   public String toString() {
-    return number + " " + label() + (off ? ", suppressed" : "");
+    return number + " " + StepNames.label(node) + (off ? ", suppressed" : "");
   }
 }

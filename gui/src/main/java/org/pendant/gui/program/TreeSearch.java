@@ -3,6 +3,7 @@ package org.pendant.gui.program;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalLong;
+import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
@@ -14,21 +15,30 @@ final class TreeSearch {
 
   private TreeSearch() {}
 
-  /** The keys of nodes that have a text in their label or their values, in order. */
-  static List<Long> matches(ProgramTree tree, String text) {
+  /**
+   * The keys of nodes that have a text in their label or their values, in order.
+   *
+   * @param signals what people call a signal
+   */
+  static List<Long> matches(ProgramTree tree, String text, UnaryOperator<String> signals) {
     String wanted = text.strip().toLowerCase(Locale.ROOT);
     if (wanted.isEmpty()) {
       return List.of();
     }
     return tree.nodes().stream()
-        .filter(each -> matches(each, wanted))
+        .filter(each -> matches(each, wanted, signals))
         .map(ProgramNode::key)
         .toList();
   }
 
-  private static boolean matches(ProgramNode node, String wanted) {
-    return StepNames.label(node).toLowerCase(Locale.ROOT).contains(wanted)
-        || values(node).toLowerCase(Locale.ROOT).contains(wanted);
+  private static boolean matches(ProgramNode node, String wanted, UnaryOperator<String> signals) {
+    return contains(StepNames.label(node.step(), signals), wanted)
+        || contains(StepNames.label(node), wanted)
+        || contains(values(node), wanted);
+  }
+
+  private static boolean contains(String text, String wanted) {
+    return text.toLowerCase(Locale.ROOT).contains(wanted);
   }
 
   /** What stands in the fields, without the names of the fields. */

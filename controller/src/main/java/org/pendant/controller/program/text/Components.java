@@ -6,6 +6,14 @@ import java.util.Arrays;
 
 /** Takes records apart and puts them together. */
 final class Components {
+  private static final ClassValue<Boolean> USUAL =
+      new ClassValue<>() {
+        @Override
+        protected Boolean computeValue(Class<?> variant) {
+          return usual(variant.getInterfaces()[0]) == variant;
+        }
+      };
+
   private Components() {}
 
   /** The value of one component. */
@@ -32,8 +40,7 @@ final class Components {
 
   /** Whether a variant is the one that needs not be written: the first, without components. */
   static boolean usual(Record variant) {
-    Class<?> family = variant.getClass().getInterfaces()[0];
-    return usual(family) == variant.getClass();
+    return USUAL.get(variant.getClass());
   }
 
   /** The variant that is meant where none is written; null if one must be. */

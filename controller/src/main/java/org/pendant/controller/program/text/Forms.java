@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.pendant.controller.program.Section;
 import org.pendant.controller.program.Step;
@@ -22,7 +23,47 @@ final class Forms {
   private static final Map<String, String> SHORT =
       Map.of("main-program", "main", "thread-section", "thread", "set-action", "set");
 
+  /** Where a word of a name in the language ends and the next one begins. */
+  private static final Pattern BETWEEN_WORDS =
+      Pattern.compile("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])");
+
+  // Programs are written at each key that somebody presses: what follows from a class is kept.
+  private static final ClassValue<String> WORDS =
+      new ClassValue<>() {
+        @Override
+        protected String computeValue(Class<?> record) {
+          String kebab = kebab(record.getSimpleName());
+          return SHORT.getOrDefault(kebab, kebab);
+        }
+      };
+
+  private static final ClassValue<List<Field>> FIELDS =
+      new ClassValue<>() {
+        @Override
+        protected List<Field> computeValue(Class<?> record) {
+          return Arrays.stream(record.getRecordComponents())
+              .map(each -> new Field(each, kebab(each.getName()), block(each)))
+              .toList();
+        }
+      };
+
+  private static final ClassValue<List<Class<? extends Record>>> VARIANTS =
+      new ClassValue<>() {
+        @Override
+        protected List<Class<? extends Record>> computeValue(Class<?> family) {
+          return leaves(family).toList();
+        }
+      };
+
   private static final Map<String, Class<? extends Record>> STEPS = steps();
+
+  /**
+   * A component of a record.
+   *
+   * @param key before its value
+   * @param block whether it stands in lines below the node
+   */
+  record Field(RecordComponent component, String key, boolean block) {}
 
   private Forms() {}
 
@@ -38,6 +79,11 @@ final class Forms {
         .flatMap(each -> each.isSealed() ? leaves(each) : Stream.of(each.asSubclass(Record.class)));
   }
 
+  /** The same as a list. */
+  static List<Class<? extends Record>> variants(Class<?> family) {
+    return VARIANTS.get(family);
+  }
+
   /** All words that can begin the line of a node. */
   static List<String> words() {
     return List.copyOf(STEPS.keySet());
@@ -50,14 +96,17 @@ final class Forms {
 
   /** The word that begins the line of a step, or names a variant. */
   static String word(Class<?> record) {
-    String kebab = kebab(record.getSimpleName());
-    return SHORT.getOrDefault(kebab, kebab);
+    return WORDS.get(record);
+  }
+
+  /** The components of a record, in order. */
+  static List<Field> fields(Class<?> record) {
+    return FIELDS.get(record);
   }
 
   /** A name of the language as a word: {@code blendRadiusM} becomes {@code blend-radius-m}. */
   static String kebab(String name) {
-    return name.replaceAll("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "-")
-        .toLowerCase(Locale.ROOT);
+    return BETWEEN_WORDS.matcher(name).replaceAll("-").toLowerCase(Locale.ROOT);
   }
 
   /** The word of a constant. */

@@ -113,7 +113,7 @@ final class StepReader {
     if (value == null && usual != null) {
       return Components.make(usual.asSubclass(Record.class));
     }
-    List<Class<? extends Record>> variants = Forms.leaves(family).toList();
+    List<Class<? extends Record>> variants = Forms.variants(family);
     String word = word(key, required(key, value));
     for (Class<? extends Record> each : variants) {
       if (Forms.word(each).equals(word)) {

@@ -1,6 +1,5 @@
 package org.pendant.controller.program.text;
 
-import java.lang.reflect.RecordComponent;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.pendant.controller.program.Section.InitialValue;
@@ -23,9 +22,9 @@ final class StepWriter {
   }
 
   private void fields(Record of) {
-    for (RecordComponent component : of.getClass().getRecordComponents()) {
-      if (!Forms.block(component)) {
-        field(Forms.kebab(component.getName()), Components.get(of, component));
+    for (Forms.Field each : Forms.fields(of.getClass())) {
+      if (!each.block()) {
+        field(each.key(), Components.get(of, each.component()));
       }
     }
   }
@@ -98,10 +97,10 @@ final class StepWriter {
 
   /** Appends the lines below the line of the node, each with {@code indent} before it. */
   void blocks(Step step, String indent) {
-    for (RecordComponent component : step.getClass().getRecordComponents()) {
-      if (Forms.block(component)) {
-        for (Object each : (List<?>) Components.get((Record) step, component)) {
-          out.append(indent).append(Forms.mark(component));
+    for (Forms.Field field : Forms.fields(step.getClass())) {
+      if (field.block()) {
+        for (Object each : (List<?>) Components.get((Record) step, field.component())) {
+          out.append(indent).append(Forms.mark(field.component()));
           blockLine(each);
           out.append('\n');
         }

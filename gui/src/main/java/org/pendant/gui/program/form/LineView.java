@@ -2,6 +2,7 @@ package org.pendant.gui.program.form;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -11,6 +12,7 @@ import org.pendant.gui.layout.WrappingRow;
 /** Several controls beside each other; those of fixed width wrap where it is narrow. */
 final class LineView implements FieldView {
   private final JPanel row;
+  private final Optional<JComponent> lead;
   private final List<FieldView> views = new ArrayList<>();
 
   LineView(FieldViews views, Item.Line line) {
@@ -26,6 +28,9 @@ final class LineView implements FieldView {
     for (Item each : line.items()) {
       FieldView view = view(views, each);
       this.views.add(view);
+      if (leads(line, each)) {
+        continue;
+      }
       JComponent shown =
           each instanceof Item.Quantity && !each.label().isEmpty()
               ? labelled(each.label(), view)
@@ -36,6 +41,16 @@ final class LineView implements FieldView {
         row.add(shown);
       }
     }
+    lead =
+        leads(line, line.items().getFirst())
+            ? Optional.of(this.views.getFirst().component())
+            : Optional.empty();
+  }
+
+  /** Whether an item is a check that stands before all others. */
+  @SuppressWarnings("ReferenceEquality") // the same item, not one that is like it
+  private static boolean leads(Item.Line line, Item item) {
+    return item instanceof Item.Check && line.items().getFirst() == item;
   }
 
   /** Made for a line: nothing wraps in it. */
@@ -50,8 +65,8 @@ final class LineView implements FieldView {
 
   private static String width(Item item) {
     return switch (item) {
-      case Item.Expression _ -> ", wmin 40, growx, pushx 200";
-      case Item.Text _ -> ", wmin 40, growx, pushx 100";
+      case Item.Expression _ -> ", w 40:150, growx, pushx 200";
+      case Item.Text _ -> ", w 70:110, growx, pushx 100";
       case Item.Presses _ -> ", wmin pref";
       case Item.Quantity _,
           Item.Prose _,
@@ -74,6 +89,11 @@ final class LineView implements FieldView {
     both.add(label);
     both.add(view.component());
     return both;
+  }
+
+  /** The check that stands before the others, in the column of the labels. */
+  Optional<JComponent> lead() {
+    return lead;
   }
 
   /** The views of its items, in their order. */

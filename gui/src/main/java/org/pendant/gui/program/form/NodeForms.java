@@ -259,7 +259,11 @@ public final class NodeForms {
           Item.Choice _,
           Item.Presses _,
           Item.Line _ -> {
-        if (item.label().isEmpty()) {
+        Optional<JComponent> lead = view instanceof LineView line ? line.lead() : Optional.empty();
+        if (lead.isPresent()) {
+          card.add(lead.get(), "aligny top, hmin " + view.component().getPreferredSize().height);
+          card.add(view.component(), "growx, wmin 0");
+        } else if (item.label().isEmpty()) {
           card.add(view.component(), "span, growx, wmin 0");
         } else {
           card.add(new FormLabel(item.label(), view.focus()), "aligny top");

@@ -158,19 +158,24 @@ final class PalletizingForm {
   }
 
   private static void corners(FormBuilder form, Palletizing step, Pattern pattern) {
-    form.part(pattern instanceof Pattern.Places ? "Places" : "Corners");
+    form.part(
+        switch (pattern) {
+          case Pattern.Line _ -> "Ends";
+          case Pattern.Square _, Pattern.Box _ -> "Corners";
+          case Pattern.Places _ -> "Places";
+        });
     switch (pattern) {
       case Pattern.Line line -> {
         corner(
             form,
             "pattern.first",
-            "First",
+            "1, first",
             line.first(),
             (_, name) -> with(step, new Pattern.Line(name, line.last(), line.count())));
         corner(
             form,
             "pattern.last",
-            "Last",
+            "2, last",
             line.last(),
             (_, name) -> with(step, new Pattern.Line(line.first(), name, line.count())));
       }
@@ -181,7 +186,7 @@ final class PalletizingForm {
           corner(
               form,
               "pattern.corners." + i,
-              (i + 1) + ". corner",
+              "Corner " + (i + 1),
               corners.get(i),
               (_, name) ->
                   with(
@@ -197,7 +202,7 @@ final class PalletizingForm {
           corner(
               form,
               "pattern.corners." + i,
-              (i % CORNERS + 1) + (i < CORNERS ? ". lowest" : ". highest"),
+              "Corner " + (i + 1) + (i < CORNERS ? ", bottom" : ", top"),
               corners.get(i),
               (_, name) ->
                   with(
@@ -219,7 +224,7 @@ final class PalletizingForm {
       corner(
           form,
           "pattern.places." + i,
-          (i + 1) + ". place",
+          "Place " + (i + 1),
           places.get(i),
           (_, name) -> with(step, new Pattern.Places(replaced(places, at, name))));
     }

@@ -17,6 +17,9 @@ final class SketchPainter {
   /** More dots in a row than this are not drawn: they would touch. */
   private static final int MOST = 12;
 
+  /** How far below the middle the lowest layer of a box is drawn: with its numbers it has room. */
+  private static final double BOTTOM = -0.36;
+
   private static final List<String> AXES = List.of("X", "Y", "Z");
 
   private final Graphics2D pen;
@@ -230,11 +233,12 @@ final class SketchPainter {
       case Pattern.Box box -> {
         int layers = Math.clamp(box.layers(), 1, MOST);
         for (int i = 0; i < layers; i++) {
-          layer(box.columns(), box.rows(), layers == 1 ? 0 : -0.45 + 0.95 * i / (layers - 1));
+          layer(
+              box.columns(), box.rows(), layers == 1 ? 0 : BOTTOM - 2 * BOTTOM * i / (layers - 1));
         }
-        corners(-0.45, 1);
+        corners(layers == 1 ? 0 : BOTTOM, 1);
         if (layers > 1) {
-          corners(0.5, 1 + 4);
+          corners(-BOTTOM, 1 + 4);
         }
       }
       case Pattern.Places places -> {

@@ -15,7 +15,7 @@ final class TextView implements FieldView {
 
   private final TypedField field;
   private final FieldPanel panel;
-  private final JButton more = new JButton("\u25be");
+  private final JButton more = new JButton(new DownArrow());
   private Item.Text item;
 
   TextView(FieldViews views, Item.Text text) {
