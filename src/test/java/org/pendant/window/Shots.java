@@ -124,7 +124,8 @@ final class Shots {
     window.open(examples.resolve("stack_boxes.pendant"));
     window.awaitWords("notices", "stack_boxes.pinst");
     window.clickText("notices", "Open it");
-    window.awaitHidden("notices");
+    window.await(
+        "the installation is open", () -> !window.words("notices").contains("stack_boxes.pinst"));
     window.click("rail-program");
     window.clickRow("program-tree", "Feeder");
     shoot("program", theme);
