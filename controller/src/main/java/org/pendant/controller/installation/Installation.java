@@ -2,6 +2,7 @@ package org.pendant.controller.installation;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.io.WatchdogAction;
 import org.pendant.controller.safety.SafetyConfiguration;
@@ -80,114 +81,36 @@ public record Installation(
     modbus = List.copyOf(modbus);
   }
 
+  /** What comes of a change of some parts. */
+  public Installation with(Consumer<InstallationParts> change) {
+    InstallationParts parts = new InstallationParts(this);
+    change.accept(parts);
+    return parts.installation();
+  }
+
   /** The same with other limits and planes; empty for those that are standard for the arm. */
   public Installation withSafety(Optional<SafetyConfiguration> others) {
-    return new Installation(
-        robot,
-        tools,
-        activeTool,
-        payloads,
-        activePayload,
-        mounting,
-        signals,
-        wiring,
-        features,
-        homeRad,
-        variables,
-        startUp,
-        others,
-        conveyors,
-        modbus,
-        ethernetIpLoss,
-        transitionHardness);
+    return with(parts -> parts.safety = others);
   }
 
   /** The same with other variables, or other values in them. */
   public Installation withVariables(List<InstallationVariable> others) {
-    return new Installation(
-        robot,
-        tools,
-        activeTool,
-        payloads,
-        activePayload,
-        mounting,
-        signals,
-        wiring,
-        features,
-        homeRad,
-        others,
-        startUp,
-        safety,
-        conveyors,
-        modbus,
-        ethernetIpLoss,
-        transitionHardness);
+    return with(parts -> parts.variables = others);
   }
 
   /** The same with other features. */
   public Installation withFeatures(List<Feature> others) {
-    return new Installation(
-        robot,
-        tools,
-        activeTool,
-        payloads,
-        activePayload,
-        mounting,
-        signals,
-        wiring,
-        others,
-        homeRad,
-        variables,
-        startUp,
-        safety,
-        conveyors,
-        modbus,
-        ethernetIpLoss,
-        transitionHardness);
+    return with(parts -> parts.features = others);
   }
 
   /** The same with another home. */
   public Installation withHome(Joints otherRad) {
-    return new Installation(
-        robot,
-        tools,
-        activeTool,
-        payloads,
-        activePayload,
-        mounting,
-        signals,
-        wiring,
-        features,
-        otherRad,
-        variables,
-        startUp,
-        safety,
-        conveyors,
-        modbus,
-        ethernetIpLoss,
-        transitionHardness);
+    return with(parts -> parts.homeRad = otherRad);
   }
 
   /** The same with other names and uses of signals. */
   public Installation withSignals(List<SignalUse> others) {
-    return new Installation(
-        robot,
-        tools,
-        activeTool,
-        payloads,
-        activePayload,
-        mounting,
-        others,
-        wiring,
-        features,
-        homeRad,
-        variables,
-        startUp,
-        safety,
-        conveyors,
-        modbus,
-        ethernetIpLoss,
-        transitionHardness);
+    return with(parts -> parts.signals = others);
   }
 
   /** The TCP of a name. */

@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationCheck;
+import org.pendant.controller.installation.InstallationParts;
 import org.pendant.controller.installation.InstallationProblem;
 import org.pendant.gui.session.ActiveInstallation;
 import org.pendant.gui.session.ProgramDocument;
@@ -67,12 +68,12 @@ final class Editing {
   }
 
   /** What would be set up after a change. */
-  Installation with(Consumer<Parts> change) {
-    return Parts.edit(now(), change);
+  Installation with(Consumer<InstallationParts> change) {
+    return now().with(change);
   }
 
   /** Why a change cannot be made: what it would newly make wrong; empty if it can. */
-  String refusal(Consumer<Parts> change) {
+  String refusal(Consumer<InstallationParts> change) {
     return whole(with(change));
   }
 
@@ -92,7 +93,7 @@ final class Editing {
   }
 
   /** Makes a change that {@link #refusal} does not refuse. */
-  void take(Consumer<Parts> change) {
+  void take(Consumer<InstallationParts> change) {
     active.set(with(change));
   }
 

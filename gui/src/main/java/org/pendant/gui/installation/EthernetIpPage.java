@@ -38,7 +38,7 @@ final class EthernetIpPage implements Page {
   }
 
   private static Installation with(Installation before, Optional<WatchdogAction> loss) {
-    return Parts.edit(before, parts -> parts.ethernetIpLoss = loss);
+    return before.with(parts -> parts.ethernetIpLoss = loss);
   }
 
   @Override

@@ -16,6 +16,7 @@ import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
 import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.InstallationParts;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.layout.Card;
 import org.pendant.models.pose.Pose;
@@ -184,7 +185,8 @@ final class FeaturesPage implements Page {
         Locale.ROOT, "%.1f, %.1f, %.1f mm", pose.x() * 1000, pose.y() * 1000, pose.z() * 1000);
   }
 
-  private static void follow(Parts parts, Optional<Feature> before, Optional<Feature> after) {
+  private static void follow(
+      InstallationParts parts, Optional<Feature> before, Optional<Feature> after) {
     if (before.isEmpty() || after.isEmpty() || before.get().name().equals(after.get().name())) {
       return;
     }

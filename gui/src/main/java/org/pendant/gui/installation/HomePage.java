@@ -49,7 +49,7 @@ final class HomePage implements Page {
   }
 
   private static Installation with(Installation before, Joints homeRad) {
-    return Parts.edit(before, parts -> parts.homeRad = homeRad);
+    return before.with(parts -> parts.homeRad = homeRad);
   }
 
   @Override

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.InstallationParts;
 
 /**
  * A list in the installation.
@@ -16,16 +17,19 @@ import org.pendant.controller.installation.Installation;
 record Listed<T>(
     Editing editing,
     Function<Installation, List<T>> get,
-    BiConsumer<Parts, List<T>> put,
+    BiConsumer<InstallationParts, List<T>> put,
     Follow<T> follow)
     implements Items.Model<T> {
 
   /** Changes what refers to something. */
   interface Follow<T> {
-    void changed(Parts parts, Optional<T> before, Optional<T> after);
+    void changed(InstallationParts parts, Optional<T> before, Optional<T> after);
   }
 
-  Listed(Editing editing, Function<Installation, List<T>> get, BiConsumer<Parts, List<T>> put) {
+  Listed(
+      Editing editing,
+      Function<Installation, List<T>> get,
+      BiConsumer<InstallationParts, List<T>> put) {
     this(editing, get, put, (parts, before, after) -> {});
   }
 

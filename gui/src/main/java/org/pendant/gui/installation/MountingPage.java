@@ -49,7 +49,7 @@ final class MountingPage implements Page {
   }
 
   private static Installation with(Installation before, BaseMounting mounting) {
-    return Parts.edit(before, parts -> parts.mounting = mounting);
+    return before.with(parts -> parts.mounting = mounting);
   }
 
   private JButton preset(String title, double tiltRad) {

@@ -11,6 +11,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.InstallationParts;
 import org.pendant.controller.installation.NamedPayload;
 import org.pendant.controller.world.Vector3;
 import org.pendant.gui.layout.Card;
@@ -80,7 +81,7 @@ final class PayloadPage implements Page {
         PayloadPage::names,
         name -> name.isEmpty() ? "None" : name,
         Installation::activePayload,
-        (before, name) -> Parts.edit(before, parts -> parts.activePayload = name));
+        (before, name) -> before.with(parts -> parts.activePayload = name));
     card.add(active.component());
     card.add(items.component());
   }
@@ -145,7 +146,7 @@ final class PayloadPage implements Page {
   }
 
   private static void follow(
-      Parts parts, Optional<NamedPayload> before, Optional<NamedPayload> after) {
+      InstallationParts parts, Optional<NamedPayload> before, Optional<NamedPayload> after) {
     if (before.isPresent() && before.get().name().equals(parts.activePayload)) {
       parts.activePayload = after.map(NamedPayload::name).orElse("");
     }

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.table.AbstractTableModel;
+import org.pendant.controller.installation.InstallationParts;
 import org.pendant.controller.installation.SignalId;
 import org.pendant.controller.installation.SignalUse;
 import org.pendant.controller.installation.Wiring;
@@ -270,7 +271,7 @@ final class SignalTable extends AbstractTableModel {
     }
     Row row = rows.get(index);
     String text = value.toString();
-    Consumer<Parts> change =
+    Consumer<InstallationParts> change =
         column == DOMAIN ? domainChange(row, text) : useChange(row, column, text);
     String why = editing.refusal(change);
     refused.accept(why);
@@ -280,7 +281,7 @@ final class SignalTable extends AbstractTableModel {
     fireTableRowsUpdated(index, index);
   }
 
-  private Consumer<Parts> useChange(Row row, int column, String text) {
+  private Consumer<InstallationParts> useChange(Row row, int column, String text) {
     SignalUse before = use(row);
     SignalUse after =
         column == NAME
@@ -302,7 +303,7 @@ final class SignalTable extends AbstractTableModel {
         .orElse(RunStateAction.PRESERVE);
   }
 
-  private Consumer<Parts> domainChange(Row row, String text) {
+  private Consumer<InstallationParts> domainChange(Row row, String text) {
     Optional<SignalId.Analog> analog =
         row.id() instanceof SignalId.Analog found ? Optional.of(found) : Optional.empty();
     AnalogDomain domain =

@@ -85,13 +85,13 @@ final class StartUpPage implements Page {
             now -> robots(),
             id -> id.isEmpty() ? "Any robot" : "UR" + id.substring(2),
             Installation::robot,
-            (before, id) -> Parts.edit(before, parts -> parts.robot = id))
+            (before, id) -> before.with(parts -> parts.robot = id))
         .<Double>choice(
             "Safety transition",
             now -> List.of(0.0, 1.0),
             hard -> hard == 0 ? "Hard" : "Soft",
             Installation::transitionHardness,
-            (before, hard) -> Parts.edit(before, parts -> parts.transitionHardness = hard));
+            (before, hard) -> before.with(parts -> parts.transitionHardness = hard));
     card.add(form.component());
   }
 
@@ -101,7 +101,7 @@ final class StartUpPage implements Page {
   }
 
   private static Installation with(Installation before, Change change) {
-    return Parts.edit(before, parts -> parts.startUp = change.of(parts.startUp));
+    return before.with(parts -> parts.startUp = change.of(parts.startUp));
   }
 
   private static String words(String input) {

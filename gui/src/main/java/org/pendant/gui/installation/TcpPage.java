@@ -6,6 +6,7 @@ import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.InstallationParts;
 import org.pendant.controller.installation.NamedTool;
 import org.pendant.gui.layout.Card;
 import org.pendant.models.pose.Pose;
@@ -50,7 +51,7 @@ final class TcpPage implements Page {
         TcpPage::names,
         name -> name.isEmpty() ? "None: the flange" : name,
         Installation::activeTool,
-        (before, name) -> Parts.edit(before, parts -> parts.activeTool = name));
+        (before, name) -> before.with(parts -> parts.activeTool = name));
     card.add(active.component());
     card.add(items.component());
     rotation.addListener(this::show);
@@ -66,7 +67,8 @@ final class TcpPage implements Page {
     return names;
   }
 
-  private static void follow(Parts parts, Optional<NamedTool> before, Optional<NamedTool> after) {
+  private static void follow(
+      InstallationParts parts, Optional<NamedTool> before, Optional<NamedTool> after) {
     if (before.isPresent() && before.get().name().equals(parts.activeTool)) {
       parts.activeTool = after.map(NamedTool::name).orElse("");
     }

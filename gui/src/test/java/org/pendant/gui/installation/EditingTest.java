@@ -55,7 +55,7 @@ final class EditingTest {
 
   @Test
   void whatIsWrongAlreadyKeepsNobodyFromChangingSomethingElse() {
-    active.set(Parts.edit(Installation.NONE, parts -> parts.robot = "ur10e"));
+    active.set(Installation.NONE.with(parts -> parts.robot = "ur10e"));
     assertEquals("", editing.refusal(parts -> parts.tools = List.of(GRIPPER)));
   }
 
