@@ -52,7 +52,7 @@ public final class Controller {
   public Controller(ControllerOptions options, Builtins builtins) {
     this.builtins = builtins;
     box = new ControlBox(options.boxSetup());
-    machine = new Machine(builtins, box);
+    machine = new Machine(builtins, box, options.memoryBytes());
     installed = new InstallationDesk(box, machine);
     options.installation().ifPresent(installed::begin);
     options.inputs().forEach(this::setInput);

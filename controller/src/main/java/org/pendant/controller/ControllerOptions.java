@@ -27,6 +27,12 @@ public final class ControllerOptions {
   /** The arm when nothing else is said. */
   public static final String DEFAULT_ROBOT = "ur5e";
 
+  /** What the values of a program may take where the computer has that much, in bytes. */
+  public static final long STANDARD_MEMORY_BYTES = 256_000_000;
+
+  /** The part of the JVM's memory that values may take, since others need some as well. */
+  private static final int SHARE_OF_HEAP = 3;
+
   private String robotId = DEFAULT_ROBOT;
   private Joints startRad = BoxSetup.START_RAD;
   private long seed;
@@ -44,6 +50,7 @@ public final class ControllerOptions {
   private ProgramsFolder programsFolder = ProgramsFolder.NONE;
   private Doors outside = Doors.NONE;
   private Optional<Installation> installation = Optional.empty();
+  private long memoryBytes = standardMemoryBytes();
 
   private ControllerOptions() {}
 
@@ -74,6 +81,7 @@ public final class ControllerOptions {
     copy.programsFolder = programsFolder;
     copy.outside = outside;
     copy.installation = installation;
+    copy.memoryBytes = memoryBytes;
     change.accept(copy);
     return copy;
   }
@@ -81,6 +89,25 @@ public final class ControllerOptions {
   /** With another arm, an id of {@link ArmLibrary}. */
   public ControllerOptions withRobot(String id) {
     return changed(copy -> copy.robotId = id);
+  }
+
+  /**
+   * With another limit on the memory of programs.
+   *
+   * @param bytes what the values of one program may take together, above 0; see {@link
+   *     org.pendant.controller.value.Value#sizeBytes}
+   */
+  public ControllerOptions withMemory(long bytes) {
+    return changed(copy -> copy.memoryBytes = bytes);
+  }
+
+  /** {@link #STANDARD_MEMORY_BYTES}, or less in a small process. */
+  public static long standardMemoryBytes() {
+    return Math.min(STANDARD_MEMORY_BYTES, Runtime.getRuntime().maxMemory() / SHARE_OF_HEAP);
+  }
+
+  long memoryBytes() {
+    return memoryBytes;
   }
 
   /** With the joints somewhere else at first, rad. */

@@ -53,7 +53,7 @@ final class ListMethods {
         .needs("end_index", Type.INT)
         .returns(Type.LIST)
         .effect(Effect.COMPUTES)
-        .does(call -> call.answer(call.list(0).slice(call.integer(1), call.integer(2))));
+        .does(ListMethods::slice);
     builtins
         .declareMethod(Type.LIST, "to_string")
         .manual(MODULE, SECTION)
@@ -63,6 +63,13 @@ final class ListMethods {
         .does(StringBuiltins::toStringMethod);
   }
 
+  private static Outcome slice(Call call) throws ScriptError {
+    int begin = call.integer(1);
+    int end = call.integer(2);
+    call.charge(Math.max(0, Math.min(end - begin, ListValue.MAX_CAPACITY)));
+    return call.answer(call.list(0).slice(begin, end));
+  }
+
   private static void declareChanges(Builtins builtins) {
     builtins
         .declareMethod(Type.LIST, "append")
@@ -70,12 +77,14 @@ final class ListMethods {
         .doc("Adds an element at the end. It is an error when the list is full.")
         .needs("element", Type.ANY)
         .effect(Effect.COMPUTES)
+        .changesReceiver()
         .does(ListMethods::append);
     builtins
         .declareMethod(Type.LIST, "clear")
         .manual(MODULE, SECTION)
         .doc("Removes all elements.")
         .effect(Effect.COMPUTES)
+        .changesReceiver()
         .does(ListMethods::clear);
     builtins
         .declareMethod(Type.LIST, "extend")
@@ -83,6 +92,7 @@ final class ListMethods {
         .doc("Adds all elements of another list at the end. It is an error when they do not fit.")
         .needs("list", Type.LIST)
         .effect(Effect.COMPUTES)
+        .changesReceiver()
         .does(ListMethods::extend);
     builtins
         .declareMethod(Type.LIST, "insert")
@@ -91,6 +101,7 @@ final class ListMethods {
         .needs("index", Type.INT)
         .needs("element", Type.ANY)
         .effect(Effect.COMPUTES)
+        .changesReceiver()
         .does(ListMethods::insert);
     builtins
         .declareMethod(Type.LIST, "pop")
@@ -98,6 +109,7 @@ final class ListMethods {
         .doc("Removes the last element and returns it.")
         .returns(Type.ANY)
         .effect(Effect.COMPUTES)
+        .changesReceiver()
         .does(ListMethods::pop);
     builtins
         .declareMethod(Type.LIST, "remove")
@@ -105,11 +117,23 @@ final class ListMethods {
         .doc("Removes the element at index; later ones move up.")
         .needs("index", Type.INT)
         .effect(Effect.COMPUTES)
+        .changesReceiver()
         .does(ListMethods::remove);
   }
 
-  private static Outcome append(Call call) throws ScriptError {
+  /**
+   * The list to change, whose elements are copied before if copies of it share them.
+   *
+   * @param elements how many elements the change goes through
+   */
+  private static ListValue changed(Call call, int elements) throws ScriptError {
     ListValue list = call.list(0);
+    call.charge((long) elements + (list.shared() ? list.capacity() : 0));
+    return list;
+  }
+
+  private static Outcome append(Call call) throws ScriptError {
+    ListValue list = changed(call, 1);
     Kind kind = call.kind(1);
     if (list instanceof NumberList numbers && kind.isNumber()) {
       numbers.appendNumber(call.number(1), kind);
@@ -125,27 +149,29 @@ final class ListMethods {
   }
 
   private static Outcome extend(Call call) throws ScriptError {
-    call.list(0).extend(call.list(1));
+    ListValue source = call.list(1);
+    changed(call, source.length()).extend(source);
     return call.answer();
   }
 
   private static Outcome insert(Call call) throws ScriptError {
-    call.list(0).insert(call.integer(1), call.value(2).copy());
+    changed(call, call.list(0).length()).insert(call.integer(1), call.value(2).copy());
     return call.answer();
   }
 
   private static Outcome pop(Call call) throws ScriptError {
-    ListValue list = call.list(0);
+    ListValue list = changed(call, 1);
     if (list.length() == 0) {
       throw call.failure("index-out-of-range", "the list is empty, must have an element");
     }
-    Value last = list.get(list.length() - 1);
+    // the last element may be part of a copy of the list as well
+    Value last = list.get(list.length() - 1).copy();
     list.remove(list.length() - 1);
     return call.answer(last);
   }
 
   private static Outcome remove(Call call) throws ScriptError {
-    call.list(0).remove(call.integer(1));
+    changed(call, call.list(0).length()).remove(call.integer(1));
     return call.answer();
   }
 }

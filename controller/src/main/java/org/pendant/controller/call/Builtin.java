@@ -10,9 +10,16 @@ import org.pendant.language.signature.Signature;
  *
  * @param defaults the value of each parameter when the call leaves it out, in order; empty for
  *     required parameters and for those whose absence the code looks at itself ({@link Call#given})
+ * @param costNs computing time of a call, see {@link Work#charge}
+ * @param changesReceiver whether it changes the object that it is a method of
  */
 public record Builtin(
-    Signature signature, List<Optional<Value>> defaults, Effect effect, BuiltinCode code) {
+    Signature signature,
+    List<Optional<Value>> defaults,
+    Effect effect,
+    int costNs,
+    boolean changesReceiver,
+    BuiltinCode code) {
   public Builtin {
     defaults = List.copyOf(defaults);
   }
@@ -32,12 +39,12 @@ public record Builtin(
             signature.allowedInSecondary(),
             signature.deprecated(),
             signature.documentation());
-    return new Builtin(shorter, defaults.subList(0, count), effect, code);
+    return new Builtin(shorter, defaults.subList(0, count), effect, costNs, changesReceiver, code);
   }
 
   /** The same function with other code, for a thread that is run ahead. */
   public Builtin doing(BuiltinCode other) {
-    return new Builtin(signature, defaults, effect, other);
+    return new Builtin(signature, defaults, effect, costNs, changesReceiver, other);
   }
 
   public String name() {

@@ -58,6 +58,13 @@ public final class Builtins implements Catalogue {
     return Optional.ofNullable(methods.getOrDefault(receiver, Map.of()).get(name));
   }
 
+  /** Whether a method of that name may change what it is called for. */
+  public boolean changesReceiver(String method) {
+    return methods.values().stream()
+        .map(table -> table.get(method))
+        .anyMatch(builtin -> builtin != null && builtin.changesReceiver());
+  }
+
   /** The undeclared method {@code name} with {@code count} arguments. */
   public Optional<Builtin> findAnyMethod(Type receiver, String name, int count) {
     return Optional.ofNullable(anyMethods.get(receiver))

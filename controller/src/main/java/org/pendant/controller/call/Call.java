@@ -31,15 +31,17 @@ public final class Call {
   private final ControlBox box;
   private final ProgramControl program;
   private final Registers registers;
+  private final Work work;
   private Builtin builtin;
   private int firstArgument;
   private int resultSlot;
 
   /** For the machine: calls whose values stand in {@code registers}. */
-  public Call(ControlBox box, ProgramControl program, Registers registers) {
+  public Call(ControlBox box, ProgramControl program, Registers registers, Work work) {
     this.box = box;
     this.program = program;
     this.registers = registers;
+    this.work = work;
   }
 
   /** For the machine: calls {@code builtin} with the arguments from slot {@code firstArgument}. */
@@ -47,11 +49,22 @@ public final class Call {
     this.builtin = builtin;
     this.firstArgument = firstArgument;
     this.resultSlot = resultSlot;
+    work.charge(builtin.costNs());
     return builtin.code().run(this);
   }
 
   public ControlBox box() {
     return box;
+  }
+
+  /**
+   * Counts computing time of this call that depends on its arguments; what each call takes stands
+   * in the {@link Declaration#costs declaration}.
+   *
+   * @param ns nanoseconds of a usual computer, roughly; not negative
+   */
+  public void charge(long ns) {
+    work.charge(ns);
   }
 
   public ProgramControl program() {
@@ -247,6 +260,7 @@ public final class Call {
 
   /** Answers with {@code value}, which the caller then owns. */
   public Outcome answer(Value value) {
+    work.take(value.sizeBytes());
     registers.set(resultSlot, value);
     return Outcome.Answered.ANSWERED;
   }

@@ -25,6 +25,8 @@ public final class Declaration {
   private Type result = Type.NONE;
   private Unit resultUnit = Unit.NONE;
   private Effect effect = Effect.CHANGES;
+  private int costNs;
+  private boolean changesReceiver;
   private boolean physicalTime;
   private boolean allowedInSecondary = true;
 
@@ -102,6 +104,22 @@ public final class Declaration {
     return this;
   }
 
+  /**
+   * Takes more computing time than the usual builtin.
+   *
+   * @param ns of each call, on a usual computer, roughly
+   */
+  public Declaration costs(int ns) {
+    costNs = ns;
+    return this;
+  }
+
+  /** A method that changes the object that it is called for. */
+  public Declaration changesReceiver() {
+    changesReceiver = true;
+    return this;
+  }
+
   public Declaration notInSecondary() {
     allowedInSecondary = false;
     return this;
@@ -138,6 +156,8 @@ public final class Declaration {
             documentation),
         defaults,
         effect,
+        costNs,
+        changesReceiver,
         code);
   }
 

@@ -1,5 +1,6 @@
 package org.pendant.controller.machine;
 
+import java.util.List;
 import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Expression.Binary;
 import org.pendant.language.syntax.Expression.Index;
@@ -12,11 +13,13 @@ final class AssignmentCompiler {
   private final FunctionContext context;
   private final CodeBuilder code;
   private final ExpressionCompiler expressions;
+  private final PartCompiler parts;
 
   AssignmentCompiler(FunctionContext context, ExpressionCompiler expressions) {
     this.context = context;
     this.code = context.code();
     this.expressions = expressions;
+    parts = new PartCompiler(context, expressions);
   }
 
   void assignGlobal(String name, Expression value) {
@@ -34,14 +37,8 @@ final class AssignmentCompiler {
     int mark = context.mark();
     switch (assign.target()) {
       case Name name -> assignVariable(assign, context.variable(context.target(assign)));
-      case Index index -> {
-        int value = expressions.owned(assign.value());
-        setIndex(assign, index, value);
-      }
-      case Member member -> {
-        int value = expressions.owned(assign.value());
-        setMember(assign, member, value);
-      }
+      case Index index -> setIndex(assign, index, expressions.owned(assign.value()));
+      case Member member -> setMember(assign, member, expressions.owned(assign.value()));
       default ->
           throw new IllegalStateException(
               "cannot assign to " + context.source().text(assign.range()));
@@ -68,41 +65,32 @@ final class AssignmentCompiler {
     }
   }
 
-  /** Stores into {@code target[...]}, and the changed container back into its own container. */
   private void setIndex(Statement.Assign assign, Index target, int value) {
-    int container = place(assign, target.receiver());
+    PartCompiler.Part container = container(assign, target.receiver(), target.indices());
     if (target.indices().size() == 1) {
       int index = expressions.operand(target.indices().get(0));
+      PartCompiler.Opened opened = parts.open(container);
       code.at(assign.range());
-      code.emit(Op.SET_INDEX, container, index, value);
+      code.emit(Op.SET_INDEX, opened.operand(), index, value);
+      parts.putBack(container, opened);
     } else {
       int pair = expressions.pair(target);
+      PartCompiler.Opened opened = parts.open(container);
       code.at(assign.range());
-      code.emit(Op.SET_INDEX_2, container, Instruction.local(pair), value);
+      code.emit(Op.SET_INDEX_2, opened.operand(), Instruction.local(pair), value);
     }
-    putBack(assign, target.receiver(), container);
   }
 
   private void setMember(Statement.Assign assign, Member target, int value) {
-    int container = place(assign, target.receiver());
+    PartCompiler.Part container = container(assign, target.receiver(), List.of());
+    PartCompiler.Opened opened = parts.open(container);
     code.at(assign.range());
-    code.emit(Op.SET_MEMBER, container, context.linkage().name(target.member()), value);
-    putBack(assign, target.receiver(), container);
+    code.emit(Op.SET_MEMBER, opened.operand(), context.linkage().name(target.member()), value);
   }
 
-  /** The operand of the container that an assignment changes: a variable, or a part of one. */
-  private int place(Statement.Assign assign, Expression container) {
-    return container instanceof Name
-        ? context.variable(context.target(assign))
-        : expressions.part(container, true);
-  }
-
-  /** A pose is replaced, not changed, so what holds it takes the new one. */
-  private void putBack(Statement.Assign assign, Expression container, int value) {
-    switch (container) {
-      case Index index -> setIndex(assign, index, value);
-      case Member member -> setMember(assign, member, value);
-      default -> {}
-    }
+  /** The container that an assignment changes: a variable, or a part of one. */
+  private PartCompiler.Part container(
+      Statement.Assign assign, Expression container, List<Expression> indices) {
+    return parts.part(container, context.variable(context.target(assign)), indices);
   }
 }

@@ -6,8 +6,12 @@ import org.pendant.controller.call.Builtin;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.value.Value;
 import org.pendant.language.syntax.Argument;
+import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Expression.Call;
+import org.pendant.language.syntax.Expression.Index;
+import org.pendant.language.syntax.Expression.Member;
 import org.pendant.language.syntax.Expression.MethodCall;
+import org.pendant.language.syntax.Expression.Name;
 import org.pendant.language.syntax.ParameterDeclaration;
 import org.pendant.language.syntax.Statement;
 
@@ -19,12 +23,14 @@ final class CallCompiler {
   private final CodeBuilder code;
   private final ExpressionCompiler expressions;
   private final Builtins builtins;
+  private final PartCompiler parts;
 
   CallCompiler(FunctionContext context, ExpressionCompiler expressions, Builtins builtins) {
     this.context = context;
     this.code = context.code();
     this.expressions = expressions;
     this.builtins = builtins;
+    parts = new PartCompiler(context, expressions);
   }
 
   void struct(Call call, int target) {
@@ -100,13 +106,17 @@ final class CallCompiler {
   void methodCall(MethodCall call, int target) {
     int count = call.arguments().size() + 1;
     int first = context.temporaries(count);
-    int mark = context.mark();
-    int receiver = expressions.part(call.receiver(), true);
-    code.at(call.receiver().range());
-    code.emit(Op.MOVE, Instruction.local(first), receiver, 0);
-    context.release(mark);
-    for (int i = 1; i < count; i++) {
-      expressions.argument(call.arguments().get(i - 1).value(), first + i, false);
+    if (builtins.changesReceiver(call.method()) && isPart(call.receiver())) {
+      List<Expression> arguments = call.arguments().stream().map(Argument::value).toList();
+      int variable = context.variable(context.binding(FunctionContext.root(call.receiver())));
+      PartCompiler.Part part = parts.part(call.receiver(), variable, arguments);
+      arguments(call, first);
+      receiver(call, first, parts.open(part).operand());
+    } else {
+      int mark = context.mark();
+      receiver(call, first, expressions.part(call.receiver(), true));
+      context.release(mark);
+      arguments(call, first);
     }
     code.at(call.range());
     code.emit(
@@ -114,5 +124,25 @@ final class CallCompiler {
         target,
         context.linkage().name(Methods.key(call.method(), count - 1)),
         Instruction.local(first));
+  }
+
+  /** Whether {@code receiver} is a part of a variable. */
+  private static boolean isPart(Expression receiver) {
+    return switch (receiver) {
+      case Index index -> index.receiver() instanceof Name || isPart(index.receiver());
+      case Member member -> member.receiver() instanceof Name || isPart(member.receiver());
+      default -> false;
+    };
+  }
+
+  private void receiver(MethodCall call, int first, int operand) {
+    code.at(call.receiver().range());
+    code.emit(Op.MOVE, Instruction.local(first), operand, 0);
+  }
+
+  private void arguments(MethodCall call, int first) {
+    for (int i = 0; i < call.arguments().size(); i++) {
+      expressions.argument(call.arguments().get(i).value(), first + 1 + i, false);
+    }
   }
 }

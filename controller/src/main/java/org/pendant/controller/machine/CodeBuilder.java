@@ -10,6 +10,10 @@ final class CodeBuilder {
   private int[] ends = new int[32];
   private final StatementTable statements = new StatementTable();
   private int size;
+
+  /** Where the instructions begin that no {@link Op#STRETCH} counts yet. */
+  private int stretch;
+
   private SourceRange range = new SourceRange(0, 0);
 
   /** The range that the following instructions are compiled from. */
@@ -19,6 +23,10 @@ final class CodeBuilder {
 
   /** A statement begins here; {@code head} is it without its blocks. */
   void beginStatement(SourceRange head) {
+    if (size - stretch >= Cost.LONGEST_STRETCH) {
+      emit(Op.STRETCH, 0, 0, 0);
+      stretch = size;
+    }
     statements.add(size, head);
   }
 

@@ -22,6 +22,9 @@ final class Evaluator {
   /** Compiled expressions that are kept: conditions of breakpoints are computed again and again. */
   private static final int MOST_KEPT = 64;
 
+  /** Computing time of one of them, in nanoseconds as {@link Cost} counts them. */
+  private static final int MOST_NS = 1_000_000;
+
   /** An expression at a place. */
   private record Place(ScriptFunction function, int offset, String text) {}
 
@@ -104,7 +107,7 @@ final class Evaluator {
       ProgramRun side, ScriptThread thread, int frame, SideCode code) {
     ScriptFunction function = code.function();
     ScriptThread worker = new ScriptThread(0, -1);
-    worker.budget = Scheduler.BUDGET;
+    worker.budget = MOST_NS;
     worker.segmentStart = side.segments().take(function.slotCount());
     worker.segmentEnd = worker.segmentStart + RegisterSegments.sizeFor(function.slotCount());
     Registers registers = side.registers();
@@ -139,7 +142,7 @@ final class Evaluator {
       case ENDED -> {}
       case EXHAUSTED ->
           throw new ScriptError(
-              "too-long", "it makes more than " + Scheduler.BUDGET + " calls and turns of loops");
+              "too-long", "it computes for more than " + MOST_NS / 1_000_000 + " ms");
       case WAITING -> {
         worker.wait.cancel();
         throw new ScriptError("not-while-stopped", "it waits, an expression must be over at once");

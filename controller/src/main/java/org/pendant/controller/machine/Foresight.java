@@ -26,8 +26,8 @@ import org.pendant.language.signature.Type;
  * fast a blend is approached; which move really comes is decided by the thread itself.
  */
 final class Foresight {
-  /** Calls and turns of loops after which the copy gives up. */
-  private static final int BUDGET = 500;
+  /** Computing time of a copy, in nanoseconds as {@link Cost} counts them. */
+  private static final int BUDGET = 20_000;
 
   /** Moves that are foreseen at most. */
   private static final int MOST_MOVES = 24;
@@ -116,7 +116,9 @@ final class Foresight {
       Interpreter.Preview lines = interpreter.preview(thread, Foresight::foreseeing);
       Processor.Stop stop = side.processor().execute(worker);
       for (int i = 0; i < MOST_LINES && stop == Processor.Stop.INTERPRETED; i++) {
-        stop = lines.next(side, worker) ? side.processor().execute(worker) : Processor.Stop.ENDED;
+        boolean more = lines.next(side, worker);
+        worker.budget = BUDGET;
+        stop = more ? side.processor().execute(worker) : Processor.Stop.ENDED;
       }
     } catch (ScriptError e) {
       // as far as it went; if the thread itself comes to fail there it will say so

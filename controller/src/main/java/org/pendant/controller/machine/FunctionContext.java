@@ -133,7 +133,8 @@ final class FunctionContext {
     return place.isEmpty() ? scope.target(assign) : binding(root(assign.target()));
   }
 
-  private static Name root(Expression target) {
+  /** The variable that {@code target} is or is a part of. */
+  static Name root(Expression target) {
     return switch (target) {
       case Name name -> name;
       case Index index -> root(index.receiver());

@@ -1,8 +1,13 @@
 package org.pendant.controller.machine;
 
+import java.util.Optional;
 import org.pendant.controller.call.Builtin;
+import org.pendant.controller.call.Work;
+import org.pendant.controller.machine.Processor.Stop;
+import org.pendant.controller.value.BoolValue;
 import org.pendant.controller.value.HandleValue;
 import org.pendant.controller.value.Kind;
+import org.pendant.controller.value.LongOperation;
 import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.NoneValue;
 import org.pendant.controller.value.Operators;
@@ -12,6 +17,7 @@ import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.StringValue;
 import org.pendant.controller.value.StructValue;
 import org.pendant.controller.value.Value;
+import org.pendant.controller.value.ValueText;
 import org.pendant.language.syntax.Expression.BinaryOperator;
 import org.pendant.models.pose.Pose;
 
@@ -20,12 +26,22 @@ import org.pendant.models.pose.Pose;
  * boxed here and handed to {@link Operators}.
  */
 final class GeneralOperations {
+  private static final Value ZERO = Value.of(0);
+
+  /** Characters of a value that a message shows. */
+  private static final int LONGEST_SHOWN = 80;
+
+  /** Above this a comparison is made piece by piece. */
+  private static final int LONG_COMPARISON_NS = 200_000;
+
   private final ProgramRun run;
   private final Registers registers;
+  private final Work work;
 
   GeneralOperations(ProgramRun run) {
     this.run = run;
     this.registers = run.registers();
+    work = run.work();
   }
 
   ScriptError unassigned(ScriptFunction function, int operand) {
@@ -52,7 +68,9 @@ final class GeneralOperations {
   }
 
   private String describe(int slot) {
-    return registers.kind(slot).text() + " " + registers.value(slot).text();
+    return registers.kind(slot).text()
+        + " "
+        + ValueText.shortened(registers.value(slot), LONGEST_SHOWN);
   }
 
   /** Refuses a slot without a value; the name is not known here any more, only the instruction. */
@@ -88,8 +106,10 @@ final class GeneralOperations {
       registers.set(slot, value);
       return;
     }
+    Value current = registers.value(slot);
+    work.charge(Cost.assign(current, value));
     try {
-      registers.set(slot, Operators.assign(registers.value(slot), value));
+      registers.set(slot, Operators.assign(current, value));
     } catch (ScriptError e) {
       int index = Instruction.index(operand);
       String name =
@@ -113,11 +133,18 @@ final class GeneralOperations {
       return;
     }
     Value value = registers.value(source);
-    assignValue(function, target, slot, copy ? value.copy() : value);
+    assignValue(function, target, slot, copy ? copied(value) : value);
+  }
+
+  /** A copy of {@code value} that a variable or container will own. */
+  Value copied(Value value) {
+    work.charge(Cost.GENERAL_NS);
+    work.take(value.sizeBytes());
+    return value.copy();
   }
 
   /** Addition; strings, which programs build piece by piece, without a detour. */
-  void add(ScriptFunction function, long w, int base) throws ScriptError {
+  Stop add(ScriptThread thread, long w, int base) throws ScriptError {
     Value[] objects = registers.objects();
     byte[] tags = registers.tags();
     int x = Instruction.slot(Instruction.b(w), base);
@@ -129,41 +156,150 @@ final class GeneralOperations {
         && objects[x] instanceof StringValue head
         && objects[y] instanceof StringValue tail
         && objects[target] instanceof StringValue) {
-      objects[target] = Operators.concatenated(head, tail);
-    } else {
-      arithmetic(BinaryOperator.ADD, function, w, base);
+      objects[target] = joined(head, tail);
+      return Stop.GOES_ON;
     }
+    return arithmetic(BinaryOperator.ADD, thread, w, base);
   }
 
-  void arithmetic(BinaryOperator operator, ScriptFunction function, long w, int base)
+  private Value joined(StringValue head, StringValue tail) throws ScriptError {
+    int copied = head.joinCost(tail);
+    work.charge(Cost.GENERAL_NS + (long) Cost.bytes(copied));
+    work.take(copied);
+    return Operators.concatenated(head, tail);
+  }
+
+  /** Any operator; {@link Stop#EXHAUSTED} if it is not done with. */
+  Stop arithmetic(BinaryOperator operator, ScriptThread thread, long w, int base)
       throws ScriptError {
-    Value left = read(function, Instruction.b(w), base);
-    Value right = read(function, Instruction.c(w), base);
-    store(function, Instruction.a(w), base, Operators.binary(operator, left, right));
+    ScriptFunction function = thread.functions[thread.depth - 1];
+    Optional<Value> result;
+    if (thread.operation.isPresent()) {
+      result = advance(thread, thread.operation.get());
+    } else {
+      Value left = read(function, Instruction.b(w), base);
+      Value right = read(function, Instruction.c(w), base);
+      result = combine(operator, thread, left, right);
+    }
+    return finish(function, w, base, result);
   }
 
-  void negate(ScriptFunction function, long w, int base) throws ScriptError {
+  private Stop finish(ScriptFunction function, long w, int base, Optional<Value> result)
+      throws ScriptError {
+    if (result.isEmpty()) {
+      return Stop.EXHAUSTED;
+    }
+    store(function, Instruction.a(w), base, result.get());
+    return Stop.GOES_ON;
+  }
+
+  private Optional<Value> combine(
+      BinaryOperator operator, ScriptThread thread, Value left, Value right) throws ScriptError {
+    if (left instanceof StringValue head
+        && right instanceof StringValue tail
+        && operator == BinaryOperator.ADD) {
+      return Optional.of(joined(head, tail));
+    }
+    if (Operators.elementwise(operator, left, right)) {
+      work.charge(Cost.GENERAL_NS);
+      return advance(thread, Operators.begin(operator, left, right));
+    }
+    return Optional.of(Operators.binary(operator, left, right));
+  }
+
+  /** Computes a piece; the result if that was the last. */
+  private Optional<Value> advance(ScriptThread thread, LongOperation operation) throws ScriptError {
+    work.charge(Cost.elements(operation.advance()));
+    if (operation.done()) {
+      thread.operation = Optional.empty();
+      Value result = operation.result();
+      work.take(result.sizeBytes());
+      return Optional.of(result);
+    }
+    if (thread.operation.isEmpty()) {
+      operation.keep();
+      thread.operation = Optional.of(operation);
+    }
+    return Optional.empty();
+  }
+
+  Stop negate(ScriptThread thread, long w, int base) throws ScriptError {
+    ScriptFunction function = thread.functions[thread.depth - 1];
     int source = Instruction.slot(Instruction.b(w), base);
     int slot = Instruction.slot(Instruction.a(w), base);
     if (registers.tags()[source] == Registers.FLOAT && registers.tags()[slot] <= Registers.FLOAT) {
       registers.setFloat(slot, -registers.numbers()[source]);
-    } else {
-      Value value = read(function, Instruction.b(w), base);
-      store(function, Instruction.a(w), base, Operators.negate(value));
+      return Stop.GOES_ON;
     }
+    if (thread.operation.isPresent()) {
+      return finish(function, w, base, advance(thread, thread.operation.get()));
+    }
+    Value value = read(function, Instruction.b(w), base);
+    if (Operators.elementwise(BinaryOperator.SUBTRACT, ZERO, value)) {
+      LongOperation negation = Operators.begin(BinaryOperator.SUBTRACT, ZERO, value);
+      return finish(function, w, base, advance(thread, negation));
+    }
+    store(function, Instruction.a(w), base, Operators.negate(value));
+    return Stop.GOES_ON;
   }
 
-  boolean equal(int x, int y) throws ScriptError {
+  /** Whether two slots are equal, 1 or 0; {@link SlowPath#STOPPED} if that is not known yet. */
+  int equal(ScriptThread thread, int x, int y) throws ScriptError {
+    if (thread.operation.isPresent()) {
+      return truth(advance(thread, thread.operation.get()));
+    }
     if (!registers.assigned(x) || !registers.assigned(y)) {
       throw new ScriptError("unassigned-variable", "a variable compared here has no value yet");
     }
-    return Operators.equal(registers.value(x), registers.value(y));
+    Value left = registers.value(x);
+    Value right = registers.value(y);
+    int cost = Cost.comparison(left, right);
+    if (cost > LONG_COMPARISON_NS) {
+      return truth(advance(thread, Operators.beginEqual(left, right)));
+    }
+    work.charge(cost);
+    return Operators.equal(left, right) ? 1 : 0;
+  }
+
+  private static int truth(Optional<Value> result) {
+    return result
+        .map(value -> value instanceof BoolValue bool && bool.value() ? 1 : 0)
+        .orElse(SlowPath.STOPPED);
   }
 
   void getIndex(ScriptFunction function, long w, int base) throws ScriptError {
     Value receiver = read(function, Instruction.b(w), base);
     Value index = read(function, Instruction.c(w), base);
+    if (receiver instanceof MatrixValue matrix) {
+      work.charge(matrix.columns());
+    }
     store(function, Instruction.a(w), base, Operators.index(receiver, index));
+  }
+
+  /** Opens an element of a container for a change; the target is always a temporary. */
+  void openIndex(ScriptFunction function, long w, int base) throws ScriptError {
+    Value receiver = read(function, Instruction.b(w), base);
+    Value index = read(function, Instruction.c(w), base);
+    chargeChange(receiver);
+    registers.set(Instruction.slot(Instruction.a(w), base), Operators.open(receiver, index));
+  }
+
+  /** Opens a member of a struct for a change; the target is always a temporary. */
+  void openMember(ScriptFunction function, long w, int base) throws ScriptError {
+    Value receiver = read(function, Instruction.b(w), base);
+    String name = run.name(Instruction.index(Instruction.c(w)));
+    chargeChange(receiver);
+    registers.set(
+        Instruction.slot(Instruction.a(w), base),
+        receiver instanceof HandleValue handle
+            ? handle.member(name)
+            : Operators.openMember(receiver, name));
+  }
+
+  private void chargeChange(Value container) {
+    int copied = Cost.change(container);
+    work.charge(Cost.GENERAL_NS + (long) copied);
+    work.take(copied);
   }
 
   /** The target is always a temporary, see {@link ExpressionCompiler}. */
@@ -196,6 +332,7 @@ final class GeneralOperations {
     Value receiver = read(function, Instruction.a(w), base);
     Value index = read(function, Instruction.b(w), base);
     Value element = read(function, Instruction.c(w), base);
+    chargeChange(receiver);
     registers.set(
         Instruction.slot(Instruction.a(w), base), Operators.setIndex(receiver, index, element));
   }
@@ -208,6 +345,9 @@ final class GeneralOperations {
         && registers.tags()[source] <= Registers.FLOAT
         && registers.tags()[slot] == Registers.OBJECT
         && registers.objects()[slot] instanceof MatrixValue matrix) {
+      if (matrix.shared()) {
+        chargeChange(matrix);
+      }
       matrix.set(
           (int) registers.numbers()[row],
           (int) registers.numbers()[row + 1],
@@ -238,17 +378,42 @@ final class GeneralOperations {
     Value receiver = read(function, Instruction.a(w), base);
     String name = run.name(Instruction.index(Instruction.b(w)));
     Value value = read(function, Instruction.c(w), base);
+    chargeChange(receiver);
     registers.set(
         Instruction.slot(Instruction.a(w), base), Operators.setMember(receiver, name, value));
   }
 
-  void list(long w, int base) throws ScriptError {
-    Value[] elements = new Value[Instruction.index(Instruction.b(w))];
+  Stop list(ScriptThread thread, long w, int base) throws ScriptError {
+    int target = base + Instruction.index(Instruction.a(w));
     int first = base + Instruction.index(Instruction.c(w));
-    for (int i = 0; i < elements.length; i++) {
-      elements[i] = registers.value(first + i);
+    int count = Instruction.index(Instruction.b(w));
+    Value list;
+    if (count > 0 && registers.kind(first) == Kind.LIST) {
+      Optional<Value> matrix =
+          advance(
+              thread,
+              thread.operation.isPresent()
+                  ? thread.operation.get()
+                  : Operators.beginMatrix(values(first, count)));
+      if (matrix.isEmpty()) {
+        return Stop.EXHAUSTED;
+      }
+      list = matrix.get();
+    } else {
+      list = Operators.listLiteral(values(first, count));
+      work.take(list.sizeBytes());
     }
-    registers.set(base + Instruction.index(Instruction.a(w)), Operators.listLiteral(elements));
+    work.charge(count * (long) Cost.GENERAL_NS);
+    registers.set(target, list);
+    return Stop.GOES_ON;
+  }
+
+  private Value[] values(int first, int count) {
+    Value[] values = new Value[count];
+    for (int i = 0; i < count; i++) {
+      values[i] = registers.value(first + i);
+    }
+    return values;
   }
 
   void pose(long w, int base) throws ScriptError {
@@ -282,7 +447,10 @@ final class GeneralOperations {
         throw new ScriptError("wrong-type", "struct: member " + names.get(i) + " has no value");
       }
     }
-    registers.set(base + Instruction.index(Instruction.a(w)), StructValue.owning(names, members));
+    StructValue struct = StructValue.owning(names, members).checked();
+    work.charge((long) members.length * Cost.GENERAL_NS);
+    work.take(struct.sizeBytes());
+    registers.set(base + Instruction.index(Instruction.a(w)), struct);
   }
 
   /** The built-in method that method number {@code name} is for the receiver in {@code slot}. */
@@ -316,6 +484,7 @@ final class GeneralOperations {
               + " deep, the innermost is "
               + callee.name());
     }
-    run.segments().enlarge(thread, base + callee.slotCount());
+    run.segments().checkEnlarge(thread, base + callee.slotCount());
+    work.charge(run.segments().enlarge(thread, base + callee.slotCount()));
   }
 }

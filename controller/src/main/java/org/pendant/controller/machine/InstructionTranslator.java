@@ -91,7 +91,7 @@ final class InstructionTranslator {
       case Op.LESS_OR_EQUAL -> order(pc, a, b, c, Opcode.IFLE);
       case Op.NOT -> not(pc, a, b);
       case Op.JUMP -> code.goto_(label(pc + 1 + Instruction.distance(w)));
-      case Op.LOOP -> turn(pc + 1 + Instruction.distance(w));
+      case Op.LOOP -> turn(pc, pc + 1 + Instruction.distance(w));
       case Op.JUMP_IF_FALSE -> jumpIf(pc, a, Opcode.IFEQ, pc + 1 + Instruction.distance(w));
       case Op.JUMP_IF_TRUE -> jumpIf(pc, a, Opcode.IFNE, pc + 1 + Instruction.distance(w));
       // a comparison with NaN counts as greater
@@ -106,6 +106,7 @@ final class InstructionTranslator {
       case Op.CALL -> call(pc, Instruction.index(a), b, Instruction.index(c));
       case Op.RETURN -> giveBack(pc, a);
       case Op.RETURN_NONE -> registers.leave(0, () -> code.loadConstant(Registers.NONE));
+      case Op.STRETCH -> stretch(pc);
       case Op.GET_INDEX -> getIndex(pc, a, b, c);
       case Op.GET_INDEX_2 -> getElement(pc, a, b, c);
       case Op.SET_INDEX -> setIndex(pc, a, b, c);
@@ -129,7 +130,7 @@ final class InstructionTranslator {
         () -> {
           code.labelBinding(label);
           registers.slow(pc);
-          code.pop();
+          stopUnlessGoesOn();
           for (int operand : target) {
             registers.reload(operand);
           }
@@ -138,23 +139,26 @@ final class InstructionTranslator {
     return label;
   }
 
+  /** Takes a {@link Stop} from the operand stack and returns it if it is one. */
+  private void stopUnlessGoesOn() {
+    code.dup();
+    registers.stop(Stop.GOES_ON);
+    code.if_acmpne(stopped).pop();
+  }
+
   /** Operations that are always done in full generality. */
   private void general(int pc, int operation, int a) {
     registers.slow(pc);
     switch (operation) {
-      case Op.CALL_BUILTIN, Op.CALL_METHOD, Op.RUN, Op.JOIN, Op.KILL -> {
-        code.dup();
-        registers.stop(Stop.GOES_ON);
-        code.if_acmpne(stopped).pop();
-        if (operation != Op.JOIN && operation != Op.KILL) {
-          registers.reloadArrays();
-          registers.reload(a);
-        }
+      case Op.CALL_BUILTIN, Op.CALL_METHOD, Op.RUN -> {
+        stopUnlessGoesOn();
+        registers.reloadArrays();
+        registers.reload(a);
       }
+      case Op.JOIN, Op.KILL, Op.ENTER_CRITICAL, Op.EXIT_CRITICAL -> stopUnlessGoesOn();
       case Op.HALT, Op.PAUSE, Op.INTERPRETED -> code.areturn();
-      case Op.ENTER_CRITICAL, Op.EXIT_CRITICAL -> code.pop();
       default -> {
-        code.pop();
+        stopUnlessGoesOn();
         registers.reload(a);
       }
     }
@@ -333,9 +337,14 @@ final class InstructionTranslator {
     code.dcmpl().branch(when ? Opcode.IFEQ : Opcode.IFNE, target);
     tail.add(
         () -> {
+          Label stops = code.newLabel();
           code.labelBinding(slow);
           registers.slowEqual(pc);
+          code.dup().iflt(stops);
           code.branch(when ? Opcode.IFNE : Opcode.IFEQ, target).goto_(otherwise);
+          code.labelBinding(stops).pop();
+          registers.stop(Stop.EXHAUSTED);
+          code.areturn();
         });
   }
 
@@ -356,17 +365,28 @@ final class InstructionTranslator {
 
   private void loopOrder(int pc, int x, int y, Opcode unless, int target) {
     jumpOrder(pc, x, y, unless, label(pc + 1));
-    turn(target);
+    turn(pc, target);
   }
 
-  private void turn(int target) {
+  /** Jumps back from instruction {@code pc}. */
+  private void turn(int pc, int target) {
     Label exhausted = code.newLabel();
-    registers.countTurn(exhausted);
+    registers.count(Cost.turn(pc + 1 - target), exhausted);
     code.goto_(label(target));
     tail.add(
         () -> {
           code.labelBinding(exhausted);
           registers.exhausted(target);
+        });
+  }
+
+  private void stretch(int pc) {
+    Label exhausted = code.newLabel();
+    registers.count(Cost.STRETCH_NS, exhausted);
+    tail.add(
+        () -> {
+          code.labelBinding(exhausted);
+          registers.exhausted(pc + 1);
         });
   }
 

@@ -274,14 +274,17 @@ final class JvmCode {
         .invokevirtual(SLOW_PATH, method, type);
   }
 
-  /** Executes instruction {@code pc} in full generality and pushes the {@link Stop}. */
+  /**
+   * Executes instruction {@code pc} in full generality and pushes the {@link Stop}: exhausted when
+   * the thread has stopped before the instruction.
+   */
   void slow(int pc) {
     step("run", pc, STEP);
   }
 
-  /** Pushes whether what instruction {@code pc} compares is equal. */
+  /** Pushes whether what instruction {@code pc} compares is equal, or {@link SlowPath#STOPPED}. */
   void slowEqual(int pc) {
-    step("equal", pc, STEP.changeReturnType(ConstantDescs.CD_boolean));
+    step("equal", pc, STEP.changeReturnType(INT));
   }
 
   void stop(Stop stop) {
@@ -293,12 +296,12 @@ final class JvmCode {
     code.iload(PC).invokestatic(CODE, "unknown", MethodTypeDesc.of(ILLEGAL_STATE, INT)).athrow();
   }
 
-  /** Counts one turn and jumps to {@code exhausted} when the budget does not suffice. */
-  void countTurn(Label exhausted) {
+  /** Counts {@code costNs} and jumps to {@code exhausted} when the budget does not suffice. */
+  void count(int costNs, Label exhausted) {
     code.aload(THE_THREAD)
         .dup()
         .getfield(THREAD, "budget", INT)
-        .iconst_1()
+        .loadConstant(costNs)
         .isub()
         .dup_x1()
         .putfield(THREAD, "budget", INT)

@@ -23,6 +23,7 @@ public final class Machine {
   private final ControlBox box;
   private final Foresight foresight;
   private final Translation translation;
+  private final long memoryBytes;
   private final Interpreter interpreter;
   private Optional<ProgramRun> run = Optional.empty();
   private Optional<VariableSlots> variableSlots = Optional.empty();
@@ -43,14 +44,19 @@ public final class Machine {
   private Optional<ProgramRun> underWayBeside = Optional.empty();
   private List<ProgramEvent> events = new ArrayList<>();
 
-  public Machine(Builtins builtins, ControlBox box) {
-    this(builtins, box, Translation.WHEN_HOT);
+  /**
+   * @param memoryBytes what the values of one program may take together, see {@link
+   *     Value#sizeBytes}
+   */
+  public Machine(Builtins builtins, ControlBox box, long memoryBytes) {
+    this(builtins, box, memoryBytes, Translation.WHEN_HOT);
   }
 
   /** A machine with another way to choose what is translated, for tests. */
-  Machine(Builtins builtins, ControlBox box, Translation translation) {
+  Machine(Builtins builtins, ControlBox box, long memoryBytes, Translation translation) {
     this.builtins = builtins;
     this.box = box;
+    this.memoryBytes = memoryBytes;
     foresight = new Foresight(box);
     this.translation = translation;
     this.interpreter = new Interpreter(builtins, box.log()::warning);
@@ -68,7 +74,14 @@ public final class Machine {
     }
     ProgramRun started =
         new ProgramRun(
-            program, builtins, box, new Control(), interpreter::next, translation, sentry);
+            program,
+            builtins,
+            box,
+            new Control(),
+            interpreter::next,
+            translation,
+            sentry,
+            new RunLimits(Slices.PRIMARY, memoryBytes));
     run = Optional.of(started);
     variableSlots = Optional.of(new VariableSlots(started));
     interpreter.programStarted(started);
@@ -101,7 +114,8 @@ public final class Machine {
             new SecondaryControl(),
             thread -> false,
             translation,
-            Sentry.NONE);
+            Sentry.NONE,
+            new RunLimits(Slices.SECONDARY, memoryBytes));
     underWayBeside = Optional.of(secondary);
     try {
       if (secondary.advance() == Scheduler.FrameResult.RUNNING) {

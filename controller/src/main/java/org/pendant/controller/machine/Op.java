@@ -41,7 +41,7 @@ final class Op {
   /** Jumps by the distance. */
   static final int JUMP = 18;
 
-  /** Jumps back by the distance and counts one turn of the budget. */
+  /** Jumps back by the distance and counts one turn, see {@link Cost#turn}. */
   static final int LOOP = 19;
 
   /** Jumps when a is false or true. */
@@ -58,7 +58,7 @@ final class Op {
   static final int JUMP_IF_EQUAL = 26;
   static final int JUMP_IF_NOT_EQUAL = 27;
 
-  /** As the ones above, backwards at the end of a loop: count one turn of the budget. */
+  /** As the ones above, backwards at the end of a loop: count one turn. */
   static final int LOOP_IF_LESS = 28;
 
   static final int LOOP_IF_LESS_OR_EQUAL = 29;
@@ -121,4 +121,13 @@ final class Op {
 
   /** Stands in place of a statement's first instruction where a debugger wants to know of it. */
   static final int TRAP = 52;
+
+  /** a := b[c], which is changed next: a container that only b has. */
+  static final int OPEN_INDEX = 53;
+
+  /** a := b.name c, which is changed next: a container that only b has. */
+  static final int OPEN_MEMBER = 54;
+
+  /** Counts a stretch of instructions without a turn or call. */
+  static final int STRETCH = 55;
 }

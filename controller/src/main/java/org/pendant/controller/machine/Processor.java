@@ -65,7 +65,7 @@ final class Processor {
   Stop execute(ScriptThread thread) throws ScriptError {
     while (true) {
       int top = thread.depth - 1;
-      TranslatedCode code = hot.code(thread.functions[top]);
+      TranslatedCode code = thread.interrupted ? null : hot.code(thread.functions[top]);
       Stop stop =
           code != null
               ? code.run(this, thread, thread.bases[top], thread.pcs[top])
@@ -98,11 +98,12 @@ final class Processor {
       throws ScriptError {
     int depth = thread.depth;
     thread.pcs[depth - 1] = pc;
-    if (--thread.budget < 0) {
-      refusal = exhausted(thread, pc - 1);
+    if (thread.budget < 0) {
+      refusal = stop(thread, pc - 1, Stop.EXHAUSTED);
       return null;
     }
     ScriptFunction callee = run.functions()[number];
+    thread.budget -= callee.callNs();
     int first = base + offset;
     if (depth >= ScriptThread.MAX_DEPTH || first + callee.slotCount() > thread.segmentEnd) {
       general.makeRoom(thread, callee, first);
@@ -145,7 +146,6 @@ final class Processor {
 
   /** Ends a thread's turn for this frame before instruction {@code pc}. */
   static Stop exhausted(ScriptThread thread, int pc) {
-    thread.budget = 0;
     return stop(thread, pc, Stop.EXHAUSTED);
   }
 

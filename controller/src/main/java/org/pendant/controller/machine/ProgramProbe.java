@@ -136,7 +136,7 @@ public final class ProgramProbe {
   private static String waitsFor(ProgramRun run, ScriptThread thread) {
     return switch (thread.state) {
       case RUNNABLE, ENDED -> "";
-      case JOINING -> "thread " + thread.joinedThread;
+      case JOINING -> "thread " + thread.joined.orElseThrow().id();
       case WAITING -> {
         int top = thread.depth - 1;
         long word = thread.functions[top].instructions()[thread.reached(top)];

@@ -15,6 +15,7 @@ import org.pendant.controller.call.Builtin;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.ProgramControl;
+import org.pendant.controller.call.Work;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.value.Registers;
 import org.pendant.controller.value.ScriptError;
@@ -28,6 +29,9 @@ final class ProgramRun {
   /** Most threads alive at once; one more is a runtime error. */
   static final int MAX_THREADS = 200;
 
+  /** Most threads that a program may start from its beginning to its end. */
+  private static final int MOST_STARTED = Integer.MAX_VALUE - 1;
+
   /** What programs keep in a variable that has no handle yet: as of a thread that has ended. */
   private static final int NO_THREAD = 0;
 
@@ -35,6 +39,8 @@ final class ProgramRun {
   private final Registers registers;
   private final RegisterSegments segments;
   private final Methods methods;
+  private final Work work = new Work();
+  private final ProgramMemory memory;
   private final Processor processor;
   private final Scheduler scheduler;
   private final Sentry sentry;
@@ -56,8 +62,10 @@ final class ProgramRun {
       ProgramControl control,
       Predicate<ScriptThread> nextLine,
       Translation translation,
-      Sentry sentry) {
+      Sentry sentry,
+      RunLimits limits) {
     this.program = program;
+    memory = new ProgramMemory(limits.memoryBytes());
     this.sentry = sentry;
     traps = new Traps(program.source());
     int statics = program.tables().staticNames().size();
@@ -69,17 +77,17 @@ final class ProgramRun {
     processor =
         new Processor(
             this,
-            new Call(box, control, registers),
+            new Call(box, control, registers, work),
             new HotFunctions(translation, program.tables()));
-    scheduler = new Scheduler(this, processor, nextLine, sentry);
-    ScriptThread main = newThread(-1);
-    main.push(functions[0], main.segmentStart, 0);
+    scheduler = new Scheduler(this, processor, nextLine, sentry, limits.slices());
+    startFunction(-1, functions[0]);
   }
 
   /** The same program with the same values, for {@link #onTheSide}. */
   private ProgramRun(
       ProgramRun original, Program.Tables linked, ControlBox box, ProgramControl control) {
     program = original.program;
+    memory = original.memory.fresh();
     sentry = Sentry.NONE;
     traps = new Traps(program.source());
     registers = copyOf(original.registers);
@@ -88,8 +96,10 @@ final class ProgramRun {
     link(linked);
     processor =
         new Processor(
-            this, new Call(box, control, registers), new HotFunctions(Translation.NEVER, linked));
-    scheduler = new Scheduler(this, processor, thread -> false, sentry);
+            this,
+            new Call(box, control, registers, work),
+            new HotFunctions(Translation.NEVER, linked));
+    scheduler = new Scheduler(this, processor, thread -> false, sentry, Slices.NONE);
   }
 
   private static Registers copyOf(Registers registers) {
@@ -157,6 +167,15 @@ final class ProgramRun {
     return processor;
   }
 
+  /** What counts the work that is done. */
+  Work work() {
+    return work;
+  }
+
+  ProgramMemory memory() {
+    return memory;
+  }
+
   Registers registers() {
     return registers;
   }
@@ -209,30 +228,30 @@ final class ProgramRun {
     return threads.getFirst();
   }
 
-  private ScriptThread newThread(int parent) {
-    ScriptThread thread = new ScriptThread(newestThread++, parent);
-    thread.segmentStart = segments.take(functions[0].slotCount());
-    thread.segmentEnd = thread.segmentStart + RegisterSegments.sizeFor(functions[0].slotCount());
-    threads.add(thread);
-    scheduler.add(thread);
-    return thread;
-  }
-
   /** Starts a thread that runs function {@code number}; {@link #newestThread} is its handle. */
   void startThread(int parent, int number) throws ScriptError {
     if (threads.size() >= MAX_THREADS) {
       throw new ScriptError(
           "too-many-threads", "more than " + MAX_THREADS + " threads run at once");
     }
-    ScriptFunction function = functions[number];
-    ScriptThread thread = newThread(parent);
-    if (thread.segmentStart + function.slotCount() > thread.segmentEnd) {
-      segments.enlarge(thread, thread.segmentStart + function.slotCount());
+    if (newestThread >= MOST_STARTED) {
+      throw new ScriptError(
+          "too-many-threads", "more than " + MOST_STARTED + " threads were started");
     }
+    segments.check(functions[number].slotCount());
+    startFunction(parent, functions[number]);
+  }
+
+  private void startFunction(int parent, ScriptFunction function) {
+    ScriptThread thread = new ScriptThread(newestThread++, parent);
+    thread.segmentStart = segments.take(function.slotCount());
+    thread.segmentEnd = thread.segmentStart + RegisterSegments.sizeFor(function.slotCount());
     for (int i = 0; i < function.variableCount(); i++) {
       registers.clear(thread.segmentStart + i);
     }
     thread.push(function, thread.segmentStart, 0);
+    threads.add(thread);
+    scheduler.add(thread);
   }
 
   /** Whether the thread that runs just now is the main thread. */
@@ -283,6 +302,7 @@ final class ProgramRun {
     for (int i = knownVariables; i < line.variableCount(); i++) {
       registers.clear(base + i);
     }
+    main.budget -= Cost.LINE_NS;
     main.push(traps.entered(line), base, 0);
     main.state = ScriptThread.State.RUNNABLE;
   }
@@ -330,7 +350,7 @@ final class ProgramRun {
       throw new ScriptError("not-a-child", "join: thread " + id + " was started by another thread");
     }
     thread.state = ScriptThread.State.JOINING;
-    thread.joinedThread = id;
+    thread.joined = other;
     return true;
   }
 
@@ -366,6 +386,7 @@ final class ProgramRun {
     thread.critical = false;
     if (threads.size() > 1 && thread != main()) {
       threads.remove(thread);
+      scheduler.remove(thread);
       segments.give(thread.segmentStart, thread.segmentEnd - thread.segmentStart);
       sentry.threadEnded(thread.id());
     }

@@ -3,6 +3,7 @@ package org.pendant.controller.machine;
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.value.Registers;
+import org.pendant.controller.value.ScriptError;
 
 /**
  * Shares one register file between the static slots of a program and its threads, in segments of a
@@ -11,6 +12,12 @@ import org.pendant.controller.value.Registers;
 final class RegisterSegments {
   private static final int SMALLEST = 64;
   private static final int SIZE_CLASSES = 24;
+
+  /** Most registers that a program may have. */
+  private static final int MAX_SLOTS = 1 << 20;
+
+  /** Registers that are copied or cleared in a nanosecond, roughly. */
+  private static final int SLOTS_A_NS = 2;
 
   private final Registers registers;
   private final List<List<Integer>> free = new ArrayList<>();
@@ -27,6 +34,23 @@ final class RegisterSegments {
   /** The size of the segment that {@link #take} gives for {@code needed} slots. */
   static int sizeFor(int needed) {
     return Math.max(SMALLEST, Integer.highestOneBit(Math.max(1, needed - 1)) << 1);
+  }
+
+  /** Refuses to {@link #enlarge} a segment if the program would have too many slots. */
+  void checkEnlarge(ScriptThread thread, int slot) throws ScriptError {
+    check(Math.max(slot + 1 - thread.segmentStart, thread.segmentEnd - thread.segmentStart + 1));
+  }
+
+  /** Refuses a segment for {@code needed} slots if the program would have too many. */
+  void check(int needed) throws ScriptError {
+    int size = sizeFor(needed);
+    if (size > MAX_SLOTS - end && free.get(Integer.numberOfTrailingZeros(size)).isEmpty()) {
+      throw new ScriptError(
+          "out-of-memory",
+          "out of memory: the calls that are under way need more than "
+              + MAX_SLOTS
+              + " variables and intermediate values");
+    }
   }
 
   /** The first slot of a segment of {@link #sizeFor} slots. */
@@ -49,8 +73,12 @@ final class RegisterSegments {
     free.get(Integer.numberOfTrailingZeros(size)).add(start);
   }
 
-  /** Makes the segment of {@code thread} larger, so that it holds {@code slot}. */
-  void enlarge(ScriptThread thread, int slot) {
+  /**
+   * Makes the segment of {@code thread} larger, so that it holds {@code slot}.
+   *
+   * @return what that takes, in nanoseconds
+   */
+  int enlarge(ScriptThread thread, int slot) {
     int start = thread.segmentStart;
     int size = thread.segmentEnd - start;
     int needed = slot + 1 - start;
@@ -61,5 +89,6 @@ final class RegisterSegments {
     give(start, size);
     thread.shift(larger - start);
     thread.segmentEnd = larger + sizeFor(Math.max(needed, size + 1));
+    return (thread.segmentEnd - thread.segmentStart) / SLOTS_A_NS;
   }
 }

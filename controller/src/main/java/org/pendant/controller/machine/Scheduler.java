@@ -14,10 +14,9 @@ import org.pendant.controller.value.Value;
  */
 final class Scheduler {
   /**
-   * Turns and calls that one thread may make in a frame: the computing time of its slice. It is
-   * counted, not measured, so that every machine schedules alike.
+   * What a thread may use beyond its slice before the threads behind it wait for the next frame.
    */
-  static final int BUDGET = 50_000;
+  private static final int OVERDRAFT_NS = 200_000;
 
   /** How a frame left the program. */
   enum FrameResult {
@@ -33,6 +32,7 @@ final class Scheduler {
   private final Processor processor;
   private final Predicate<ScriptThread> nextLine;
   private final Sentry sentry;
+  private final Slices slices;
   private final List<ScriptThread> order = new ArrayList<>();
   private ScriptThread running;
   private boolean executing;
@@ -40,11 +40,23 @@ final class Scheduler {
 
   // where the round of the frame is
   private int next;
+  private int computing;
+  private int wakingLeftNs;
+
+  /** Somebody used so much that nobody else runs in this frame. */
+  private boolean usedUp;
+
   private boolean progress;
   private boolean held;
 
-  Scheduler(ProgramRun run, Processor processor, Predicate<ScriptThread> nextLine, Sentry sentry) {
+  Scheduler(
+      ProgramRun run,
+      Processor processor,
+      Predicate<ScriptThread> nextLine,
+      Sentry sentry,
+      Slices slices) {
     this.run = run;
+    this.slices = slices;
     this.processor = processor;
     this.nextLine = nextLine;
     this.sentry = sentry;
@@ -52,8 +64,16 @@ final class Scheduler {
 
   /** A new thread, which has its turn after the others. */
   void add(ScriptThread thread) {
-    thread.budget = BUDGET;
     order.add(thread);
+  }
+
+  /** A thread that has ended. */
+  void remove(ScriptThread thread) {
+    int index = order.indexOf(thread);
+    order.remove(index);
+    if (index < next) {
+      next--;
+    }
   }
 
   /** Frames that the program has been running, pauses not counted. */
@@ -77,8 +97,8 @@ final class Scheduler {
   }
 
   /**
-   * Runs every runnable thread until it waits, ends or has used its slice. Those with the largest
-   * slice left over go first. Goes on with the frame that it was held in.
+   * Runs every runnable thread until it waits, ends or has used its slice. Goes on with the frame
+   * that it was held in.
    */
   FrameResult advance() throws ThreadFailure {
     if (!held) {
@@ -87,41 +107,55 @@ final class Scheduler {
     return rounds();
   }
 
+  /**
+   * Those that had no turn go first, those that have used too much last. What was used beyond a
+   * slice is paid with the slices of the frames that follow.
+   */
   private void begin() {
     frame++;
     if (order.size() > 1) {
-      order.removeIf(ScriptThread::ended);
       order.sort(
           Comparator.comparing((ScriptThread t) -> !t.critical)
-              .thenComparing(Comparator.comparingInt((ScriptThread t) -> t.budget).reversed())
+              .thenComparing(t -> !t.deferred)
+              .thenComparing(t -> t.debtNs > 0)
               .thenComparingInt(ScriptThread::id));
     }
+    computing = 0;
     for (int i = 0; i < order.size(); i++) {
-      order.get(i).budget = BUDGET;
+      ScriptThread thread = order.get(i);
+      thread.deferred = false;
+      thread.waking = thread.state != ScriptThread.State.RUNNABLE;
+      thread.debtNs = Math.max(0, thread.debtNs - slices.threadNs());
+      if (thread.state == ScriptThread.State.RUNNABLE && thread.debtNs == 0) {
+        computing++;
+      }
     }
+    wakingLeftNs = slices.wakingNs();
+    usedUp = false;
     next = 0;
     progress = false;
   }
 
   /** Goes round the threads until none can do more in this frame. */
   private FrameResult rounds() throws ThreadFailure {
+    if (held) {
+      held = false;
+      // it may have been killed meanwhile
+      FrameResult result = running.ended() ? FrameResult.RUNNING : turn(running);
+      if (result != FrameResult.RUNNING || keepsOthersOut(running)) {
+        return result;
+      }
+    }
     while (true) {
       // threads started meanwhile stand at the end and get their turn too
-      for (; next < order.size(); next++) {
-        ScriptThread thread = order.get(next);
-        if (!held && !ready(thread)) {
-          continue;
-        }
-        held = false;
-        progress = true;
-        FrameResult result = turn(thread);
-        held = result == FrameResult.HELD;
-        if (result != FrameResult.RUNNING) {
-          return result;
-        }
-        if (thread.critical && thread.state == ScriptThread.State.RUNNABLE) {
-          // out of its slice inside a critical section: nobody runs until it goes on
-          return FrameResult.RUNNING;
+      while (next < order.size()) {
+        ScriptThread thread = order.get(next++);
+        if (ready(thread)) {
+          progress = true;
+          FrameResult result = turn(thread);
+          if (result != FrameResult.RUNNING || keepsOthersOut(thread)) {
+            return result;
+          }
         }
       }
       if (!progress) {
@@ -132,23 +166,33 @@ final class Scheduler {
     }
   }
 
+  /** Out of its slice inside a critical section: nobody runs until it goes on. */
+  private static boolean keepsOthersOut(ScriptThread thread) {
+    return thread.critical && thread.state == ScriptThread.State.RUNNABLE;
+  }
+
   private FrameResult turn(ScriptThread thread) throws ThreadFailure {
-    if (thread.ended()) {
-      // killed while it was held
-      return FrameResult.RUNNING;
+    int before = thread.budget;
+    Processor.Stop stop = execute(thread);
+    if (thread.waking) {
+      wakingLeftNs -= before - thread.budget;
     }
-    switch (execute(thread)) {
-      case WAITING -> {
-        thread.state = ScriptThread.State.WAITING;
-        thread.polledFrame = frame;
-        thread.budget = 0;
-      }
-      case EXHAUSTED -> thread.budget = 0;
+    FrameResult result = followed(thread, stop);
+    if (thread.budget < 0) {
+      usedUp |= thread.budget < -OVERDRAFT_NS;
+      thread.debtNs = -thread.budget;
+      thread.budget = 0;
+    }
+    return result;
+  }
+
+  private FrameResult followed(ScriptThread thread, Processor.Stop stop) {
+    switch (stop) {
+      case WAITING -> pause(thread);
+      case EXHAUSTED -> endSlice(thread);
       case INTERPRETED -> {
         if (!nextLine.test(thread)) {
-          thread.state = ScriptThread.State.WAITING;
-          thread.polledFrame = frame;
-          thread.budget = 0;
+          pause(thread);
         }
       }
       case ENDED -> {
@@ -166,12 +210,24 @@ final class Scheduler {
         return FrameResult.PAUSED;
       }
       case TRAPPED -> {
+        held = true;
         return FrameResult.HELD;
       }
       case JOINING -> {}
       default -> throw new IllegalStateException("a turn ended for no reason");
     }
     return FrameResult.RUNNING;
+  }
+
+  private void pause(ScriptThread thread) {
+    thread.state = ScriptThread.State.WAITING;
+    thread.polledFrame = frame;
+    endSlice(thread);
+  }
+
+  /** Nothing is left for this frame. */
+  private static void endSlice(ScriptThread thread) {
+    thread.budget = Math.min(0, thread.budget);
   }
 
   /** Runs {@code thread} on, over the traps that nobody wants to stop at. */
@@ -193,17 +249,38 @@ final class Scheduler {
 
   /** Whether {@code thread} can run now; looks at what it waits for, once a frame. */
   private boolean ready(ScriptThread thread) throws ThreadFailure {
-    return switch (thread.state) {
-      case RUNNABLE -> thread.budget > 0;
-      case JOINING -> run.thread(thread.joinedThread).isEmpty() && released(thread);
-      case WAITING -> thread.polledFrame != frame && waitOver(thread);
-      case ENDED -> false;
-    };
+    boolean wants =
+        switch (thread.state) {
+          case RUNNABLE -> true;
+          case JOINING -> thread.joined.orElseThrow().ended() && released(thread);
+          case WAITING -> thread.polledFrame != frame && waitOver(thread);
+          case ENDED -> false;
+        };
+    if (!wants) {
+      return false;
+    }
+    slice(thread);
+    if (usedUp && thread.budget > 0) {
+      thread.deferred = true;
+      thread.budget = 0;
+    }
+    return thread.budget > 0;
+  }
+
+  /** Gives {@code thread} its slice when it can run for the first time in this frame. */
+  private void slice(ScriptThread thread) {
+    if (thread.slicedFrame == frame || thread.debtNs > 0) {
+      return;
+    }
+    thread.slicedFrame = frame;
+    thread.budget = thread.waking ? slices.waking(wakingLeftNs) : slices.computing(computing);
+    thread.deferred = thread.budget == 0;
   }
 
   private static boolean released(ScriptThread thread) {
     thread.state = ScriptThread.State.RUNNABLE;
-    return thread.budget > 0;
+    thread.waking = true;
+    return true;
   }
 
   private boolean waitOver(ScriptThread thread) throws ThreadFailure {
@@ -215,11 +292,10 @@ final class Scheduler {
       throw new ThreadFailure(thread, e);
     }
     if (result.isEmpty()) {
-      thread.budget = 0;
       return false;
     }
     run.registers().set(thread.bases[thread.depth - 1] + thread.waitResult, result.get());
-    thread.state = ScriptThread.State.RUNNABLE;
-    return true;
+    run.work().take(result.get().sizeBytes());
+    return released(thread);
   }
 }

@@ -25,6 +25,7 @@ final class ScriptFunction {
   private final int parameterCount;
   private final List<String> variables;
   private final int slotCount;
+  private final int callNs;
   private final FunctionScope scope;
 
   /** What a trapped form was made of; itself for any other. */
@@ -61,6 +62,7 @@ final class ScriptFunction {
     this.parameterCount = parameterCount;
     this.variables = List.copyOf(variables);
     this.slotCount = slotCount;
+    callNs = Cost.call(code.length);
     this.scope = scope;
     original = this;
   }
@@ -76,6 +78,7 @@ final class ScriptFunction {
     parameterCount = original.parameterCount;
     variables = original.variables;
     slotCount = original.slotCount;
+    callNs = original.callNs;
     scope = original.scope;
     untranslatable = true;
     this.original = original;
@@ -147,6 +150,11 @@ final class ScriptFunction {
 
   int slotCount() {
     return slotCount;
+  }
+
+  /** What a call costs, see {@link Cost}. */
+  int callNs() {
+    return callNs;
   }
 
   /** What its names mean, for statements that are linked into it later. */

@@ -1,7 +1,9 @@
 package org.pendant.controller.machine;
 
 import java.util.Arrays;
+import java.util.Optional;
 import org.pendant.controller.call.Wait;
+import org.pendant.controller.value.LongOperation;
 
 /**
  * One script thread: call frames over a segment of the program's registers, and what it waits for.
@@ -33,14 +35,37 @@ final class ScriptThread {
   /** The frame in which the wait was last looked at. */
   long polledFrame;
 
-  int joinedThread;
+  /** The thread whose end this one waits for. */
+  Optional<ScriptThread> joined = Optional.empty();
+
   boolean critical;
 
   /** Stopped at a trap: the instruction pointer stands before the statement that comes next. */
   boolean trapped;
 
-  /** Instruction budget left in this frame. */
+  /**
+   * Stopped before an instruction that is not a place to stop otherwise: only the instruction loop
+   * goes on from there.
+   */
+  boolean interrupted;
+
+  /** What the instruction that the thread stopped before has begun. */
+  Optional<LongOperation> operation = Optional.empty();
+
+  /** Computing time left in this frame, in nanoseconds; see {@link Cost}. */
   int budget;
+
+  /** Computing time that was used beyond the slices so far; nothing runs until it is paid. */
+  int debtNs;
+
+  /** The last frame in which this thread was given a slice. */
+  long slicedFrame;
+
+  /** It waited when this frame began, or did not exist. */
+  boolean waking = true;
+
+  /** It could have run in the last frame, but others had used too much. */
+  boolean deferred;
 
   // Call frames: function, instruction pointer, first slot, and where the caller wants the result.
   ScriptFunction[] functions = new ScriptFunction[8];
@@ -107,11 +132,14 @@ final class ScriptThread {
     return state == State.WAITING && wait.abort();
   }
 
+  /** Whether the instruction pointer stands before what comes next, and not behind what was. */
+  boolean before() {
+    return trapped || interrupted;
+  }
+
   /** The instruction that the function of call frame {@code index} has reached. */
   int reached(int index) {
-    // the pointer stands behind the instruction that a thread stopped at, except at a trap
-    boolean before = trapped && index == depth - 1;
-    return before ? pcs[index] : Math.max(0, pcs[index] - 1);
+    return before() && index == depth - 1 ? pcs[index] : Math.max(0, pcs[index] - 1);
   }
 
   /** The line the innermost function has reached. */

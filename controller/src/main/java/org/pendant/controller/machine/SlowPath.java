@@ -4,7 +4,9 @@ import org.pendant.controller.call.Builtin;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.call.Wait;
+import org.pendant.controller.call.Work;
 import org.pendant.controller.machine.Processor.Stop;
+import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.Registers;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
@@ -15,16 +17,21 @@ import org.pendant.language.syntax.Expression.BinaryOperator;
  * common ones, for operands that are not plain numbers.
  */
 final class SlowPath {
+  /** What {@link #equal} answers when the thread has stopped before the comparison. */
+  static final int STOPPED = -1;
+
   private final ProgramRun run;
   private final Registers registers;
   private final GeneralOperations general;
   private final Call call;
+  private final Work work;
 
   SlowPath(ProgramRun run, GeneralOperations general, Call call) {
     this.run = run;
     this.registers = run.registers();
     this.general = general;
     this.call = call;
+    work = run.work();
   }
 
   /**
@@ -32,12 +39,61 @@ final class SlowPath {
    * jumps, calls of functions and returns, except to refuse their operands.
    *
    * @param base the function's first slot
-   * @return {@link Stop#GOES_ON}, or why the thread stops behind the instruction
+   * @return {@link Stop#GOES_ON}; {@link Stop#EXHAUSTED} when the thread has stopped before the
+   *     instruction, since its slice is used up or the instruction takes longer than a slice; or
+   *     why it stops behind the instruction
    */
   Stop run(ScriptThread thread, int base, int pc) throws ScriptError {
-    thread.pcs[thread.depth - 1] = pc;
+    int depth = thread.depth;
+    long w = thread.functions[depth - 1].instructions()[pc - 1];
+    if (thread.budget < 0 && takesTime(w, base)) {
+      return interrupt(thread, pc);
+    }
+    thread.pcs[depth - 1] = pc;
+    Stop stop = execute(thread, base, w);
+    settle(thread);
+    return stop == Stop.EXHAUSTED ? interrupt(thread, pc) : stop;
+  }
+
+  /**
+   * Whether an instruction may take so long that it has to wait for a slice. Not if its operands
+   * are plain numbers, where it may never come here, and not in the middle of a change of a part,
+   * which nobody must come in between of.
+   */
+  private boolean takesTime(long w, int base) {
+    return switch (Instruction.operation(w)) {
+      case Op.COPY, Op.ASSIGN, Op.ASSIGN_COPY, Op.NEGATE -> isObject(Instruction.b(w), base);
+      case Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.DIVIDE, Op.MODULO ->
+          isObject(Instruction.b(w), base) || isObject(Instruction.c(w), base);
+      case Op.GET_INDEX ->
+          isObject(Instruction.b(w), base)
+              && registers.objects()[Instruction.slot(Instruction.b(w), base)]
+                  instanceof MatrixValue;
+      case Op.CALL_BUILTIN, Op.CALL_METHOD, Op.LIST, Op.STRUCT, Op.RUN, Op.JOIN, Op.KILL -> true;
+      default -> false;
+    };
+  }
+
+  private boolean isObject(int operand, int base) {
+    return registers.tags()[Instruction.slot(operand, base)] == Registers.OBJECT;
+  }
+
+  /** Stops {@code thread} before the instruction before {@code pc}. */
+  private static Stop interrupt(ScriptThread thread, int pc) {
+    thread.interrupted = true;
+    return Processor.stop(thread, pc - 1, Stop.EXHAUSTED);
+  }
+
+  /** Takes what has been done off the thread's slice and counts the values that are new. */
+  private void settle(ScriptThread thread) throws ScriptError {
+    if (work.tookBytes()) {
+      work.charge(run.memory().took(work.settleBytes(), registers));
+    }
+    thread.budget -= work.settleNs();
+  }
+
+  private Stop execute(ScriptThread thread, int base, long w) throws ScriptError {
     ScriptFunction function = thread.functions[thread.depth - 1];
-    long w = function.instructions()[pc - 1];
     int a = Instruction.a(w);
     int operation = Instruction.operation(w);
     switch (operation) {
@@ -49,12 +105,24 @@ final class SlowPath {
         general.assign(function, a, slot, Instruction.b(w), source, operation == Op.ASSIGN_COPY);
       }
       case Op.UNSET -> registers.tags()[Instruction.slot(a, base)] = Registers.UNASSIGNED;
-      case Op.ADD -> general.add(function, w, base);
-      case Op.SUBTRACT -> general.arithmetic(BinaryOperator.SUBTRACT, function, w, base);
-      case Op.MULTIPLY -> general.arithmetic(BinaryOperator.MULTIPLY, function, w, base);
-      case Op.DIVIDE -> general.arithmetic(BinaryOperator.DIVIDE, function, w, base);
-      case Op.MODULO -> general.arithmetic(BinaryOperator.MODULO, function, w, base);
-      case Op.NEGATE -> general.negate(function, w, base);
+      case Op.ADD -> {
+        return general.add(thread, w, base);
+      }
+      case Op.SUBTRACT -> {
+        return general.arithmetic(BinaryOperator.SUBTRACT, thread, w, base);
+      }
+      case Op.MULTIPLY -> {
+        return general.arithmetic(BinaryOperator.MULTIPLY, thread, w, base);
+      }
+      case Op.DIVIDE -> {
+        return general.arithmetic(BinaryOperator.DIVIDE, thread, w, base);
+      }
+      case Op.MODULO -> {
+        return general.arithmetic(BinaryOperator.MODULO, thread, w, base);
+      }
+      case Op.NEGATE -> {
+        return general.negate(thread, w, base);
+      }
       case Op.XOR -> xor(function, w, base);
       case Op.NOT -> throw general.notTruth(function, Instruction.slot(Instruction.b(w), base));
       case Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE ->
@@ -85,21 +153,28 @@ final class SlowPath {
       case Op.SET_INDEX -> general.setIndex(function, w, base);
       case Op.GET_INDEX_2 -> general.getIndex2(function, w, base);
       case Op.SET_INDEX_2 -> general.setIndex2(function, w, base);
+      case Op.OPEN_INDEX -> general.openIndex(function, w, base);
+      case Op.OPEN_MEMBER -> general.openMember(function, w, base);
       case Op.GET_MEMBER -> general.getMember(function, w, base);
       case Op.SET_MEMBER -> general.setMember(function, w, base);
-      case Op.LIST -> general.list(w, base);
+      case Op.LIST -> {
+        return general.list(thread, w, base);
+      }
       case Op.POSE -> general.pose(w, base);
       case Op.STRUCT -> general.struct(w, base);
       case Op.RUN -> {
+        work.charge(Cost.THREAD_NS);
         run.startThread(thread.id(), Instruction.b(w));
         registers.setInt(Instruction.slot(a, base), run.newestThread());
       }
       case Op.JOIN -> {
+        work.charge(Cost.HANDLE_NS);
         if (run.join(thread, general.handle("join", Instruction.slot(a, base)))) {
           return Stop.JOINING;
         }
       }
       case Op.KILL -> {
+        work.charge(Cost.HANDLE_NS);
         run.kill(general.handle("kill", Instruction.slot(a, base)));
         return thread.ended() ? Stop.ENDED : Stop.GOES_ON;
       }
@@ -130,7 +205,7 @@ final class SlowPath {
     registers.numbers()[slot] = registers.numbers()[source];
     if (registers.tags()[source] == Registers.OBJECT) {
       Value object = registers.objects()[source];
-      registers.objects()[slot] = copy ? object.copy() : object;
+      registers.objects()[slot] = copy ? general.copied(object) : object;
     }
   }
 
@@ -150,6 +225,7 @@ final class SlowPath {
       throws ScriptError {
     int base = thread.bases[thread.depth - 1];
     int slot = Instruction.index(result);
+    work.charge(Cost.BUILTIN_NS);
     Outcome outcome = call.run(builtin, first, base + slot);
     if (outcome instanceof Wait wait) {
       thread.wait = wait;
@@ -162,13 +238,25 @@ final class SlowPath {
     return run.pauseRequested() ? Stop.PAUSED : Stop.GOES_ON;
   }
 
-  /** Whether the operands that the instruction before {@code pc} compares are equal. */
-  boolean equal(ScriptThread thread, int base, int pc) throws ScriptError {
-    thread.pcs[thread.depth - 1] = pc;
+  /**
+   * Whether the operands that the instruction before {@code pc} compares are equal: 1 or 0, or
+   * {@link #STOPPED} as {@link Stop#EXHAUSTED} of {@link #run}.
+   */
+  int equal(ScriptThread thread, int base, int pc) throws ScriptError {
     long w = thread.functions[thread.depth - 1].instructions()[pc - 1];
     boolean jumps = Instruction.operation(w) >= Op.JUMP_IF_EQUAL;
-    return general.equal(
-        Instruction.slot(jumps ? Instruction.a(w) : Instruction.b(w), base),
-        Instruction.slot(jumps ? Instruction.b(w) : Instruction.c(w), base));
+    int x = jumps ? Instruction.a(w) : Instruction.b(w);
+    int y = jumps ? Instruction.b(w) : Instruction.c(w);
+    if (thread.budget < 0 && isObject(x, base) && isObject(y, base)) {
+      interrupt(thread, pc);
+      return STOPPED;
+    }
+    thread.pcs[thread.depth - 1] = pc;
+    int equal = general.equal(thread, Instruction.slot(x, base), Instruction.slot(y, base));
+    settle(thread);
+    if (equal == STOPPED) {
+      interrupt(thread, pc);
+    }
+    return equal;
   }
 }

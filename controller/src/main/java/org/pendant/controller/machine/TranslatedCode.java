@@ -58,6 +58,7 @@ abstract class TranslatedCode {
     if (object instanceof NumberList list
         && i >= 0
         && i < list.length()
+        && !list.shared()
         && (list.tag() == tag || (list.tag() == Registers.FLOAT && tag == Registers.INT))) {
       list.setNumberAt(i, number);
       return true;

@@ -25,7 +25,7 @@ final class Translator {
   private static final int LARGEST = 8000;
 
   /** A function of more instructions is too large in any case. */
-  private static final int MOST_INSTRUCTIONS = 1000;
+  private static final int MOST_INSTRUCTIONS = 600;
 
   private final ScriptFunction function;
   private final long[] instructions;
@@ -124,7 +124,7 @@ final class Translator {
           points.add(pc);
           points.add(pc + 1);
         }
-        case Op.CALL_BUILTIN, Op.CALL_METHOD, Op.JOIN, Op.PAUSE -> points.add(pc + 1);
+        case Op.CALL_BUILTIN, Op.CALL_METHOD, Op.JOIN, Op.PAUSE, Op.STRETCH -> points.add(pc + 1);
         default -> {}
       }
     }

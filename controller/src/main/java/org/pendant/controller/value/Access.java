@@ -17,6 +17,14 @@ final class Access {
     };
   }
 
+  static Value open(Value receiver, Value index) throws ScriptError {
+    return switch (receiver) {
+      case ListValue list -> list.open(place(index));
+      case StructValue struct -> struct.open(place(index));
+      default -> get(receiver, index);
+    };
+  }
+
   static Value get(Value receiver, Value row, Value column) throws ScriptError {
     MatrixValue matrix = matrix(receiver);
     double number = matrix.get(place(row), place(column));

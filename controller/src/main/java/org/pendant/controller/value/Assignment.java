@@ -22,7 +22,6 @@ final class Assignment {
   @SuppressWarnings("ReferenceEquality") // whether it is the same object is the question
   static Value replaced(Value current, Value incoming) throws ScriptError {
     if (current == incoming) {
-      // the machine puts a container back after it changed a part of it in place
       return current;
     }
     if (current instanceof ListValue list && incoming instanceof ListValue source) {

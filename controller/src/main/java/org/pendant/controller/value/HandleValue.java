@@ -12,9 +12,16 @@ import org.pendant.language.signature.Type;
  *     {@code h.server.start()}; empty for the handle itself
  */
 public record HandleValue(Type type, int id, String path) implements Value {
+  private static final long HEADER_BYTES = 64;
+
   @Override
   public Kind kind() {
     return Kind.HANDLE;
+  }
+
+  @Override
+  public long sizeBytes() {
+    return HEADER_BYTES + path.length();
   }
 
   /** This handle followed by a dot and {@code name}. */

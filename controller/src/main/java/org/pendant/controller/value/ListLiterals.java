@@ -31,7 +31,7 @@ final class ListLiterals {
     }
     return switch (elements[0].kind()) {
       case BOOL, INT, FLOAT -> scalars(elements);
-      case LIST -> matrix(elements);
+      case LIST -> LongOperation.finish(matrix(elements));
       case STRING, POSE, STRUCT, HANDLE -> objects(elements);
       case NONE, MATRIX ->
           throw new ScriptError(
@@ -69,13 +69,17 @@ final class ListLiterals {
     return ObjectList.owning(copies, copies.length, elements[0].copy());
   }
 
-  private static MatrixValue matrix(Value... rows) throws ScriptError {
+  /**
+   * Begins a matrix of {@code rows}, of which the first is a list.
+   *
+   * @throws ScriptError when they are no rows of a matrix
+   */
+  static LongOperation matrix(Value... rows) throws ScriptError {
     int columns = ((ListValue) rows[0]).length();
     if (columns == 0) {
       throw new ScriptError("wrong-length", "matrix: row 0 is empty, must have a number a column");
     }
-    double[] elements = new double[rows.length * columns];
-    boolean integers = true;
+    NumberList[] lists = new NumberList[rows.length];
     for (int i = 0; i < rows.length; i++) {
       if (!(rows[i] instanceof NumberList row && row.elementKind().isNumber())) {
         throw new ScriptError(
@@ -97,10 +101,10 @@ final class ListLiterals {
                 + columns
                 + " as row 0");
       }
-      System.arraycopy(row.elements(), 0, elements, i * columns, columns);
-      integers &= row.elementKind() == Kind.INT;
+      lists[i] = row;
     }
-    return MatrixValue.owning(rows.length, columns, elements, integers);
+    MatrixValue.check(rows.length, columns);
+    return new MatrixRows(lists);
   }
 
   /**

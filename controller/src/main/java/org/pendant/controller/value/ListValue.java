@@ -24,6 +24,18 @@ public sealed interface ListValue extends Value permits NumberList, ObjectList {
   Value get(int index) throws ScriptError;
 
   /**
+   * The element at {@code index}, for a change in its place.
+   *
+   * @throws ScriptError when the index is outside 0 .. length-1
+   */
+  default Value open(int index) throws ScriptError {
+    return get(index);
+  }
+
+  /** Whether a change has to copy all elements first, since copies of this list share them. */
+  boolean shared();
+
+  /**
    * Replaces the element at {@code index} with {@code element}, which this list then owns.
    *
    * @throws ScriptError when the index is out of range or the element has another type

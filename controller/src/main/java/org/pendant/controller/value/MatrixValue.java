@@ -3,10 +3,16 @@ package org.pendant.controller.value;
 import java.util.Arrays;
 
 /** A matrix of numbers, row after row (manual 5). Like a list it is all int or all float. */
-public final class MatrixValue implements Value {
+public final class MatrixValue extends Container implements Value {
+  /** Most elements that a matrix may have. */
+  public static final int MAX_ELEMENTS = 4_000_000;
+
+  /** Matrices up to this size are copied at once: sharing would cost more than it saves. */
+  private static final int LARGEST_COPIED = 36;
+
   private final int rows;
   private final int columns;
-  private final double[] elements;
+  private double[] elements;
   private boolean integers;
 
   private MatrixValue(int rows, int columns, double[] elements, boolean integers) {
@@ -23,6 +29,26 @@ public final class MatrixValue implements Value {
           elements.length + " elements for " + rows + " x " + columns);
     }
     return new MatrixValue(rows, columns, elements, integers);
+  }
+
+  /**
+   * Refuses a shape with too many elements.
+   *
+   * @throws ScriptError beyond {@link #MAX_ELEMENTS}
+   */
+  static void check(int rows, int columns) throws ScriptError {
+    if ((long) rows * columns > MAX_ELEMENTS) {
+      throw new ScriptError(
+          "too-large",
+          "matrix: "
+              + rows
+              + " rows and "
+              + columns
+              + " columns are "
+              + (long) rows * columns
+              + " elements, must be at most "
+              + MAX_ELEMENTS);
+    }
   }
 
   public int rows() {
@@ -48,6 +74,11 @@ public final class MatrixValue implements Value {
     return elements;
   }
 
+  @Override
+  Object array() {
+    return elements;
+  }
+
   /** The element in a row and column that the caller knows to be there. */
   public double numberAt(int row, int column) {
     return elements[row * columns + column];
@@ -64,7 +95,12 @@ public final class MatrixValue implements Value {
 
   /** Replaces one element; {@code integer} says whether the number is an int. */
   public void set(int row, int column, double number, boolean integer) throws ScriptError {
-    elements[place(row, column)] = number;
+    int place = place(row, column);
+    if (shared()) {
+      elements = elements.clone();
+      setShared(false);
+    }
+    elements[place] = number;
     integers &= integer;
   }
 
@@ -112,7 +148,18 @@ public final class MatrixValue implements Value {
 
   @Override
   public MatrixValue copy() {
-    return new MatrixValue(rows, columns, elements.clone(), integers);
+    if (elements.length <= LARGEST_COPIED) {
+      return new MatrixValue(rows, columns, elements.clone(), integers);
+    }
+    MatrixValue copy = new MatrixValue(rows, columns, elements, integers);
+    copy.setShared(true);
+    setShared(true);
+    return copy;
+  }
+
+  @Override
+  public long sizeBytes() {
+    return HEADER_BYTES + (long) Double.BYTES * elements.length;
   }
 
   /** The text, for people who read tests and debuggers. */

@@ -6,8 +6,11 @@ import java.util.Arrays;
  * A list of numbers or of booleans, unboxed. Numbers are all int or all float: storing a float into
  * a list of ints turns the whole list into floats, which changes no value and no printed text.
  */
-public final class NumberList implements ListValue {
-  private final double[] elements;
+public final class NumberList extends Container implements ListValue {
+  /** Lists up to this capacity are copied at once: sharing would cost more than it saves. */
+  private static final int LARGEST_COPIED = 32;
+
+  private double[] elements;
   private int length;
   private Kind kind;
   private int tag;
@@ -67,9 +70,25 @@ public final class NumberList implements ListValue {
     return elements;
   }
 
-  /** Replaces the element at {@code index}, which the caller knows to be in range and of kind. */
+  /**
+   * Replaces the element at {@code index}, which the caller knows to be in range and of kind; not
+   * while the elements are {@link #shared}.
+   */
   public void setNumberAt(int index, double number) {
     elements[index] = number;
+  }
+
+  @Override
+  Object array() {
+    return elements;
+  }
+
+  private double[] own() {
+    if (shared()) {
+      elements = elements.clone();
+      setShared(false);
+    }
+    return elements;
   }
 
   /** The {@link Registers} tag of the elements. */
@@ -113,14 +132,15 @@ public final class NumberList implements ListValue {
   @Override
   public void set(int index, Value element) throws ScriptError {
     ListChecks.index(index, length);
-    elements[index] = number(element);
+    double number = number(element);
+    own()[index] = number;
   }
 
   @Override
   public void append(Value element) throws ScriptError {
     double number = number(element);
     ListChecks.room(length + 1, elements.length);
-    elements[length++] = number;
+    own()[length++] = number;
   }
 
   /**
@@ -136,7 +156,7 @@ public final class NumberList implements ListValue {
     if (element == Kind.FLOAT) {
       widenToFloat();
     }
-    elements[length++] = number;
+    own()[length++] = number;
   }
 
   @Override
@@ -152,7 +172,7 @@ public final class NumberList implements ListValue {
     if (other.kind == Kind.FLOAT) {
       widenToFloat();
     }
-    System.arraycopy(other.elements, 0, elements, length, added);
+    System.arraycopy(other.elements, 0, own(), length, added);
     length += added;
   }
 
@@ -161,15 +181,17 @@ public final class NumberList implements ListValue {
     ListChecks.index(index, length + 1);
     double number = number(element);
     ListChecks.room(length + 1, elements.length);
-    System.arraycopy(elements, index, elements, index + 1, length - index);
-    elements[index] = number;
+    double[] mine = own();
+    System.arraycopy(mine, index, mine, index + 1, length - index);
+    mine[index] = number;
     length++;
   }
 
   @Override
   public void remove(int index) throws ScriptError {
     ListChecks.index(index, length);
-    System.arraycopy(elements, index + 1, elements, index, length - index - 1);
+    double[] mine = own();
+    System.arraycopy(mine, index + 1, mine, index, length - index - 1);
     length--;
   }
 
@@ -191,7 +213,13 @@ public final class NumberList implements ListValue {
       if (other.kind == Kind.FLOAT) {
         widenToFloat();
       }
-      System.arraycopy(other.elements, 0, elements, 0, other.length);
+      if (other.elements.length == elements.length && elements.length > LARGEST_COPIED) {
+        elements = other.elements;
+        other.setShared(true);
+        setShared(true);
+      } else {
+        System.arraycopy(other.elements, 0, emptied(), 0, other.length);
+      }
       length = other.length;
     } else if (source.length() == 0) {
       length = 0;
@@ -200,9 +228,29 @@ public final class NumberList implements ListValue {
     }
   }
 
+  /** Elements of the same capacity that may be overwritten. */
+  private double[] emptied() {
+    if (shared()) {
+      elements = new double[elements.length];
+      setShared(false);
+    }
+    return elements;
+  }
+
   @Override
   public NumberList copy() {
-    return new NumberList(elements.clone(), length, kind);
+    if (elements.length <= LARGEST_COPIED) {
+      return new NumberList(elements.clone(), length, kind);
+    }
+    NumberList copy = new NumberList(elements, length, kind);
+    copy.setShared(true);
+    setShared(true);
+    return copy;
+  }
+
+  @Override
+  public long sizeBytes() {
+    return HEADER_BYTES + (long) Double.BYTES * elements.length;
   }
 
   /** The number to store for {@code element}, after widening this list if that is needed. */

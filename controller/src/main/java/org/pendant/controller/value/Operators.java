@@ -33,6 +33,26 @@ public final class Operators {
     };
   }
 
+  /** Whether {@code left operator right} is something that {@link #begin} begins. */
+  public static boolean elementwise(BinaryOperator operator, Value left, Value right) {
+    boolean many = many(left) || many(right);
+    return many && !(operator == BinaryOperator.ADD && right instanceof StructValue);
+  }
+
+  private static boolean many(Value value) {
+    return value instanceof NumberList || value instanceof MatrixValue;
+  }
+
+  /**
+   * Begins arithmetic with at least one list or matrix.
+   *
+   * @throws ScriptError for kinds and shapes that the operator cannot combine
+   */
+  public static LongOperation begin(BinaryOperator operator, Value left, Value right)
+      throws ScriptError {
+    return Elementwise.begin(operator, left, right);
+  }
+
   /** The value of {@code -operand}: a number, or a list or matrix of numbers. */
   public static Value negate(Value operand) throws ScriptError {
     return switch (operand) {
@@ -82,6 +102,11 @@ public final class Operators {
     return Equality.equal(left, right);
   }
 
+  /** Begins what {@link #equal(Value, Value)} does at once; the result is a bool. */
+  public static LongOperation beginEqual(Value left, Value right) {
+    return new Comparison(left, right);
+  }
+
   /**
    * The value of the literal {@code [elements]}: a list with the capacity of its length, or a
    * matrix when the elements are lists of numbers of equal length. An empty one is an empty list of
@@ -91,6 +116,16 @@ public final class Operators {
    */
   public static Value listLiteral(List<Value> elements) throws ScriptError {
     return ListLiterals.of(elements.toArray(new Value[0]));
+  }
+
+  /**
+   * Begins a matrix whose rows are the lists {@code rows}.
+   *
+   * @param rows at least one, the first a list
+   * @throws ScriptError when they are not lists of equally many numbers
+   */
+  public static LongOperation beginMatrix(Value... rows) throws ScriptError {
+    return ListLiterals.matrix(rows);
   }
 
   /** As {@link #listLiteral(List)}. */
@@ -110,6 +145,11 @@ public final class Operators {
    */
   public static Value index(Value receiver, Value index) throws ScriptError {
     return Access.get(receiver, index);
+  }
+
+  /** As {@link #index(Value, Value)}, of a container that is changed: so is what this answers. */
+  public static Value open(Value receiver, Value index) throws ScriptError {
+    return Access.open(receiver, index);
   }
 
   /** {@code receiver[row, column]} of a matrix. */
@@ -136,6 +176,11 @@ public final class Operators {
   /** {@code receiver.name}: a member of a struct, not copied. */
   public static Value member(Value receiver, String name) throws ScriptError {
     return Access.struct(receiver, name).get(name);
+  }
+
+  /** As {@link #member}, of a struct that is changed: so is what this answers. */
+  public static Value openMember(Value receiver, String name) throws ScriptError {
+    return Access.struct(receiver, name).open(name);
   }
 
   /** {@code receiver.name = element}; {@code element} is fresh. Answers the struct. */

@@ -13,6 +13,8 @@ public final class StringValue implements Value {
   /** Shorter results are copied: sharing would cost more than it saves. */
   private static final int SHORTEST_SHARED = 64;
 
+  private static final int HEADER_BYTES = 64;
+
   private final Optional<StringBuilder> shared;
   private final int length;
   private String bytes;
@@ -69,6 +71,17 @@ public final class StringValue implements Value {
   @Override
   public Kind kind() {
     return Kind.STRING;
+  }
+
+  @Override
+  public long sizeBytes() {
+    return HEADER_BYTES + (long) length;
+  }
+
+  /** How many bytes have to be copied to join {@code tail} to this. */
+  public int joinCost(StringValue tail) {
+    boolean grows = shared.isPresent() && shared.get().length() == length;
+    return tail.length + (grows ? 0 : length);
   }
 
   @Override

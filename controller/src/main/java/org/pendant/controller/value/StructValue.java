@@ -5,13 +5,25 @@ import java.util.List;
 import java.util.Optional;
 
 /** A struct: named members in order, whose types never change (manual 4.1). */
-public final class StructValue implements Value {
-  private final List<String> names;
-  private final Value[] members;
+public final class StructValue extends Container implements Value {
+  /** Most structs that may stand within each other. */
+  public static final int MAX_DEPTH = 100;
 
-  private StructValue(List<String> names, Value[] members) {
+  /** Most members a struct may have together with those of its members. */
+  public static final int MAX_MEMBERS = 100_000;
+
+  private final List<String> names;
+  private final int depth;
+  private final int allMembers;
+  private Value[] members;
+
+  private StructValue(
+      List<String> names, Value[] members, int depth, int allMembers, long memberBytes) {
     this.names = names;
     this.members = members;
+    this.depth = depth;
+    this.allMembers = allMembers;
+    grow(memberBytes);
   }
 
   /** A struct that owns {@code members}, one for each of {@code names}. */
@@ -19,7 +31,62 @@ public final class StructValue implements Value {
     if (names.size() != members.length) {
       throw new IllegalArgumentException(names.size() + " names, " + members.length + " members");
     }
-    return new StructValue(List.copyOf(names), members);
+    int depth = 0;
+    int allMembers = members.length;
+    long bytes = 0;
+    for (Value member : members) {
+      bytes += member.sizeBytes();
+      if (inner(member) instanceof StructValue struct) {
+        depth = Math.max(depth, struct.depth);
+        allMembers += struct.allMembers;
+      }
+    }
+    return new StructValue(List.copyOf(names), members, depth + 1, allMembers, bytes);
+  }
+
+  /** The struct that is or stands in {@code member}, if any. */
+  private static Value inner(Value member) {
+    return member instanceof ObjectList list ? list.sample() : member;
+  }
+
+  /**
+   * Refuses a struct that is too large for what goes through all its members at once.
+   *
+   * @throws ScriptError beyond {@link #MAX_DEPTH} and {@link #MAX_MEMBERS}
+   */
+  public StructValue checked() throws ScriptError {
+    if (depth > MAX_DEPTH) {
+      throw new ScriptError(
+          "too-large",
+          "struct: structs stand " + depth + " deep in each other, must be at most " + MAX_DEPTH);
+    }
+    if (allMembers > MAX_MEMBERS) {
+      throw new ScriptError(
+          "too-large",
+          "struct: it has "
+              + allMembers
+              + " members with those of its members, must have at most "
+              + MAX_MEMBERS);
+    }
+    return this;
+  }
+
+  /** How many members there are, with those of members that are structs. */
+  public int allMembers() {
+    return allMembers;
+  }
+
+  @Override
+  Object array() {
+    return members;
+  }
+
+  private Value[] own() {
+    if (shared()) {
+      members = members.clone();
+      setShared(false);
+    }
+    return members;
   }
 
   public List<String> names() {
@@ -62,13 +129,42 @@ public final class StructValue implements Value {
     if (difference.isPresent()) {
       throw new ScriptError("wrong-type", "member " + names.get(index) + ": " + difference.get());
     }
-    members[index] = Assignment.replaced(old, value);
+    replace(index, value);
+  }
+
+  @SuppressWarnings("ReferenceEquality") // whether it is the same object is the question
+  private void replace(int index, Value value) throws ScriptError {
+    if (members[index] == value) {
+      // the machine puts a part back that it changed in its place
+      return;
+    }
+    Value[] mine = own();
+    Value before = opened(mine, index);
+    long beforeBytes = before.sizeBytes();
+    Value replaced = Assignment.replaced(before, value);
+    if (replaced != before) {
+      mine[index] = replaced;
+      adopt(replaced);
+      grow(replaced.sizeBytes() - beforeBytes);
+    }
+  }
+
+  /** Member {@code index} in the order of creation, for a change in its place. */
+  public Value open(int index) throws ScriptError {
+    get(index);
+    return opened(own(), index);
+  }
+
+  /** Member {@code name}, for a change in its place. */
+  public Value open(String name) throws ScriptError {
+    return opened(own(), indexOf(name));
   }
 
   /** Takes over the members of a struct of the same type, fresh ones; lists keep their capacity. */
   void assign(StructValue source) throws ScriptError {
     for (int i = 0; i < members.length; i++) {
-      members[i] = Assignment.replaced(members[i], source.members[i]);
+      // a part that the source shares with others is not taken from them
+      replace(i, source.open(i));
     }
   }
 
@@ -98,6 +194,9 @@ public final class StructValue implements Value {
           "is " + expected.kind().described() + ", cannot become " + found.kind().described());
     }
     if (expected instanceof StructValue a && found instanceof StructValue b) {
+      if (a.sameMembers(b)) {
+        return Optional.empty();
+      }
       if (!a.names.equals(b.names)) {
         return Optional.of(
             "has members " + String.join(", ", a.names) + ", not " + String.join(", ", b.names));
@@ -121,6 +220,12 @@ public final class StructValue implements Value {
     return Optional.empty();
   }
 
+  /** Whether the two still share their members. */
+  @SuppressWarnings("ReferenceEquality") // whether it is the same array is the question
+  private boolean sameMembers(StructValue other) {
+    return members == other.members;
+  }
+
   private static Optional<String> elementDifference(ListValue expected, ListValue found) {
     if (!expected.elementKind().accepts(found.elementKind())) {
       return Optional.of(
@@ -142,11 +247,15 @@ public final class StructValue implements Value {
 
   @Override
   public StructValue copy() {
-    Value[] copies = new Value[members.length];
-    for (int i = 0; i < copies.length; i++) {
-      copies[i] = members[i].copy();
-    }
-    return new StructValue(names, copies);
+    StructValue copy = new StructValue(names, members, depth, allMembers, partBytes());
+    copy.setShared(true);
+    setShared(true);
+    return copy;
+  }
+
+  @Override
+  public long sizeBytes() {
+    return HEADER_BYTES + (long) Long.BYTES * members.length + partBytes();
   }
 
   /** The text, for people who read tests and debuggers. */

@@ -24,6 +24,14 @@ public sealed interface Value
     return this;
   }
 
+  /**
+   * What it counts towards the memory of its program, in bytes: with all its parts, and as if
+   * copies shared nothing.
+   */
+  default long sizeBytes() {
+    return Long.BYTES;
+  }
+
   /** The text that {@code to_str} and {@code textmsg} make of it (manual 16.57, 16.65). */
   default String text() {
     return ValueText.of(this);

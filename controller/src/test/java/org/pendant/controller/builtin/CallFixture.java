@@ -8,6 +8,7 @@ import org.pendant.controller.call.Builtin;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.Outcome;
+import org.pendant.controller.call.Work;
 import org.pendant.controller.value.Make;
 import org.pendant.controller.value.NoneValue;
 import org.pendant.controller.value.Registers;
@@ -57,7 +58,7 @@ final class CallFixture {
       }
     }
     // no program: functions that control one are tested with the machine
-    Outcome outcome = new Call(box, null, registers).run(builtin, 0, result);
+    Outcome outcome = new Call(box, null, registers, new Work()).run(builtin, 0, result);
     if (outcome != Outcome.Answered.ANSWERED) {
       throw new IllegalStateException(builtin.name() + " waits");
     }

@@ -25,7 +25,7 @@ final class DebugFixture {
   private static final Builtins BUILTINS = StandardBuiltins.create();
 
   final ControlBox box = new ControlBox(BoxSetup.headless("ur5e"));
-  final Machine machine = new Machine(BUILTINS, box);
+  final Machine machine = new Machine(BUILTINS, box, 64_000_000);
   final Debugger debugger = new Debugger(machine);
   private final List<String> messages = new ArrayList<>();
 

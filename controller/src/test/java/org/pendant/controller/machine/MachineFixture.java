@@ -16,6 +16,8 @@ import org.pendant.language.source.Source;
 
 /** A machine with a handful of built-ins of its own, driven frame by frame. */
 final class MachineFixture {
+  private static final long MEMORY_BYTES = 64_000_000;
+
   final List<String> messages = new ArrayList<>();
   final Builtins builtins = new Builtins();
   final Machine machine;
@@ -76,7 +78,8 @@ final class MachineFixture {
               call.program().clearInterpreter();
               return call.answer();
             });
-    machine = new Machine(builtins, new ControlBox(BoxSetup.headless("ur5e")), translation);
+    machine =
+        new Machine(builtins, new ControlBox(BoxSetup.headless("ur5e")), MEMORY_BYTES, translation);
   }
 
   private static Wait waitUntil(long wakeFrame) {

@@ -127,7 +127,7 @@ class AccessTest {
   @Test
   void aContainerCanBePutBackWhereItIs() throws ScriptError {
     ListValue list = (ListValue) list(struct("q", strings("a", "b")));
-    Value element = list.get(0);
+    Value element = Operators.open(list, Value.of(0));
     Operators.setIndex(list, Value.of(0), element);
     Operators.setMember(element, "q", Operators.member(element, "q"));
     assertSame(element, list.get(0));

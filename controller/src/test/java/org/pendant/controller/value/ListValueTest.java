@@ -60,8 +60,8 @@ class ListValueTest {
   @Test
   void partsOfAListAreCopies() throws ScriptError {
     ListValue list = (ListValue) list(struct("n", 1), struct("n", 2));
-    ((StructValue) list.slice(0, 1).get(0)).set("n", Value.of(9));
-    ((StructValue) list.copy().get(1)).set("n", Value.of(9));
+    ((StructValue) list.slice(0, 1).open(0)).set("n", Value.of(9));
+    ((StructValue) list.copy().open(1)).set("n", Value.of(9));
     assertEquals("[{n = 1}, {n = 2}]", list.text());
   }
 

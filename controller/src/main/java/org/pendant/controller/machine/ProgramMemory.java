@@ -1,0 +1,86 @@
+package org.pendant.controller.machine;
+
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.Set;
+import org.pendant.controller.value.Registers;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+
+/**
+ * Keeps the values of one program within a limit. What is new is added up; the values that are
+ * there are only counted when the sum has come near the limit.
+ */
+final class ProgramMemory {
+  /** Bytes of one register. */
+  private static final int REGISTER_BYTES = 17;
+
+  /** The part of the limit that new values have to reach at least before all are counted again. */
+  private static final int SHARE_BETWEEN_COUNTS = 16;
+
+  /** Smaller values may be counted twice: to look for them would take longer than it is worth. */
+  private static final int LARGE_BYTES = 4096;
+
+  private static final double BYTES_A_MB = 1e6;
+
+  private final long limitBytes;
+  private long untilCount;
+
+  /**
+   * @param limitBytes see {@link Value#sizeBytes}
+   */
+  ProgramMemory(long limitBytes) {
+    this.limitBytes = limitBytes;
+    untilCount = limitBytes;
+  }
+
+  /** The same limit for another run. */
+  ProgramMemory fresh() {
+    return new ProgramMemory(limitBytes);
+  }
+
+  /**
+   * There are values of {@code bytes} more.
+   *
+   * @param registers where all values of the program are
+   * @return how many registers were looked at
+   * @throws ScriptError when all values together take more than the limit
+   */
+  int took(long bytes, Registers registers) throws ScriptError {
+    untilCount -= bytes;
+    if (untilCount > 0) {
+      return 0;
+    }
+    long live = count(registers);
+    if (live > limitBytes) {
+      throw new ScriptError(
+          "out-of-memory",
+          "out of memory: the values of the program take "
+              + megabytes(live)
+              + " MB, may take at most "
+              + megabytes(limitBytes)
+              + " MB");
+    }
+    untilCount = Math.max(limitBytes - live, limitBytes / SHARE_BETWEEN_COUNTS);
+    return registers.size();
+  }
+
+  private static String megabytes(long bytes) {
+    return Long.toString((long) Math.ceil(bytes / BYTES_A_MB));
+  }
+
+  private static long count(Registers registers) {
+    long bytes = (long) REGISTER_BYTES * registers.size();
+    // a temporary and a variable may hold the same value
+    Set<Value> large = Collections.newSetFromMap(new IdentityHashMap<>());
+    Value[] objects = registers.objects();
+    for (int slot = 0; slot < objects.length; slot++) {
+      Value object = objects[slot];
+      if (object != null) {
+        long size = object.sizeBytes();
+        bytes += size < LARGE_BYTES || large.add(object) ? size : 0;
+      }
+    }
+    return bytes;
+  }
+}
