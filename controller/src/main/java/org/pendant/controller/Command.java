@@ -35,8 +35,17 @@ import org.pendant.models.pose.Wrench;
 /** What somebody outside asks of a controller; carried out at the begin of the next frame. */
 public sealed interface Command {
 
-  /** Starts a program; refused while another one runs or is paused. */
-  record StartProgram(Program program) implements Command {}
+  /**
+   * Starts a program; refused while another one runs or is paused.
+   *
+   * @param folder from which it may read files; empty for that of {@link SetProgramsFolder}
+   */
+  record StartProgram(Program program, Optional<ProgramsFolder> folder) implements Command {
+    /** A program that reads files where all do. */
+    public StartProgram(Program program) {
+      this(program, Optional.empty());
+    }
+  }
 
   /**
    * Starts a program that somebody sent to a port: the one that runs or is paused ends, and the new
@@ -49,7 +58,9 @@ public sealed interface Command {
    */
   record ReplaceProgram(Program program) implements Command {}
 
-  /** From now on programs may read files in a folder. */
+  /**
+   * Programs that start from now on and bring no folder of their own may read files in this one.
+   */
   record SetProgramsFolder(ProgramsFolder folder) implements Command {}
 
   /**
@@ -78,9 +89,17 @@ public sealed interface Command {
 
   /**
    * Runs a secondary program beside the primary one, to its end (manual 12). Refused as {@link
-   * ReplaceProgram} is.
+   * ReplaceProgram} is, when too many others came in the same frame, and while a debugger holds it;
+   * the answer to one that ends with an error is {@link Reply.Failed}.
+   *
+   * @param folder from which it may read files; empty for that of {@link SetProgramsFolder}
    */
-  record RunSecondary(Program program) implements Command {}
+  record RunSecondary(Program program, Optional<ProgramsFolder> folder) implements Command {
+    /** A program that reads files where all do. */
+    public RunSecondary(Program program) {
+      this(program, Optional.empty());
+    }
+  }
 
   /**
    * Sets a digital input.

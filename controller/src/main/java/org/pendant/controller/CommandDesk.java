@@ -12,6 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.Collectors;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.debug.Debugger;
+import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationCheck;
 import org.pendant.controller.installation.InstallationProblem;
@@ -38,6 +39,12 @@ final class CommandDesk {
   /** Most commands between two frames; more are refused. */
   static final int CAPACITY = 1024;
 
+  /** Most secondary programs in a frame; more are refused. */
+  static final int MOST_SECONDARIES = 8;
+
+  /** Most lines for interpreter mode that are checked in a frame; more wait for the next ones. */
+  static final int MOST_LINES = 16;
+
   private static final Reply DONE = new Reply.Done();
 
   private final ControlBox box;
@@ -50,6 +57,8 @@ final class CommandDesk {
   private final List<Submitted> secondaries = new ArrayList<>();
   private final Deque<Submitted> lines = new ArrayDeque<>();
   private final List<Answered> answered = new ArrayList<>();
+  private int linesOfFrame;
+  private ProgramsFolder folder;
   private CommandJournal journal = (frame, turn, command) -> {};
   private long frame;
   private long turn;
@@ -69,6 +78,7 @@ final class CommandDesk {
     this.hand = hand;
     this.tracer = tracer;
     this.installed = installed;
+    folder = box.programsFolder();
     debugger.noteIn(request -> journal.note(frame, turn, new Command.Debug(request)));
   }
 
@@ -95,6 +105,7 @@ final class CommandDesk {
   void drain(Runnable afterEach) {
     turn = box.clock().frame() == frame ? turn + 1 : 0;
     frame = box.clock().frame();
+    linesOfFrame = 0;
     interpretWaiting();
     for (int left = CAPACITY; left > 0 && !arrived.isEmpty(); left--) {
       Submitted next = arrived.remove();
@@ -103,7 +114,7 @@ final class CommandDesk {
         journal.note(frame, turn, next.command());
       }
       if (next.command() instanceof Command.RunSecondary) {
-        secondaries.add(next);
+        letWaitBeside(next);
       } else if (next.command() instanceof Command.Interpret && mustWait()) {
         letWait(next);
       } else {
@@ -117,9 +128,22 @@ final class CommandDesk {
     }
   }
 
+  private void letWaitBeside(Submitted secondary) {
+    if (secondaries.size() < MOST_SECONDARIES) {
+      secondaries.add(secondary);
+    } else {
+      String why = "more than " + MOST_SECONDARIES + " secondary programs in a frame";
+      answered.add(new Answered(secondary, new Reply.Refused(why)));
+    }
+  }
+
   /** Whether a line for interpreter mode cannot be checked yet, or others are before it. */
   private boolean mustWait() {
-    return !lines.isEmpty() || machine.interpreter().clearing();
+    return !lines.isEmpty() || !mayInterpret();
+  }
+
+  private boolean mayInterpret() {
+    return linesOfFrame < MOST_LINES && !machine.interpreter().clearing();
   }
 
   private void letWait(Submitted line) {
@@ -136,7 +160,7 @@ final class CommandDesk {
   }
 
   private void interpretWaiting() {
-    while (!lines.isEmpty() && !machine.interpreter().clearing()) {
+    while (!lines.isEmpty() && mayInterpret()) {
       Submitted next = lines.remove();
       answered.add(new Answered(next, carryOut(next.command())));
     }
@@ -146,6 +170,14 @@ final class CommandDesk {
   void runSecondaries() {
     for (Submitted next : secondaries) {
       answered.add(new Answered(next, carryOut(next.command())));
+    }
+    secondaries.clear();
+  }
+
+  /** Refuses the secondary programs that have arrived. */
+  void refuseSecondaries(String why) {
+    for (Submitted next : secondaries) {
+      answered.add(new Answered(next, new Reply.Refused(why)));
     }
     secondaries.clear();
   }
@@ -163,15 +195,15 @@ final class CommandDesk {
   private Reply carryOut(Command command) {
     try {
       return switch (command) {
-        case Command.StartProgram start -> start(start.program());
+        case Command.StartProgram start -> start(start);
         case Command.ReplaceProgram replace -> replace(replace.program());
-        case Command.SetProgramsFolder set -> done(() -> box.setProgramsFolder(set.folder()));
+        case Command.SetProgramsFolder set -> done(() -> folder = set.folder());
         case Command.ApplyInstallation apply -> granted(install(apply.installation()));
         case Command.ScannerLost lost -> done(() -> installed.scannerLost(lost.who()));
         case Command.StopProgram stop -> done(machine::stop);
         case Command.PauseProgram pause -> pause();
         case Command.ResumeProgram resume -> resume();
-        case Command.RunSecondary secondary -> runSecondary(secondary.program());
+        case Command.RunSecondary secondary -> runSecondary(secondary);
         case Command.SetInput set -> done(() -> box.io().setInput(set.name(), set.level()));
         case Command.WriteSignals write -> granted(write(write.writer(), write.writes()));
         case Command.WriteInputs write -> granted(write(write.writer(), write.update()));
@@ -193,8 +225,7 @@ final class CommandDesk {
         case Command.AnswerQuestion given ->
             done(() -> box.questions().answer(given.number(), given.answer()));
         case Command.CancelQuestion cancel -> done(() -> cancel(cancel.number()));
-        case Command.Interpret line ->
-            new Reply.Interpreted(machine.interpreter().submit(line.line()));
+        case Command.Interpret line -> interpret(line);
         case Command.SkipInterpreted skip -> done(machine.interpreter()::skip);
         case Command.AskInterpreter ask ->
             new Reply.InterpreterState(machine.interpreter().status());
@@ -333,7 +364,12 @@ final class CommandDesk {
     load.ifPresentOrElse(box.flange()::attachLoad, box.flange()::followDeclaredPayload);
   }
 
-  private Reply start(Program program) {
+  private Reply interpret(Command.Interpret line) {
+    linesOfFrame++;
+    return new Reply.Interpreted(machine.interpreter().submit(line.line()));
+  }
+
+  private Reply start(Command.StartProgram start) {
     Optional<String> refusal = box.safety().programRefusal();
     if (refusal.isPresent()) {
       return new Reply.Refused(refusal.get());
@@ -341,12 +377,13 @@ final class CommandDesk {
     if (machine.state() != ProgramState.STOPPED) {
       return new Reply.Refused("program " + machine.programName() + " runs already");
     }
-    begin(program);
+    begin(start.program(), start.folder().orElse(folder));
     return DONE;
   }
 
-  private void begin(Program program) {
+  private void begin(Program program, ProgramsFolder files) {
     hand.giveUp();
+    box.setProgramsFolder(files);
     box.programStarted();
     machine.start(program);
   }
@@ -362,7 +399,7 @@ final class CommandDesk {
   private Reply replace(Program program) {
     Optional<String> refusal = uploadRefusal();
     if (refusal.isEmpty()) {
-      begin(program);
+      begin(program, folder);
     }
     return granted(refusal);
   }
@@ -412,12 +449,20 @@ final class CommandDesk {
     machine.stop();
   }
 
-  private Reply runSecondary(Program program) {
+  private Reply runSecondary(Command.RunSecondary asked) {
+    Program program = asked.program();
     Optional<String> refusal = uploadRefusal();
     if (refusal.isPresent()) {
       return new Reply.Refused(refusal.get());
     }
-    Optional<ScriptFailure> failure = machine.runSecondary(program);
+    ProgramsFolder ofPrimary = box.programsFolder();
+    box.setProgramsFolder(asked.folder().orElse(folder));
+    Optional<ScriptFailure> failure;
+    try {
+      failure = machine.runSecondary(program);
+    } finally {
+      box.setProgramsFolder(ofPrimary);
+    }
     failure.ifPresent(
         why ->
             box.log()
@@ -431,6 +476,6 @@ final class CommandDesk {
                         + why.message(),
                     new LogEntry.Place(
                         program.source().name(), Debugger.MAIN, program.name(), why.line())));
-    return failure.map(why -> (Reply) new Reply.Refused(why.message())).orElse(DONE);
+    return failure.map(why -> (Reply) new Reply.Failed(why.message())).orElse(DONE);
   }
 }

@@ -93,6 +93,7 @@ final class Frame {
     held = runScripts();
     if (held) {
       // a debugger holds the frame: time stands still, and the next call goes on with it
+      desk.refuseSecondaries("a debugger holds program " + machine.programName());
       publish();
       return;
     }

@@ -10,11 +10,19 @@ public sealed interface Reply {
   record Done() implements Reply {}
 
   /**
-   * Not carried out, or failed.
+   * Not carried out; who asked is the only one that is told.
    *
    * @param reason what, the value, what was expected
    */
   record Refused(String reason) implements Reply {}
+
+  /**
+   * Carried out, and ended by an error of the program, which stands in the log already: a secondary
+   * program.
+   *
+   * @param reason what, the value, what was expected
+   */
+  record Failed(String reason) implements Reply {}
 
   /** What interpreter mode is at. */
   record InterpreterState(InterpreterStatus status) implements Reply {}

@@ -313,14 +313,14 @@ class SocketProgramTest {
     program.done(
         new Command.RunSecondary(program.program("sec s():\n socket_send_byte(65)\nend\n")));
     assertEquals("A", peer.heard());
-    Reply.Refused refused =
+    Reply.Failed failed =
         assertInstanceOf(
-            Reply.Refused.class,
+            Reply.Failed.class,
             program.ask(
                 new Command.RunSecondary(
                     program.program(
                         "sec s():\n socket_send_byte(66)\n socket_send_byte(67)\nend\n"))));
-    assertTrue(refused.reason().contains("Runtime is too much behind"), refused.reason());
+    assertTrue(failed.reason().contains("Runtime is too much behind"), failed.reason());
     assertEquals("AB", peer.heard());
     assertEquals(ProgramState.RUNNING, program.programState());
   }

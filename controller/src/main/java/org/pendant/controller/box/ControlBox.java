@@ -290,12 +290,12 @@ public final class ControlBox {
     return toolpaths;
   }
 
-  /** Where programs may read files. */
+  /** Where the program that runs, or ran last, may read files. */
   public ProgramsFolder programsFolder() {
     return programsFolder;
   }
 
-  /** From now on programs may read files elsewhere. */
+  /** A program that may read files there is about to run. */
   public void setProgramsFolder(ProgramsFolder folder) {
     programsFolder = folder;
   }

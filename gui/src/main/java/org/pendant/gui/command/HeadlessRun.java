@@ -61,12 +61,12 @@ final class HeadlessRun {
   }
 
   ExitCode run(Program program) {
-    var _ = controller.submit(new Command.SetProgramsFolder(ProgramsFolder.of(file.file())));
+    Optional<ProgramsFolder> folder = Optional.of(ProgramsFolder.of(file.file()));
     if (program.secondary()) {
-      return runSecondary(program);
+      return runSecondary(new Command.RunSecondary(program, folder));
     }
     double endS = options.timeoutS().orElse(Double.POSITIVE_INFINITY);
-    if (ask(new Command.StartProgram(program)) instanceof Reply.Refused refused) {
+    if (ask(new Command.StartProgram(program, folder)) instanceof Reply.Refused refused) {
       console.complain(Report.error(source, refused.reason()));
       return ExitCode.PROGRAM_FAILED;
     }
@@ -85,11 +85,13 @@ final class HeadlessRun {
     return timedOut ? timedOut() : ended();
   }
 
-  private ExitCode runSecondary(Program program) {
-    // When it is refused, the controller logs why; that is printed with everything else it logs.
-    return ask(new Command.RunSecondary(program)) instanceof Reply.Refused
-        ? ExitCode.PROGRAM_FAILED
-        : ExitCode.DONE;
+  private ExitCode runSecondary(Command.RunSecondary program) {
+    Reply reply = ask(program);
+    if (reply instanceof Reply.Refused refused) {
+      console.complain(Report.error(source, refused.reason()));
+    }
+    // why it failed is in the log, which is printed with everything else
+    return reply instanceof Reply.Done ? ExitCode.DONE : ExitCode.PROGRAM_FAILED;
   }
 
   private void stop() {

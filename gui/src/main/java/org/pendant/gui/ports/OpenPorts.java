@@ -7,7 +7,6 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import org.pendant.controller.Command;
 import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.gui.session.Session;
 import org.pendant.protocols.BoxPorts;
 import org.pendant.protocols.net.FrameFan;
@@ -60,9 +59,7 @@ final class OpenPorts implements AutoCloseable {
               session.controller(), new PanelSetup(session.options().robotId(), programs, logs));
       BoxPorts box = BoxPorts.open(outside, numbers, panel);
       OpenPorts open = new OpenPorts(frames, box, serial(session, numbers, log, box));
-      if (session.state().program().state() == ProgramState.STOPPED) {
-        var _ = session.submit(new Command.SetProgramsFolder(programs));
-      }
+      var _ = session.submit(new Command.SetProgramsFolder(programs));
       AtomicBoolean told = new AtomicBoolean();
       frames.add(
           state -> {

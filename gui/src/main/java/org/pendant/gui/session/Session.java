@@ -92,10 +92,10 @@ public final class Session implements AutoCloseable {
    * Starts a program from its beginning; a secondary one runs to its end beside the present one.
    */
   public CompletableFuture<Reply> run(Program program) {
-    var _ = submit(new Command.SetProgramsFolder(ProgramsFolder.of(program.source().name())));
+    Optional<ProgramsFolder> folder = Optional.of(ProgramsFolder.of(program.source().name()));
     return program.secondary()
-        ? submit(new Command.RunSecondary(program))
-        : origin.expect(submit(new Command.StartProgram(program)));
+        ? submit(new Command.RunSecondary(program, folder))
+        : origin.expect(submit(new Command.StartProgram(program, folder)));
   }
 
   /** How many programs have started that {@link #run} did not start: others have sent them. */

@@ -179,6 +179,8 @@ final class ProgramRunner {
             reply -> {
               if (reply instanceof Reply.Refused refused) {
                 EventQueue.invokeLater(() -> tell.accept("Refused: " + refused.reason()));
+              } else if (reply instanceof Reply.Failed failed) {
+                EventQueue.invokeLater(() -> tell.accept("Failed: " + failed.reason()));
               }
             });
   }

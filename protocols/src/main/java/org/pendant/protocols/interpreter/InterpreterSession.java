@@ -113,7 +113,7 @@ final class InterpreterSession implements Session {
       case Reply.Interpreted(Interpreter.Reply.Discarded discarded) ->
           discard(discarded.reason(), line);
       case Reply.Refused refused -> discard(refused.reason(), line);
-      case Reply.Done _, Reply.InterpreterState _ ->
+      case Reply.Done _, Reply.Failed _, Reply.InterpreterState _ ->
           throw new IllegalStateException("not an answer to a line: " + reply);
     };
   }

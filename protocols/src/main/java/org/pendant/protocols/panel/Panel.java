@@ -265,6 +265,7 @@ public final class Panel {
       Reply reply = controller.submit(command).get(PATIENCE_MS, TimeUnit.MILLISECONDS);
       return switch (reply) {
         case Reply.Refused refused -> Optional.of(refused.reason());
+        case Reply.Failed failed -> Optional.of(failed.reason());
         case Reply.Done _, Reply.Interpreted _, Reply.InterpreterState _ -> Optional.empty();
       };
     } catch (TimeoutException e) {

@@ -127,9 +127,8 @@ public final class ScriptDesk {
     }
     Program program = loaded.program().get();
     Reply reply = await(controller.submit(start(program)));
-    // a secondary program that fails is refused as well; that comes with the events of the frame
-    boolean reported = program.secondary() && controller.state().safety().stop().isEmpty();
-    if (reply instanceof Reply.Refused refused && !reported) {
+    // that a secondary program has failed comes with the events of the frame
+    if (reply instanceof Reply.Refused refused) {
       log.write(
           Level.WARNING,
           "program "
