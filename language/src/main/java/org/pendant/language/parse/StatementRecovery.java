@@ -46,7 +46,7 @@ final class StatementRecovery implements ANTLRErrorStrategy {
       return colon(recognizer, found);
     }
     if (expected.contains(UrScriptParser.END)) {
-      complain("missing-end", found, "missing `end` before this");
+      complain(recognizer, "missing-end", found, "missing `end` before this");
       return ScriptToken.missing(UrScriptParser.END, found);
     }
     throw new InputMismatchException(recognizer);
@@ -60,9 +60,9 @@ final class StatementRecovery implements ANTLRErrorStrategy {
             || found.is(Token.EOF);
     if (!headBroken) {
       if (forgotten) {
-        complain("missing-colon", found, messages.missingColon(found));
+        complain(recognizer, "missing-colon", found, messages.missingColon(found));
       } else {
-        complain("syntax-error", found, messages.behindHead(found));
+        complain(recognizer, "syntax-error", found, messages.behindHead(found));
         skipToColon(recognizer);
       }
     }
@@ -81,7 +81,11 @@ final class StatementRecovery implements ANTLRErrorStrategy {
     switch (context) {
       case StatementContext statement -> {
         ScriptToken found = tokens.current();
-        complain("syntax-error", found, messages.unexpected(found, (ScriptToken) statement.start));
+        complain(
+            recognizer,
+            "syntax-error",
+            found,
+            messages.unexpected(found, (ScriptToken) statement.start));
         if (found == statement.start) {
           recognizer.consume();
         }
@@ -90,6 +94,7 @@ final class StatementRecovery implements ANTLRErrorStrategy {
       case ConditionContext _, HeadContext _ -> {
         ScriptToken found = tokens.current();
         complain(
+            recognizer,
             "syntax-error",
             found,
             context instanceof HeadContext
@@ -119,7 +124,7 @@ final class StatementRecovery implements ANTLRErrorStrategy {
           || (inBlock && TokenKinds.endsBlock(type))) {
         return;
       }
-      complain("syntax-error", found, messages.betweenStatements(found));
+      complain(recognizer, "syntax-error", found, messages.betweenStatements(found));
       recognizer.consume();
       skipToStatement(recognizer);
     }
@@ -140,11 +145,20 @@ final class StatementRecovery implements ANTLRErrorStrategy {
     // Reported by the rule that recovers, once.
   }
 
-  private void complain(String code, ScriptToken found, String message) {
+  private void complain(Parser recognizer, String code, ScriptToken found, String message) {
     complaints.add(code, found.range(), message);
     if (complaints.full()) {
-      throw new ParseCancellationException("too many errors");
+      giveUp(recognizer);
     }
+  }
+
+  /** Every rule that is left halfway counts as broken: nobody may build a statement of it. */
+  private static void giveUp(Parser recognizer) {
+    InputMismatchException reason = new InputMismatchException(recognizer);
+    for (ParserRuleContext rule = recognizer.getContext(); rule != null; rule = rule.getParent()) {
+      rule.exception = reason;
+    }
+    throw new ParseCancellationException("too many errors", reason);
   }
 
   private void skipToStatement(Parser recognizer) {

@@ -9,10 +9,32 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
 
 class SyntaxErrorTest {
+
+  /** The 51st error ends the reading; what is half read then is no statement. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "def a\u00b7b():\n y = 1\nend",
+        "def a(",
+        "thread a\u00b7b():\nend",
+        "if a\u00b7b:\n y = 1\nend",
+        "if a:\n y = 1\nelif a\u00b7b:\n y = 1\nend",
+        "while a\u00b7b:\n y = 1\nend",
+        "if a\n y = 1\nend",
+        "x = (1"
+      })
+  void errorsBeyondTheLimitMayStandAnywhere(String last) {
+    for (int before = 47; before <= 52; before++) {
+      String text = "def f():\n" + "  x = 1 \u00b7\n".repeat(before) + last + "\nend\n";
+      List<Diagnostic> errors = ScriptParser.parseProgram(Source.of("s", text)).diagnostics();
+      assertTrue(errors.size() >= Math.min(before, 51) && errors.size() <= 51, "" + errors.size());
+    }
+  }
 
   @Test
   void saysWhereTheControllerGivesUpOnMissingColon() {
