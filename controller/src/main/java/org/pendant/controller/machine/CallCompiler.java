@@ -106,7 +106,8 @@ final class CallCompiler {
   void methodCall(MethodCall call, int target) {
     int count = call.arguments().size() + 1;
     int first = context.temporaries(count);
-    if (builtins.changesReceiver(call.method()) && isPart(call.receiver())) {
+    boolean changesPart = builtins.changesReceiver(call.method()) && isPart(call.receiver());
+    if (changesPart) {
       List<Expression> arguments = call.arguments().stream().map(Argument::value).toList();
       int variable = context.variable(context.binding(FunctionContext.root(call.receiver())));
       PartCompiler.Part part = parts.part(call.receiver(), variable, arguments);
@@ -120,7 +121,7 @@ final class CallCompiler {
     }
     code.at(call.range());
     code.emit(
-        Op.CALL_METHOD,
+        changesPart ? Op.CALL_PART_METHOD : Op.CALL_METHOD,
         target,
         context.linkage().name(Methods.key(call.method(), count - 1)),
         Instruction.local(first));

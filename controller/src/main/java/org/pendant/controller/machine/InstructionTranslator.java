@@ -150,7 +150,7 @@ final class InstructionTranslator {
   private void general(int pc, int operation, int a) {
     registers.slow(pc);
     switch (operation) {
-      case Op.CALL_BUILTIN, Op.CALL_METHOD, Op.RUN -> {
+      case Op.CALL_BUILTIN, Op.CALL_METHOD, Op.CALL_PART_METHOD, Op.RUN -> {
         stopUnlessGoesOn();
         registers.reloadArrays();
         registers.reload(a);

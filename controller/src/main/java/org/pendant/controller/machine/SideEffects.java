@@ -35,7 +35,7 @@ final class SideEffects {
             throw refused(builtin.name() + " takes robot time");
           }
         }
-        case Op.CALL_METHOD -> changing = true;
+        case Op.CALL_METHOD, Op.CALL_PART_METHOD -> changing = true;
         case Op.CALL -> {
           changing = true;
           if (!seen.get(b)) {

@@ -46,7 +46,7 @@ final class SlowPath {
   Stop run(ScriptThread thread, int base, int pc) throws ScriptError {
     int depth = thread.depth;
     long w = thread.functions[depth - 1].instructions()[pc - 1];
-    if (thread.budget < 0 && takesTime(w, base)) {
+    if (thread.budget < 0 && takesTime(thread.functions[depth - 1], w, base)) {
       return interrupt(thread, pc);
     }
     thread.pcs[depth - 1] = pc;
@@ -60,7 +60,7 @@ final class SlowPath {
    * are plain numbers, where it may never come here, and not in the middle of a change of a part,
    * which nobody must come in between of.
    */
-  private boolean takesTime(long w, int base) {
+  private boolean takesTime(ScriptFunction function, long w, int base) {
     return switch (Instruction.operation(w)) {
       case Op.COPY, Op.ASSIGN, Op.ASSIGN_COPY, Op.NEGATE -> isObject(Instruction.b(w), base);
       case Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.DIVIDE, Op.MODULO ->
@@ -69,9 +69,20 @@ final class SlowPath {
           isObject(Instruction.b(w), base)
               && registers.objects()[Instruction.slot(Instruction.b(w), base)]
                   instanceof MatrixValue;
+      case Op.OPEN_INDEX, Op.OPEN_MEMBER -> copied(function, Instruction.b(w), base);
+      case Op.SET_INDEX, Op.SET_INDEX_2, Op.SET_MEMBER -> copied(function, Instruction.a(w), base);
       case Op.CALL_BUILTIN, Op.CALL_METHOD, Op.LIST, Op.STRUCT, Op.RUN, Op.JOIN, Op.KILL -> true;
       default -> false;
     };
+  }
+
+  /** Whether a variable is about to be changed whose parts have to be copied before. */
+  private boolean copied(ScriptFunction function, int operand, int base) {
+    boolean variable =
+        !Instruction.isLocal(operand) || Instruction.index(operand) < function.variableCount();
+    return variable
+        && isObject(operand, base)
+        && Cost.change(registers.objects()[Instruction.slot(operand, base)]) > 0;
   }
 
   private boolean isObject(int operand, int base) {
@@ -145,7 +156,7 @@ final class SlowPath {
         return callBuiltin(
             thread, run.builtin(Instruction.b(w)), base + Instruction.index(Instruction.c(w)), a);
       }
-      case Op.CALL_METHOD -> {
+      case Op.CALL_METHOD, Op.CALL_PART_METHOD -> {
         int first = base + Instruction.index(Instruction.c(w));
         return callBuiltin(thread, general.method(Instruction.b(w), first), first, a);
       }

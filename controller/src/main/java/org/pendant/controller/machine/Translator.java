@@ -124,7 +124,8 @@ final class Translator {
           points.add(pc);
           points.add(pc + 1);
         }
-        case Op.CALL_BUILTIN, Op.CALL_METHOD, Op.JOIN, Op.PAUSE, Op.STRETCH -> points.add(pc + 1);
+        case Op.CALL_BUILTIN, Op.CALL_METHOD, Op.CALL_PART_METHOD, Op.JOIN, Op.PAUSE, Op.STRETCH ->
+            points.add(pc + 1);
         default -> {}
       }
     }

@@ -1,16 +1,16 @@
 package org.pendant.controller.value;
 
-import java.util.List;
 import java.util.function.Function;
 import org.pendant.language.syntax.Expression.BinaryOperator;
 
 /** Arithmetic element by element. */
 final class Combination implements LongOperation {
   private final BinaryOperator operator;
-  private final List<Value> operands;
-  private final double[] a;
+  private final Value left;
+  private final Value right;
+  private double[] a;
   private final int aStep;
-  private final double[] b;
+  private double[] b;
   private final int bStep;
   private final boolean integers;
   private final Function<double[], Value> make;
@@ -32,7 +32,8 @@ final class Combination implements LongOperation {
       boolean integers,
       Function<double[], Value> make) {
     this.operator = operator;
-    operands = List.of(left, right);
+    this.left = left;
+    this.right = right;
     a = elements(left);
     aStep = left.kind().isNumber() ? 0 : 1;
     b = elements(right);
@@ -111,6 +112,7 @@ final class Combination implements LongOperation {
 
   @Override
   public void keep() {
-    operands.forEach(Value::copy);
+    a = elements(left.copy());
+    b = elements(right.copy());
   }
 }

@@ -27,7 +27,7 @@ final class Elementwise {
       };
     }
     if (left instanceof MatrixValue a && numbers(right) && operator == BinaryOperator.MULTIPLY) {
-      return new Finished(product(a, (NumberList) right));
+      return product(a, (NumberList) right);
     }
     if (numbers(left) && numbers(right)) {
       return lists(operator, (NumberList) left, (NumberList) right);
@@ -39,22 +39,6 @@ final class Elementwise {
       return scalar(operator, left, right, left);
     }
     throw Operators.cannotCombine(operator, left, right);
-  }
-
-  /** An operation that was over at once. */
-  private record Finished(Value result) implements LongOperation {
-    @Override
-    public int advance() {
-      return 0;
-    }
-
-    @Override
-    public boolean done() {
-      return true;
-    }
-
-    @Override
-    public void keep() {}
   }
 
   private static boolean numbers(Value value) {
@@ -140,7 +124,7 @@ final class Elementwise {
     return new MatrixProduct(left, right);
   }
 
-  private static NumberList product(MatrixValue left, NumberList right) throws ScriptError {
+  private static LongOperation product(MatrixValue left, NumberList right) throws ScriptError {
     int columns = left.columns();
     if (columns != right.length()) {
       throw shape(
@@ -148,21 +132,7 @@ final class Elementwise {
           left,
           "a list of " + right.length() + "; it must have one element a column");
     }
-    double[] a = left.elements();
-    double[] b = right.elements();
-    double[] result = new double[left.rows()];
-    for (int row = 0; row < result.length; row++) {
-      double sum = 0;
-      for (int column = 0; column < columns; column++) {
-        sum += a[row * columns + column] * b[column];
-      }
-      result[row] = sum;
-    }
-    boolean integers = left.integers() && right.elementKind() == Kind.INT;
-    if (integers) {
-      Integers.check(BinaryOperator.MULTIPLY, result, 0, result.length);
-    }
-    return NumberList.owning(result, result.length, integers ? Kind.INT : Kind.FLOAT);
+    return new MatrixProduct(left, right);
   }
 
   private static ScriptError shape(BinaryOperator operator, MatrixValue left, String right) {

@@ -12,7 +12,7 @@ final class Equality {
       case StringValue a -> right instanceof StringValue b && a.bytes().equals(b.bytes());
       case PoseValue a -> right instanceof PoseValue b && poses(a, b);
       case NumberList a when right instanceof NumberList b ->
-          a.length() == b.length() && numbers(a.elements(), b.elements(), a.length());
+          a.length() == b.length() && numbers(a.elements(), b.elements(), 0, a.length());
       case ObjectList a when right instanceof ObjectList b -> objects(a, b);
       case ListValue a -> right instanceof ListValue b && a.length() == 0 && b.length() == 0;
       case MatrixValue a -> right instanceof MatrixValue b && matrices(a, b);
@@ -42,8 +42,9 @@ final class Equality {
     return true;
   }
 
-  private static boolean numbers(double[] a, double[] b, int length) {
-    for (int i = 0; i < length; i++) {
+  /** Whether numbers {@code from} .. {@code to}-1 are equal. */
+  static boolean numbers(double[] a, double[] b, int from, int to) {
+    for (int i = from; i < to; i++) {
       if (a[i] != b[i]) {
         return false;
       }
@@ -66,7 +67,7 @@ final class Equality {
   private static boolean matrices(MatrixValue a, MatrixValue b) {
     return a.rows() == b.rows()
         && a.columns() == b.columns()
-        && numbers(a.elements(), b.elements(), a.elements().length);
+        && numbers(a.elements(), b.elements(), 0, a.elements().length);
   }
 
   private static boolean structs(StructValue a, StructValue b) {

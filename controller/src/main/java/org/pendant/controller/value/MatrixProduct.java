@@ -1,22 +1,24 @@
 package org.pendant.controller.value;
 
+import java.util.function.Function;
 import org.pendant.language.syntax.Expression.BinaryOperator;
 
-/** The product of two matrices, some rows of the result at a time. */
+/** The product of a matrix and a matrix or list, some elements of the first at a time. */
 final class MatrixProduct implements LongOperation {
   private final MatrixValue left;
-  private final MatrixValue right;
-  private final double[] a;
-  private final double[] b;
+  private final Value right;
+  private double[] a;
+  private double[] b;
   private final int inner;
   private final int columns;
   private final boolean integers;
+  private final Function<double[], Value> make;
   private final double[] result;
 
   /** How many elements of the left matrix are done, row after row. */
   private int next;
 
-  /** A product of matrices whose shapes fit. */
+  /** The product of matrices whose shapes fit. */
   MatrixProduct(MatrixValue left, MatrixValue right) {
     this.left = left;
     this.right = right;
@@ -25,7 +27,21 @@ final class MatrixProduct implements LongOperation {
     inner = left.columns();
     columns = right.columns();
     integers = left.integers() && right.integers();
+    make = r -> MatrixValue.owning(left.rows(), right.columns(), r, integers);
     result = new double[left.rows() * columns];
+  }
+
+  /** The product with a list of one number a column of the matrix, which is a list as well. */
+  MatrixProduct(MatrixValue left, NumberList right) {
+    this.left = left;
+    this.right = right;
+    a = left.elements();
+    b = right.elements();
+    inner = left.columns();
+    columns = 1;
+    integers = left.integers() && right.elementKind() == Kind.INT;
+    make = r -> NumberList.owning(r, r.length, integers ? Kind.INT : Kind.FLOAT);
+    result = new double[left.rows()];
   }
 
   /** Each element of the left matrix, one after the other, times its row of the right one. */
@@ -40,7 +56,7 @@ final class MatrixProduct implements LongOperation {
         result[target + column] += factor * b[source + column];
       }
       source += columns;
-      if (source == b.length) {
+      if (source == inner * columns) {
         source = 0;
         target += columns;
       }
@@ -58,13 +74,19 @@ final class MatrixProduct implements LongOperation {
   }
 
   @Override
-  public MatrixValue result() {
-    return MatrixValue.owning(left.rows(), columns, result, integers);
+  public Value result() {
+    return make.apply(result);
   }
 
   @Override
   public void keep() {
-    left.copy();
-    right.copy();
+    // a small one is not shared by its copy
+    a = left.copy().elements();
+    b =
+        switch (right) {
+          case NumberList list -> list.copy().elements();
+          case MatrixValue matrix -> matrix.copy().elements();
+          default -> b;
+        };
   }
 }

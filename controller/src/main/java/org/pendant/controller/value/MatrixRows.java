@@ -42,8 +42,8 @@ final class MatrixRows implements LongOperation {
 
   @Override
   public void keep() {
-    for (NumberList row : rows) {
-      row.copy();
+    for (int i = next; i < rows.length; i++) {
+      rows[i] = rows[i].copy();
     }
   }
 }

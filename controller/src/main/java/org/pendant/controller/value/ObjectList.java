@@ -47,6 +47,11 @@ public final class ObjectList extends Container implements ListValue {
     return elements[index];
   }
 
+  /** The elements, for this package's loops: not a copy, and longer than {@link #length}. */
+  Value[] elements() {
+    return elements;
+  }
+
   @Override
   Object array() {
     return elements;

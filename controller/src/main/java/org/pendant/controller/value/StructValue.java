@@ -76,6 +76,11 @@ public final class StructValue extends Container implements Value {
     return allMembers;
   }
 
+  /** The members, for this package's loops: not a copy. */
+  Value[] members() {
+    return members;
+  }
+
   @Override
   Object array() {
     return members;
