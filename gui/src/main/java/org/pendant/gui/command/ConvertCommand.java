@@ -9,6 +9,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.pendant.controller.disk.AtomicFile;
+import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.installation.file.InstallationFile;
 import org.pendant.controller.installation.file.InstallationTrouble;
 import org.pendant.controller.installation.file.LoadedInstallation;
@@ -21,8 +23,6 @@ import org.pendant.controller.program.urp.UrpPrograms;
 import org.pendant.controller.recording.Recording;
 import org.pendant.controller.recording.RecordingExport;
 import org.pendant.controller.recording.RecordingFile;
-import org.pendant.gui.session.AtomicFile;
-import org.pendant.gui.session.FileTrouble;
 
 /** {@code pendant convert FROM TO}: writes a file in another form; the endings say which. */
 final class ConvertCommand implements Subcommand {

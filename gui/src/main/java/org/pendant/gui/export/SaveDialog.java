@@ -14,7 +14,7 @@ import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import org.pendant.gui.session.FileTrouble;
+import org.pendant.controller.disk.FileTrouble;
 
 /**
  * Asks where to save and saves there, while the window behind it can be used. A file that exists is

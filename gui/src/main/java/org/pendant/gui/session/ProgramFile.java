@@ -8,6 +8,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
+import org.pendant.controller.disk.AtomicFile;
+import org.pendant.controller.disk.FileTrouble;
 
 /**
  * A program as it is on disk. Its methods read and write, so they are not for the dispatch thread.

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
+import org.pendant.controller.disk.AtomicFile;
 
 /**
  * Texts that are not saved yet, kept against a crash: a file each in a folder of the user. It reads
@@ -98,7 +99,7 @@ public final class RecoveryFolder {
             file.map(path -> path.toAbsolutePath().toString()).orElse(""),
             name,
             text);
-    AtomicFile.write(place(number), whole.getBytes(StandardCharsets.UTF_8));
+    AtomicFile.writePrivate(place(number), whole.getBytes(StandardCharsets.UTF_8));
   }
 
   /** The text is saved, or not wanted any more. */

@@ -5,11 +5,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.packedxml.UnreadableFile;
 import org.pendant.controller.program.text.ProgramText;
 import org.pendant.controller.program.urp.ImportedProgram;
 import org.pendant.controller.program.urp.UrpPrograms;
-import org.pendant.gui.session.FileTrouble;
 
 /**
  * A program of PolyScope as a text of ours. Reading is not for the dispatch thread.

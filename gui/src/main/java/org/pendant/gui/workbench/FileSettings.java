@@ -13,8 +13,8 @@ import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
-import org.pendant.gui.session.AtomicFile;
-import org.pendant.gui.session.FileTrouble;
+import org.pendant.controller.disk.AtomicFile;
+import org.pendant.controller.disk.FileTrouble;
 
 /**
  * Settings in a file of the user's configuration folder. Changes are written soon, by a thread of
@@ -91,7 +91,7 @@ public final class FileSettings implements Settings, AutoCloseable {
   private void keepAside(String why) {
     Path copy = file.resolveSibling(file.getFileName() + ".bad");
     try {
-      AtomicFile.write(copy, Files.readAllBytes(file));
+      AtomicFile.writePrivate(copy, Files.readAllBytes(file));
       notice =
           Optional.of("Settings " + file + " " + why + "; they are ignored, a copy is " + copy);
     } catch (IOException e) {
@@ -143,7 +143,7 @@ public final class FileSettings implements Settings, AutoCloseable {
       return;
     }
     try {
-      AtomicFile.write(file, SettingsText.format(values).getBytes(StandardCharsets.UTF_8));
+      AtomicFile.writePrivate(file, SettingsText.format(values).getBytes(StandardCharsets.UTF_8));
       written();
     } catch (IOException e) {
       notWritten(e);

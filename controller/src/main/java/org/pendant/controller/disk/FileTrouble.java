@@ -1,4 +1,4 @@
-package org.pendant.gui.session;
+package org.pendant.controller.disk;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
@@ -32,7 +32,7 @@ public final class FileTrouble {
   }
 
   /** An exception whose message is the file and the reason in words. */
-  static IOException of(Path file, IOException trouble) {
+  public static IOException of(Path file, IOException trouble) {
     return new IOException(file + ": " + reason(trouble), trouble);
   }
 

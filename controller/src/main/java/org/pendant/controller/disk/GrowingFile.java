@@ -1,0 +1,107 @@
+package org.pendant.controller.disk;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Path;
+
+/**
+ * A new file that has its name from the beginning, so that what it holds is found when its process
+ * is killed. It grows by whole parts: what was written goes to the file when it is flushed, all of
+ * it or, when that fails, nothing. A file without a single part is removed. Pipes and devices are
+ * written straight. One thread uses it.
+ */
+public final class GrowingFile extends OutputStream {
+  private final Disk disk;
+  private final WritePlace place;
+  private final OpenFile file;
+  private final ByteArrayOutputStream part = new ByteArrayOutputStream();
+  private long length;
+  private boolean failed;
+  private boolean closed;
+
+  private GrowingFile(Disk disk, WritePlace place) throws IOException {
+    this.disk = disk;
+    this.place = place;
+    file =
+        place.special() ? disk.openSpecial(place.path()) : disk.create(place.path(), Rights.USUAL);
+  }
+
+  /**
+   * Creates a file.
+   *
+   * @throws IOException if there is one already, or it cannot be written
+   */
+  public static GrowingFile create(Path path) throws IOException {
+    return create(new SystemDisk(), path);
+  }
+
+  static GrowingFile create(Disk disk, Path path) throws IOException {
+    WritePlace place = WritePlace.of(path);
+    place.check();
+    if (place.occupied()) {
+      throw new FileAlreadyExistsException(path.toString());
+    }
+    return new GrowingFile(disk, place);
+  }
+
+  @Override
+  public void write(int value) {
+    part.write(value);
+  }
+
+  @Override
+  public void write(byte[] bytes, int from, int count) {
+    part.write(bytes, from, count);
+  }
+
+  /**
+   * Ends a part.
+   *
+   * @throws IOException if it cannot be written; the file then ends with the part before, for good
+   */
+  @Override
+  public void flush() throws IOException {
+    if (part.size() == 0) {
+      return;
+    }
+    if (failed || closed) {
+      throw new IOException("it has ended");
+    }
+    byte[] bytes = part.toByteArray();
+    part.reset();
+    try {
+      file.write(bytes, 0, bytes.length);
+      length += bytes.length;
+    } catch (IOException e) {
+      failed = true;
+      try {
+        file.cut(length);
+      } catch (IOException cutting) {
+        e.addSuppressed(cutting);
+      }
+      throw e;
+    }
+  }
+
+  /** Ends the last part and the file, all of it on the disk. */
+  @Override
+  public void close() throws IOException {
+    if (closed) {
+      return;
+    }
+    try (file) {
+      if (!failed) {
+        flush();
+      }
+      file.sync();
+    } finally {
+      closed = true;
+      if (length == 0 && !place.special()) {
+        disk.remove(place.path());
+      }
+      disk.syncFolder(place.folder());
+    }
+  }
+}

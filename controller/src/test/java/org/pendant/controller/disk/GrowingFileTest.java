@@ -1,0 +1,81 @@
+package org.pendant.controller.disk;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+final class GrowingFileTest {
+  @TempDir Path folder;
+
+  private Path file() {
+    return folder.resolve("run.rec");
+  }
+
+  private static void write(GrowingFile file, String text) throws IOException {
+    file.write(text.getBytes(UTF_8));
+    file.flush();
+  }
+
+  @Test
+  void partsAreThereWhenTheyWereFlushed() throws IOException {
+    try (GrowingFile growing = GrowingFile.create(file())) {
+      write(growing, "first,");
+      assertEquals("first,", Files.readString(file()));
+      growing.write("second".getBytes(UTF_8));
+      assertEquals("first,", Files.readString(file()));
+    }
+    assertEquals("first,second", Files.readString(file()));
+  }
+
+  @Test
+  void partThatFailsIsNotThereAtAll() throws IOException {
+    FailingDisk disk = new FailingDisk(3);
+    try (GrowingFile growing = GrowingFile.create(disk, file())) {
+      write(growing, "first,");
+      write(growing, "second,");
+      assertThrows(IOException.class, () -> write(growing, "third,"));
+      assertEquals("first,second,", Files.readString(file()));
+      assertThrows(IOException.class, () -> write(growing, "fourth,"));
+    } catch (IOException e) {
+      // This disk does not even sync any more.
+      assertEquals(
+          List.of("create", "write", "write", "write", "sync", "sync folder"), disk.steps());
+    }
+    assertEquals("first,second,", Files.readString(file()));
+  }
+
+  @Test
+  void fileWithoutAPartIsRemoved() throws IOException {
+    GrowingFile growing = GrowingFile.create(new FailingDisk(1), file());
+    assertThrows(IOException.class, () -> write(growing, "first,"));
+    assertThrows(IOException.class, growing::close);
+
+    assertFalse(Files.exists(file()));
+  }
+
+  @Test
+  void fileThatIsThereIsRefused() throws IOException {
+    Files.writeString(file(), "old");
+    assertThrows(FileAlreadyExistsException.class, () -> GrowingFile.create(file()));
+
+    assertEquals("old", Files.readString(file()));
+  }
+
+  @Test
+  void endIsOnTheDisk() throws IOException {
+    FailingDisk disk = new FailingDisk(100);
+    try (GrowingFile growing = GrowingFile.create(disk, file())) {
+      write(growing, "all");
+    }
+    assertEquals(List.of("create", "write", "sync", "sync folder"), disk.steps());
+  }
+}
