@@ -4,6 +4,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.pendant.gui.editor.text.Background;
+import org.pendant.gui.fault.Faults;
 
 /** One thread that does what would hold up the window. It does not keep the program alive. */
 public final class WorkerThread implements Background {
@@ -18,16 +19,7 @@ public final class WorkerThread implements Background {
 
   @Override
   public void run(int delayMs, Runnable work) {
-    var _ = executor.schedule(() -> report(work), delayMs, TimeUnit.MILLISECONDS);
-  }
-
-  /** The executor would keep a fault to itself: it belongs to whoever looks after threads. */
-  private static void report(Runnable work) {
-    try {
-      work.run();
-    } catch (RuntimeException | Error e) {
-      Thread thread = Thread.currentThread();
-      thread.getUncaughtExceptionHandler().uncaughtException(thread, e);
-    }
+    // The executor would keep a fault to itself: it belongs to whoever looks after threads.
+    var _ = executor.schedule(() -> Faults.guard(work), delayMs, TimeUnit.MILLISECONDS);
   }
 }

@@ -3,8 +3,12 @@ package org.pendant.gui.shell;
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.util.function.Consumer;
+import org.pendant.gui.fault.Faults;
 
-/** Does what is slow outside of the dispatch thread and hands the result to it. */
+/**
+ * Does what is slow outside of the dispatch thread and hands the result to it. Every task is
+ * followed by either its result or a reason, whatever it throws.
+ */
 final class Background {
   private Background() {}
 
@@ -18,7 +22,8 @@ final class Background {
    * Runs a task.
    *
    * @param then takes its result, on the dispatch thread
-   * @param failed takes the reason if it fails, on the dispatch thread
+   * @param failed takes the reason if it fails, on the dispatch thread: what the task says, or that
+   *     it was a fault of ours, which is reported besides
    */
   static <T> void run(Task<T> task, Consumer<T> then, Consumer<IOException> failed) {
     Thread.ofVirtual()
@@ -30,6 +35,10 @@ final class Background {
                 EventQueue.invokeLater(() -> then.accept(result));
               } catch (IOException e) {
                 EventQueue.invokeLater(() -> failed.accept(e));
+              } catch (RuntimeException | Error fault) {
+                IOException reason = new IOException("internal error, " + fault, fault);
+                EventQueue.invokeLater(() -> failed.accept(reason));
+                Faults.report(fault);
               }
             });
   }

@@ -18,6 +18,8 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationCheck;
 import org.pendant.controller.installation.InstallationProblem;
 import org.pendant.controller.message.Operator;
+import org.pendant.gui.fault.FaultFile;
+import org.pendant.gui.fault.Faults;
 import org.pendant.gui.ports.PortWishes;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
@@ -185,7 +187,9 @@ public final class Desktop {
             programs,
             new RecoveryFolder(folder.resolve("recovery")),
             () -> close(session));
-    Faults.tellTo(window::tell, folder.resolve("errors.txt"));
+    Faults.keepIn(
+        new FaultFile(folder.resolve("errors.txt")),
+        text -> EventQueue.invokeLater(() -> window.tell(text)));
     window.open();
     settings.notice().ifPresent(window::warn);
     settings.onTrouble(text -> EventQueue.invokeLater(() -> window.warn(text)));

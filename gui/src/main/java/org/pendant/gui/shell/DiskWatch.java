@@ -71,9 +71,8 @@ final class DiskWatch {
           busy = false;
           found.stream().filter(DiskWatch::stillSo).forEach(this::tell);
         },
-        failed -> {
-          throw new AssertionError("each file has its own trouble", failed);
-        });
+        // Each file has its own trouble: this is a fault, which is told elsewhere.
+        failed -> busy = false);
   }
 
   private static Optional<Found> found(Watched file) {

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.installation.text.InstallationText;
+import org.pendant.gui.fault.Faults;
 import org.pendant.gui.session.ActiveInstallation;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
@@ -187,26 +188,42 @@ final class Keeper {
     }
   }
 
+  /** Does all of the work: what fails of one text does not keep the others from being kept. */
+  private static void each(List<IoAction> work) throws IOException {
+    Optional<IOException> trouble = Optional.empty();
+    for (IoAction each : work) {
+      try {
+        each.run();
+      } catch (IOException e) {
+        trouble = Optional.of(e);
+      } catch (RuntimeException e) {
+        Faults.report(e);
+        trouble = Optional.of(new IOException("internal error, " + e, e));
+      }
+    }
+    if (trouble.isPresent()) {
+      throw trouble.get();
+    }
+  }
+
   private void run(List<IoAction> work, Runnable then) {
     Background.run(
         () -> {
-          for (IoAction each : work) {
-            each.run();
-          }
+          each(work);
           return true;
         },
         done -> {
-          troubleTold = false;
           then.run();
+          troubleTold = false;
         },
         failed -> {
+          then.run();
           // The next look tries again; saying it once is enough.
           kept.replaceAll((document, before) -> new Kept(before.number(), before.file(), ""));
           if (!troubleTold) {
             troubleTold = true;
             tell.accept("Unsaved texts cannot be kept against a crash: " + failed.getMessage());
           }
-          then.run();
         });
   }
 }

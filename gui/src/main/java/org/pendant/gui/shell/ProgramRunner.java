@@ -136,7 +136,8 @@ final class ProgramRunner {
         () -> session.load(script.source()),
         loaded -> start(document, script, loaded, then),
         failed -> {
-          throw new AssertionError("loading reads no file", failed);
+          loading = false;
+          tell.accept(document.name() + " cannot run: " + failed.getMessage());
         });
   }
 

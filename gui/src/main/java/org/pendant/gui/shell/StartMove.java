@@ -83,9 +83,7 @@ final class StartMove implements StartArm {
             run(begun, loaded.program().orElseThrow());
           }
         },
-        failed -> {
-          throw new AssertionError("loading reads no file", failed);
-        });
+        failed -> end(begun, "The move cannot begin: " + failed.getMessage()));
   }
 
   private void run(Move begun, Program program) {
