@@ -9,11 +9,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.ScheduledThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.protocols.net.PeerLog;
+import org.pendant.protocols.net.PeriodicTasks;
 
 /** All connections of scanners: opens and closes them, and keeps their data going. Any thread. */
 final class Connections implements AutoCloseable {
@@ -23,8 +22,8 @@ final class Connections implements AutoCloseable {
   /** Most connections for messages. */
   static final int MOST_EXPLICIT = 64;
 
-  /** How often silent scanners are looked for, ms. */
-  private static final long LOOK_MS = 5;
+  /** How often silent scanners are looked for, ns. */
+  private static final long LOOK_NS = 5_000_000;
 
   private static final int OWNED = 1;
   private static final int NO_CYCLIC = 3 << 4;
@@ -42,7 +41,7 @@ final class Connections implements AutoCloseable {
   /** Assemblies that a scanner is about to write, and those that one writes. */
   private final Set<Integer> owned = new HashSet<>();
 
-  private final ScheduledThreadPoolExecutor timer;
+  private final PeriodicTasks timer;
   private int lastId = 0x1000;
 
   /**
@@ -54,11 +53,8 @@ final class Connections implements AutoCloseable {
     this.desk = desk;
     this.io = io;
     this.log = log;
-    timer =
-        new ScheduledThreadPoolExecutor(
-            1, Thread.ofPlatform().daemon().name("EtherNet/IP cyclic data").factory());
-    timer.setRemoveOnCancelPolicy(true);
-    var _ = timer.scheduleWithFixedDelay(this::look, LOOK_MS, LOOK_MS, TimeUnit.MILLISECONDS);
+    timer = new PeriodicTasks(Thread.ofPlatform().daemon().name("EtherNet/IP cyclic data"), log);
+    timer.withPauses("the watch for silent scanners", LOOK_NS, this::look);
   }
 
   /** The number of the port for cyclic data. */
@@ -93,9 +89,8 @@ final class Connections implements AutoCloseable {
     try {
       long intervalNs = 1000 * request.toOriginatorUs();
       cyclic.put(connection.id(), connection);
-      connection.produceBy(
-          timer.scheduleAtFixedRate(
-              () -> produce(connection), intervalNs, intervalNs, TimeUnit.NANOSECONDS));
+      connection.endProductionBy(
+          timer.atRate("sending to " + connection.owner(), intervalNs, () -> produce(connection)));
     } finally {
       lock.unlock();
     }
@@ -338,7 +333,7 @@ final class Connections implements AutoCloseable {
   /** Ends all connections; what they have taken is given back. */
   @Override
   public void close() {
-    timer.shutdownNow();
+    timer.close();
     lock.lock();
     try {
       cyclic.values().forEach(this::releaseInBackground);

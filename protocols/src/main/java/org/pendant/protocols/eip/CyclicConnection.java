@@ -3,7 +3,6 @@ package org.pendant.protocols.eip;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.util.Optional;
-import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 
 /**
@@ -22,7 +21,7 @@ final class CyclicConnection {
   private final InetSocketAddress scanner;
   private final int fromScanner;
   private final int toScanner;
-  private Optional<Future<?>> production = Optional.empty();
+  private Optional<Runnable> endProduction = Optional.empty();
   private boolean heard;
   private boolean running;
   private int heardNumber;
@@ -82,12 +81,12 @@ final class CyclicConnection {
     return running;
   }
 
-  void produceBy(Future<?> task) {
-    production = Optional.of(task);
+  void endProductionBy(Runnable end) {
+    endProduction = Optional.of(end);
   }
 
   void endProduction() {
-    production.ifPresent(task -> task.cancel(false));
+    endProduction.ifPresent(Runnable::run);
   }
 
   boolean late(long nowNs) {

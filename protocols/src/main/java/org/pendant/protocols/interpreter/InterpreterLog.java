@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import org.pendant.controller.machine.InterpreterJournal;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.protocols.net.FaultGuard;
 import org.pendant.protocols.serve.Outside;
 
 /** Keeps the log files up to date, in a thread of its own. */
@@ -42,8 +43,9 @@ final class InterpreterLog implements AutoCloseable {
   }
 
   private void run() {
+    FaultGuard guard = new FaultGuard("the interpreter log", outside.log());
     while (!closing) {
-      write();
+      guard.run(this::write);
       LockSupport.park(this);
     }
     write();

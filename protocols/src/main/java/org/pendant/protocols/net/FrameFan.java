@@ -3,7 +3,6 @@ package org.pendant.protocols.net;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
-import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateFeed;
 
@@ -14,8 +13,10 @@ import org.pendant.controller.state.StateFeed;
 public final class FrameFan implements AutoCloseable {
   private final StateFeed.Follower frames;
   private final PeerLog log;
-  private final List<Consumer<ControllerState>> listeners = new CopyOnWriteArrayList<>();
+  private final List<Listener> listeners = new CopyOnWriteArrayList<>();
   private final Thread thread;
+
+  private record Listener(Consumer<ControllerState> hears, FaultGuard guard) {}
 
   /** Follows {@code feed} until closed. */
   public FrameFan(StateFeed feed, PeerLog log) {
@@ -30,12 +31,12 @@ public final class FrameFan implements AutoCloseable {
    * @param listener must not wait: it delays the other servers
    */
   public void add(Consumer<ControllerState> listener) {
-    listeners.add(listener);
+    listeners.add(new Listener(listener, new FaultGuard("a server", log)));
   }
 
   /** Ends {@link #add}. */
   public void remove(Consumer<ControllerState> listener) {
-    listeners.remove(listener);
+    listeners.removeIf(each -> each.hears().equals(listener));
   }
 
   private void run() {
@@ -51,12 +52,8 @@ public final class FrameFan implements AutoCloseable {
   }
 
   private void hand(ControllerState state) {
-    for (Consumer<ControllerState> listener : listeners) {
-      try {
-        listener.accept(state);
-      } catch (RuntimeException e) {
-        log.write(Level.ERROR, "a server failed in frame " + state.frame() + ": " + e);
-      }
+    for (Listener each : listeners) {
+      each.guard().run(() -> each.hears().accept(state));
     }
   }
 

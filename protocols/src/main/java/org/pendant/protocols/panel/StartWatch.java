@@ -1,6 +1,5 @@
 package org.pendant.protocols.panel;
 
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.pendant.controller.Controller;
 import org.pendant.controller.installation.StartEdge;
@@ -38,8 +37,16 @@ public final class StartWatch {
     int answered;
     do {
       answered = asked.get();
-      Optional<String> refusal = panel.play();
-      refusal.ifPresent(why -> panel.log(Level.WARNING, "start by an input: " + why));
+      playOnce();
     } while (asked.addAndGet(-answered) > 0);
+  }
+
+  /** A fault is logged, as the next edge must be answered all the same. */
+  private void playOnce() {
+    try {
+      panel.play().ifPresent(why -> panel.log(Level.WARNING, "start by an input: " + why));
+    } catch (RuntimeException e) {
+      panel.log(Level.ERROR, "start by an input: internal error: " + e);
+    }
   }
 }

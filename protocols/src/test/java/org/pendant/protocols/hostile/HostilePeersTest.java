@@ -64,7 +64,7 @@ class HostilePeersTest {
       new PeerLog(
           (level, text) -> {
             logged.incrementAndGet();
-            if (text.contains("internal error") || text.contains("a server failed")) {
+            if (text.contains("internal error")) {
               faults.add(text);
             }
           });
