@@ -1,5 +1,11 @@
 package org.pendant.window;
 
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
@@ -8,15 +14,31 @@ final class FocusWindowTest {
   @RegisterExtension static final SharedWindow desk = new SharedWindow();
 
   private final OpenWindow window = desk.window();
+  private ServerSocket visited;
+  private Socket visitor;
+
+  @BeforeEach
+  void listen() throws IOException {
+    visited = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+  }
+
+  @AfterEach
+  void hangUp() throws IOException {
+    visited.close();
+    if (visitor != null) {
+      visitor.close();
+    }
+  }
 
   @Test
-  void aStopOfTheDebuggerLeavesThePaletteOpen() {
-    holdBeforeSleep();
+  void aStopOfTheDebuggerLeavesThePaletteOpen() throws IOException {
+    holdBeforeWaiting();
     window.press("F10");
     window.awaitWords("program-state", "running");
     window.press("control shift P");
     window.awaitFocus("palette-query");
     window.type("show");
+    endTheStep();
     window.awaitWords("program-state", "held");
     window.settle();
     window.awaitFocus("palette-query");
@@ -27,13 +49,14 @@ final class FocusWindowTest {
   }
 
   @Test
-  void aStopOfTheDebuggerLeavesTheFieldSomebodyTypesIn() {
-    holdBeforeSleep();
+  void aStopOfTheDebuggerLeavesTheFieldSomebodyTypesIn() throws IOException {
+    holdBeforeWaiting();
     window.perform("Find in files");
     window.awaitFocus("search-words");
     window.press("F10");
     window.awaitWords("program-state", "running");
     window.type("when");
+    endTheStep();
     window.awaitWords("program-state", "held");
     window.settle();
     window.awaitFocus("search-words");
@@ -50,17 +73,19 @@ final class FocusWindowTest {
     window.awaitFocus("prompt");
     window.press("control A");
     window.type("2\n");
-    // Java cannot tell keys of one millisecond apart; this question takes a little longer.
-    window.words("script-editor");
     window.type("x");
     window.awaitWords("script-text", "one = 1\nxtwo = 2");
     window.press("control Z");
     window.press("control S");
   }
 
-  /** The next step lasts two seconds, long enough to go elsewhere. */
-  private void holdBeforeSleep() {
-    desk.program("i = 1", "sleep(2)", "i = 2", "sleep(1)");
+  /** The next step lasts until {@link #endTheStep}, however long it takes to go elsewhere. */
+  private void holdBeforeWaiting() throws IOException {
+    desk.program(
+        "socket_open(\"127.0.0.1\", " + visited.getLocalPort() + ")",
+        "socket_read_byte_list(1, timeout=0)",
+        "i = 2",
+        "sleep(1)");
     window.click("rail-script");
     window.click("script-text");
     window.awaitFocus("script-text");
@@ -69,5 +94,10 @@ final class FocusWindowTest {
     window.press("F9");
     window.press("F5");
     window.awaitWords("program-state", "held");
+    visitor = visited.accept();
+  }
+
+  private void endTheStep() throws IOException {
+    visitor.getOutputStream().write('.');
   }
 }

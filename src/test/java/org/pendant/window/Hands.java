@@ -40,6 +40,12 @@ final class Hands {
     }
   }
 
+  /** Presses the left button at the middle of {@code place} and lets it go. */
+  void click(Rectangle place) {
+    hold(place);
+    release();
+  }
+
   /** Lets the button go. */
   void release() {
     robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
@@ -71,9 +77,17 @@ final class Hands {
     }
   }
 
-  /** Types ASCII text; a line feed is Enter. */
+  /**
+   * Types ASCII text; a line feed is Enter. Behind that the keys may belong to another component,
+   * and Java cannot tell keys of one millisecond apart.
+   */
   void type(String text) {
-    text.chars().forEach(each -> type((char) each));
+    for (int i = 0; i < text.length(); i++) {
+      type(text.charAt(i));
+      if (text.charAt(i) == '\n') {
+        settle();
+      }
+    }
   }
 
   private void type(char character) {
@@ -89,6 +103,14 @@ final class Hands {
     if (shift) {
       robot.keyRelease(KeyEvent.VK_SHIFT);
     }
+  }
+
+  /**
+   * Waits until the display has handed over all that these hands did, and the window has nothing to
+   * do any more: until then it shows, and gives the keys to, what was there before.
+   */
+  void settle() {
+    robot.waitForIdle();
   }
 
   /** What the display shows at {@code place}. */

@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
@@ -79,41 +80,43 @@ final class OpenWindow implements AutoCloseable {
 
   /** Presses and releases keys, such as {@code shift F5}. */
   void press(String keys) {
-    ask("press", keys);
+    act("press", keys);
   }
 
   /** Types text where the focus is. */
   void type(String text) {
-    ask("type", text);
+    act("type", text);
   }
 
   /** Clicks when the component is visible and enabled. */
   void click(String name) {
     awaitEnabled(name);
-    ask("click", name);
+    act("click", name);
   }
 
   /** Clicks the button that reads {@code text} inside a component. */
   void clickText(String name, String text) {
-    ask("click-text", name + "=" + text);
+    awaitWords(name, text);
+    act("click-text", name + "=" + text);
   }
 
   /** Clicks the cell of a table that reads {@code text}. */
   void clickCell(String name, String text) {
-    ask("click-cell", name + "=" + text);
+    awaitWords(name, text);
+    act("click-cell", name + "=" + text);
   }
 
   /** Clicks the row of a list or tree that reads {@code text}, or the first that contains it. */
   void clickRow(String name, String text) {
     awaitWords(name, text);
-    ask("click-row", name + "=" + text);
+    act("click-row", name + "=" + text);
   }
 
   /** Drags a row of a list or tree to just below a row of another, or of the same one. */
   void dragRow(String name, String text, String target, String below) {
     awaitWords(name, text);
     awaitWords(target, below);
-    ask("drag-row", name + "=" + text + " > " + target + "=" + below);
+    act("drag-row", name + "=" + text + " > " + target + "=" + below);
   }
 
   /** Unfolds a combo box by the mouse and clicks the item that reads {@code item}. */
@@ -126,12 +129,12 @@ final class OpenWindow implements AutoCloseable {
   /** Presses the mouse button on a component and keeps it down until {@link #release}. */
   void hold(String name) {
     awaitEnabled(name);
-    ask("hold", name);
+    act("hold", name);
   }
 
   /** Lets the mouse button go. */
   void release() {
-    ask("release", "");
+    act("release", "");
   }
 
   /** Opens a program by the dialog, and gives the focus back to the window. */
@@ -148,16 +151,20 @@ final class OpenWindow implements AutoCloseable {
 
   /** Drags the tab that reads {@code title} to the middle of a component. */
   void dragTab(String tabs, String title, String target) {
-    ask("drag", tabs + "=" + title + " > " + target);
+    await(title + " is a tab", () -> tabs(tabs).contains(title));
+    awaitShown(target);
+    act("drag", tabs + "=" + title + " > " + target);
   }
 
   /** Whether all of a component can be seen. */
   boolean whole(String name) {
+    awaitShown(name);
     return Boolean.parseBoolean(ask("whole", name));
   }
 
   /** The titles of tabs, in their order. */
   List<String> tabs(String name) {
+    awaitShown(name);
     return ask("tabs", name).lines().toList();
   }
 
@@ -174,7 +181,7 @@ final class OpenWindow implements AutoCloseable {
   /** Chooses an item of a combo box, or a tab, by its text. */
   void choose(String name, String item) {
     awaitShown(name);
-    ask("choose", name + "=" + item);
+    act("choose", name + "=" + item);
   }
 
   /** Does an action of the palette by its title. */
@@ -189,12 +196,12 @@ final class OpenWindow implements AutoCloseable {
 
   /** Asks the window to close, as its frame's button does. */
   void askToClose() {
-    ask("close", "");
+    act("close", "");
   }
 
   /** Makes the window as large as {@code size}, such as {@code 1024x700}. */
   void resize(String size) {
-    ask("size", size);
+    act("size", size);
   }
 
   /** Whether a component is visible. */
@@ -204,6 +211,7 @@ final class OpenWindow implements AutoCloseable {
 
   /** Whether a switch or a check box is on. */
   boolean selected(String name) {
+    awaitShown(name);
     return Boolean.parseBoolean(ask("selected", name));
   }
 
@@ -220,16 +228,19 @@ final class OpenWindow implements AutoCloseable {
 
   /** What can be read on a visible component. */
   String words(String name) {
+    awaitShown(name);
     return ask("words", name);
   }
 
   /** How many different colours the pixels of a component have. */
   long colours(String name) {
+    awaitShown(name);
     return Long.parseLong(ask("colours", name));
   }
 
   /** How bright the pixels of a component are on average, 0 to 255. */
   long brightness(String name) {
+    awaitShown(name);
     return Long.parseLong(ask("brightness", name));
   }
 
@@ -321,7 +332,7 @@ final class OpenWindow implements AutoCloseable {
 
   /** Gives the window the keys, as a window manager does when a dialog has gone. */
   void raise() {
-    ask("raise", "");
+    act("raise", "");
     awaitFocus("pendant");
   }
 
@@ -345,7 +356,7 @@ final class OpenWindow implements AutoCloseable {
   }
 
   private String summary() {
-    String words = words("pendant").replace('\n', ' ');
+    String words = ask("words", "pendant").replace('\n', ' ');
     return words.substring(0, Math.min(words.length(), 1_000));
   }
 
@@ -359,16 +370,27 @@ final class OpenWindow implements AutoCloseable {
     }
   }
 
+  /** Does something. What closes the window may end its process before that has answered. */
+  private void act(String verb, String what) {
+    request(verb, what);
+  }
+
   private String ask(String verb, String what) {
+    return request(verb, what)
+        .orElseGet(() -> fail("the window's process ended at " + verb + " " + what));
+  }
+
+  /** The answer, or nothing from a process that has ended. */
+  private Optional<String> request(String verb, String what) {
     requests.println(verb + "\t" + what.replace("\\", "\\\\").replace("\n", "\\n"));
     try {
       String reply = replies.readLine();
       if (reply == null) {
-        return fail("the window's process ended at " + verb + " " + what);
+        return Optional.empty();
       }
       String[] words = reply.split("\t", 2);
       return words[0].equals("ok")
-          ? words[1].translateEscapes()
+          ? Optional.of(words[1].translateEscapes())
           : fail(verb + " " + what + ": " + words[1]);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
