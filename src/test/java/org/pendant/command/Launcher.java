@@ -18,7 +18,30 @@ public final class Launcher {
   /** Far longer than anything here takes; a process that is still there then hangs. */
   private static final int PATIENCE_S = 60;
 
+  /**
+   * What stands before the command. A build in the background of a shell ignores SIGINT, and what
+   * it starts does so too unless somebody says otherwise, which neither a shell nor Java can.
+   */
+  private static final List<String> LISTENING_TO_INTERRUPTS = listeningToInterrupts();
+
   private Launcher() {}
+
+  private static List<String> listeningToInterrupts() {
+    List<String> prefix = List.of("env", "--default-signal=INT");
+    List<String> probe = new ArrayList<>(prefix);
+    probe.add("true");
+    try {
+      Process process =
+          new ProcessBuilder(probe)
+              .redirectErrorStream(true)
+              .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+              .start();
+      // Other systems than Linux have an env without this option.
+      return await(process) == 0 ? prefix : List.of();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
 
   /**
    * What a process did.
@@ -82,7 +105,8 @@ public final class Launcher {
   }
 
   private static List<String> commandLine(String... words) {
-    List<String> command = new ArrayList<>(List.of(home().resolve("pendant").toString()));
+    List<String> command = new ArrayList<>(LISTENING_TO_INTERRUPTS);
+    command.add(home().resolve("pendant").toString());
     command.addAll(List.of(words));
     return command;
   }
