@@ -2,7 +2,6 @@ package org.pendant.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -67,17 +66,20 @@ final class BuildByMouseWindowTest {
     window.awaitWords(TREE, "Waypoint_2");
     window.click("form-waypoint-position-teach");
     window.awaitShown("teach-bar");
-    String before = window.words("move-joint-base");
+    double beforeDeg = joggedDeg();
     window.hold("move-base-up");
-    window.awaitTime(0.5);
+    window.await("the base turns", () -> Math.abs(joggedDeg() - beforeDeg) > 2);
     window.release();
     window.awaitTime(0.5);
-    String place = window.words("move-joint-base");
-    assertNotEquals(before, place);
+    double placeDeg = joggedDeg();
     window.click("teach-ok");
     window.awaitShown(TREE);
     window.awaitHidden("program-problems-bar");
-    return Double.parseDouble(place);
+    return placeDeg;
+  }
+
+  private double joggedDeg() {
+    return Double.parseDouble(window.words("move-joint-base"));
   }
 
   private void gripAndRelease() {
@@ -118,12 +120,18 @@ final class BuildByMouseWindowTest {
     return window.words(TREE).lines().map(line -> line.split(", ", 3)[1]).toList();
   }
 
+  /** How long it takes depends on how far the arm has been jogged. */
   private void goToThePickByHolding(String start) {
-    window.hold("form-waypoint-position-go");
-    window.awaitTime(2);
-    window.release();
-    window.click("rail-run");
-    window.awaitWords("run-joints-Base", start);
+    window.await(
+        "the arm is there",
+        () -> {
+          window.click("rail-program");
+          window.hold("form-waypoint-position-go");
+          window.awaitTime(2);
+          window.release();
+          window.click("rail-run");
+          return window.words("run-joints-Base").equals(start);
+        });
   }
 
   private double baseDeg() {
