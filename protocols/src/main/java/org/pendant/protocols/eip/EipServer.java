@@ -118,32 +118,16 @@ public final class EipServer implements Server {
           };
       TcpPort service = AssemblyService.open(numbers, configuration, outside.log());
       io.receive(connections::datagram);
-      discovery.receive((bytes, from) -> discover(discovery, bytes, from, identity));
+      Discovery answers = new Discovery(messages.number(), identity);
+      discovery.receive(
+          (bytes, from) ->
+              answers
+                  .answer(bytes, from, System.nanoTime())
+                  .ifPresent(answer -> discovery.send(answer, from)));
       return new EipServer(messages, service, discovery, io, connections);
     } catch (IOException e) {
       discovery.close();
       throw e;
-    }
-  }
-
-  /** Answers who only wants to know what there is; sessions are for TCP. */
-  private static void discover(
-      UdpPort port, ByteBuffer bytes, InetSocketAddress from, Supplier<ByteBuffer> identity) {
-    if (bytes.remaining() < EncapsulationFrame.HEADER
-        || bytes.remaining()
-            != EncapsulationFrame.HEADER + Short.toUnsignedInt(bytes.getShort(2))) {
-      return;
-    }
-    EncapsulationFrame frame = EncapsulationFrame.decode(bytes);
-    ByteBuffer answer =
-        switch (frame.command()) {
-          case Encapsulation.LIST_SERVICES -> Encapsulation.services();
-          case Encapsulation.LIST_IDENTITY -> identity.get();
-          case Encapsulation.LIST_INTERFACES -> Encapsulation.items();
-          default -> Encapsulation.nothing();
-        };
-    if (answer.hasRemaining()) {
-      port.send(frame.answer(Encapsulation.SUCCESS, answer).encode(), from);
     }
   }
 

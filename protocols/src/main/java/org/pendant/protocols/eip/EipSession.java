@@ -64,6 +64,9 @@ final class EipSession implements Session {
   }
 
   private void answer(EncapsulationFrame frame) throws InterruptedException {
+    if (!frame.isRequest()) {
+      return;
+    }
     switch (frame.command()) {
       case Encapsulation.NOP -> {}
       case Encapsulation.LIST_SERVICES -> send(frame, Encapsulation.services());

@@ -21,6 +21,11 @@ record EncapsulationFrame(
   /** Most bytes of data that are taken: two of the largest assemblies and what goes with them. */
   static final int LONGEST_DATA = 4096;
 
+  /** Whether an adapter has to look at it: what carries a status is an answer to somebody else. */
+  boolean isRequest() {
+    return status == 0 && options == 0;
+  }
+
   /** The answer to this one. */
   EncapsulationFrame answer(int answerStatus, ByteBuffer answerData) {
     return new EncapsulationFrame(command, session, answerStatus, context, 0, answerData);

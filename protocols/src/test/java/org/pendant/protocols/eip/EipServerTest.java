@@ -10,6 +10,7 @@ import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
@@ -83,15 +84,51 @@ class EipServerTest {
       String tcp = Hex.text(client.ask(Encapsulation.LIST_IDENTITY, "").data());
       assertTrue(tcp.startsWith("01000C0032000100" + "0002AF127F000001"), tcp);
       assertTrue(tcp.endsWith("10556E6976657273616C20526F626F747303"), tcp);
-      byte[] question =
-          new EncapsulationFrame(Encapsulation.LIST_IDENTITY, 0, 0, 5, 0, Hex.buffer("")).encode();
       socket.setSoTimeout(RunningBox.GIVE_UP_MS);
-      socket.send(
-          new DatagramPacket(question, question.length, InetAddress.getLoopbackAddress(), port));
-      DatagramPacket answer = new DatagramPacket(new byte[500], 500);
-      socket.receive(answer);
+      send(socket, question(Encapsulation.LIST_IDENTITY));
       assertEquals(
-          tcp, Hex.text(EncapsulationFrame.decode(ByteBuffer.wrap(answer.getData())).data()));
+          tcp, Hex.text(EncapsulationFrame.decode(ByteBuffer.wrap(receive(socket))).data()));
+    }
+  }
+
+  @Test
+  void answersNoAnswersByUdp() throws IOException {
+    try (DatagramSocket socket = new DatagramSocket()) {
+      socket.setSoTimeout(RunningBox.GIVE_UP_MS);
+      byte[] question = question(Encapsulation.LIST_IDENTITY);
+      send(socket, question);
+      byte[] identity = receive(socket);
+      send(socket, identity);
+      // Datagrams on one machine keep their order: had the one above been answered, that came
+      // first.
+      send(socket, question(Encapsulation.LIST_INTERFACES));
+      assertEquals(
+          Encapsulation.LIST_INTERFACES,
+          EncapsulationFrame.decode(ByteBuffer.wrap(receive(socket))).command());
+    }
+  }
+
+  private static byte[] question(int command) {
+    return new EncapsulationFrame(command, 0, 0, 5, 0, Hex.buffer("")).encode();
+  }
+
+  private void send(DatagramSocket socket, byte[] bytes) throws IOException {
+    socket.send(new DatagramPacket(bytes, bytes.length, InetAddress.getLoopbackAddress(), port));
+  }
+
+  private static byte[] receive(DatagramSocket socket) throws IOException {
+    DatagramPacket packet = new DatagramPacket(new byte[500], 500);
+    socket.receive(packet);
+    return Arrays.copyOf(packet.getData(), packet.getLength());
+  }
+
+  @Test
+  void answersNoAnswersByTcp() throws IOException {
+    try (EipClient client = new EipClient(port)) {
+      client.send(
+          new EncapsulationFrame(Encapsulation.LIST_SERVICES, 0, 1, 5, 0, Hex.buffer("")).encode());
+      assertEquals(
+          Encapsulation.LIST_INTERFACES, client.ask(Encapsulation.LIST_INTERFACES, "").command());
     }
   }
 
