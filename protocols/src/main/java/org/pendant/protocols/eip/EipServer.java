@@ -11,6 +11,7 @@ import java.util.function.Supplier;
 import org.pendant.controller.eip.AssemblyPair;
 import org.pendant.protocols.eip.service.AssemblyService;
 import org.pendant.protocols.eip.service.Configuration;
+import org.pendant.protocols.net.IdleLimits;
 import org.pendant.protocols.net.Listening;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.serve.Outside;
@@ -64,7 +65,7 @@ public final class EipServer implements Server {
     try {
       TcpPort messages =
           TcpPort.open(
-              listening,
+              listening.with(IdleLimits.peerBegins()),
               connection ->
                   new EipSession(
                       connection, sessions.incrementAndGet(), router, connections, identity),

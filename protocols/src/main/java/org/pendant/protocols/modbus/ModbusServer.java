@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.locks.ReadWriteLock;
 import java.util.concurrent.locks.ReentrantReadWriteLock;
+import org.pendant.protocols.net.IdleLimits;
 import org.pendant.protocols.net.Listening;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.serve.Outside;
@@ -43,7 +44,7 @@ public final class ModbusServer implements Server {
     ReadWriteLock changing = new ReentrantReadWriteLock();
     return new ModbusServer(
         TcpPort.open(
-            listening,
+            listening.with(IdleLimits.peerBegins()),
             connection -> {
               SignalDesk desk = new SignalDesk(outside.controller(), connection.name());
               return new ModbusSession(connection, new Answers(desk, changing), outside.log());

@@ -1,13 +1,17 @@
 package org.pendant.protocols.net;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
+import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 
 /**
  * One peer of a port. Sending never waits for the peer: what it does not take at once goes to a
@@ -15,8 +19,20 @@ import java.util.function.Consumer;
  * the sender's thread for this reason: waking another one for each would make the intervals of what
  * is sent at a rate as uneven as the machine is busy.
  */
-public final class Connection {
+public final class Connection implements Occupant {
   private static final int RECEIVE_BYTES = 1 << 16;
+
+  /** Who takes nothing for this long of what waits for it counts as not reading. */
+  private static final Duration SLOW = Duration.ofSeconds(5);
+
+  /** Who takes nothing for this long is disconnected. */
+  static final Duration NOT_READING = Duration.ofSeconds(60);
+
+  /** The same for a connection that ends when everything has gone out. */
+  static final Duration ENDING_NOT_READING = Duration.ofSeconds(10);
+
+  /** And for how long such an end may take at most. */
+  static final Duration ENDING = Duration.ofSeconds(60);
 
   private final String name;
   private final InetSocketAddress peer;
@@ -26,25 +42,37 @@ public final class Connection {
   private final Outbox outbox;
   private final AtomicBoolean open = new AtomicBoolean(true);
   private final AtomicLong dropped = new AtomicLong();
+  private final LongSupplier nanoTime;
   private final Consumer<Connection> afterwards;
   private volatile boolean sendingFailed;
   private volatile boolean receivingEnded;
+  private volatile boolean spoken;
+  private volatile long heardNs;
+  private volatile long endingSinceNs;
+  private volatile boolean ending;
 
   /**
    * Takes a channel over.
    *
+   * @param nanoTime a clock, ns
    * @param afterwards called when it is closed, more than once perhaps
    * @throws IOException if it is closed already
    */
   Connection(
-      String name, InetSocketAddress peer, SocketChannel channel, Consumer<Connection> afterwards)
+      String name,
+      InetSocketAddress peer,
+      SocketChannel channel,
+      LongSupplier nanoTime,
+      Consumer<Connection> afterwards)
       throws IOException {
     this.name = name;
     this.peer = peer;
     this.channel = channel;
+    this.nanoTime = nanoTime;
     this.afterwards = afterwards;
+    heardNs = nanoTime.getAsLong();
     channel.configureBlocking(false);
-    outbox = new Outbox(channel::write);
+    outbox = new Outbox(channel::write, nanoTime);
     readable = new Readiness(channel, SelectionKey.OP_READ);
     writable = new Readiness(channel, SelectionKey.OP_WRITE);
   }
@@ -57,6 +85,35 @@ public final class Connection {
   /** Where the peer is. */
   public InetSocketAddress peer() {
     return peer;
+  }
+
+  @Override
+  public InetAddress address() {
+    return peer.getAddress();
+  }
+
+  @Override
+  public Silence silence(long nowNs) {
+    long untakenNs = nowNs - outbox.takenNs();
+    if (untakenNs > SLOW.toNanos() && outbox.waits()) {
+      return new Silence(Silence.Kind.NOT_READING, untakenNs);
+    }
+    return spoken
+        ? new Silence(Silence.Kind.SPOKEN, Math.min(untakenNs, nowNs - heardNs))
+        : new Silence(Silence.Kind.NEVER_SPOKEN, nowNs - heardNs);
+  }
+
+  /** Why this cannot go on; empty if it can. */
+  Optional<String> overdue(IdleLimits limits, long nowNs) {
+    Silence silence = silence(nowNs);
+    Duration most = ending ? ENDING_NOT_READING : NOT_READING;
+    if (silence.kind() == Silence.Kind.NOT_READING && silence.lastsNs() > most.toNanos()) {
+      return Optional.of("it has read nothing for " + most.toSeconds() + " s");
+    }
+    if (ending && nowNs - endingSinceNs > ENDING.toNanos()) {
+      return Optional.of("it has not read the rest within " + ENDING.toSeconds() + " s");
+    }
+    return ending ? Optional.empty() : limits.exceeded(silence);
   }
 
   /** Whether it still stands, as far as this side knows. */
@@ -103,6 +160,12 @@ public final class Connection {
 
   /** Ends the connection when all that was sent has gone out. */
   public void closeAfterSending() {
+    endAfterSending();
+  }
+
+  private void endAfterSending() {
+    endingSinceNs = ending ? endingSinceNs : nanoTime.getAsLong();
+    ending = true;
     outbox.close();
   }
 
@@ -155,7 +218,7 @@ public final class Connection {
 
   /** Nothing more comes: who has closed only its sending side still gets its answers. */
   void receivingEnded() {
-    outbox.close();
+    endAfterSending();
     receivingEnded = true;
     if (sendingFailed) {
       close();
@@ -170,6 +233,8 @@ public final class Connection {
         if (count == 0) {
           readable.await();
         } else {
+          spoken = true;
+          heardNs = nanoTime.getAsLong();
           bytes.flip();
           session.received(bytes);
           bytes.clear();

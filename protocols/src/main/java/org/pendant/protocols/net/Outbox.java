@@ -6,6 +6,7 @@ import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.LongSupplier;
 
 /**
  * What is sent to one peer. It goes out at once, in the sender's thread, as far as the peer's
@@ -24,14 +25,23 @@ final class Outbox {
   }
 
   private final Sink sink;
+  private final LongSupplier nanoTime;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
   private final Queue<ByteBuffer> waiting = new ArrayDeque<>();
   private int bytes;
   private boolean closed;
+  private long takenNs;
 
-  Outbox(Sink sink) {
+  /**
+   * Nothing waits.
+   *
+   * @param nanoTime a clock, ns
+   */
+  Outbox(Sink sink, LongSupplier nanoTime) {
     this.sink = sink;
+    this.nanoTime = nanoTime;
+    takenNs = nanoTime.getAsLong();
   }
 
   /**
@@ -48,7 +58,7 @@ final class Outbox {
       }
       ByteBuffer rest = ByteBuffer.wrap(message);
       if (waiting.isEmpty()) {
-        sink.write(rest);
+        write(rest);
       }
       if (rest.hasRemaining()) {
         bytes += rest.remaining();
@@ -58,6 +68,12 @@ final class Outbox {
       return true;
     } finally {
       lock.unlock();
+    }
+  }
+
+  private void write(ByteBuffer rest) throws IOException {
+    if (sink.write(rest) > 0) {
+      takenNs = nanoTime.getAsLong();
     }
   }
 
@@ -88,7 +104,9 @@ final class Outbox {
     lock.lock();
     try {
       for (ByteBuffer next = waiting.peek(); next != null; next = waiting.peek()) {
-        bytes -= sink.write(next);
+        int before = next.remaining();
+        write(next);
+        bytes -= before - next.remaining();
         if (next.hasRemaining()) {
           return false;
         }
@@ -119,6 +137,26 @@ final class Outbox {
       waiting.clear();
       bytes = 0;
       changed.signal();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** When the sink has last taken something, by the clock. */
+  long takenNs() {
+    lock.lock();
+    try {
+      return takenNs;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Whether something waits now. */
+  boolean waits() {
+    lock.lock();
+    try {
+      return !waiting.isEmpty();
     } finally {
       lock.unlock();
     }

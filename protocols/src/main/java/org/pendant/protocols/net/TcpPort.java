@@ -8,8 +8,7 @@ import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.time.Duration;
 import java.util.List;
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.LongSupplier;
 import org.pendant.controller.message.LogEntry.Level;
 
 /** A TCP port at which one protocol is spoken. Each peer has threads of its own. */
@@ -17,19 +16,35 @@ public final class TcpPort implements AutoCloseable {
   /** Somebody who has not let go of a closed port by then never will. */
   private static final Duration PATIENCE = Duration.ofSeconds(1);
 
+  /** How often silent peers are looked for, ns. */
+  private static final long LOOK_NS = 1_000_000_000;
+
   private final Listening listening;
   private final Protocol protocol;
   private final PeerLog log;
   private final ServerSocketChannel server;
-  private final Set<Connection> connections = ConcurrentHashMap.newKeySet();
+  private final LongSupplier nanoTime;
+  private final ConnectionSlots<Connection> slots;
+  private final PeriodicTasks watch;
   private final Thread acceptor;
 
-  private TcpPort(Listening listening, Protocol protocol, PeerLog log, ServerSocketChannel server) {
+  private TcpPort(
+      Listening listening,
+      Protocol protocol,
+      PeerLog log,
+      LongSupplier nanoTime,
+      ServerSocketChannel server) {
     this.listening = listening;
     this.protocol = protocol;
     this.log = log;
+    this.nanoTime = nanoTime;
     this.server = server;
-    acceptor = Thread.ofVirtual().name(listening.name() + " port").unstarted(this::accept);
+    slots = new ConnectionSlots<>(listening.mostConnections());
+    watch = new PeriodicTasks(Thread.ofVirtual().name(listening.name() + " watch"), log);
+    acceptor =
+        Thread.ofVirtual()
+            .name(listening.name() + " port")
+            .unstarted(new Acceptor<>(listening.name(), new Door(), Thread::sleep, log));
   }
 
   /**
@@ -38,6 +53,11 @@ public final class TcpPort implements AutoCloseable {
    * @throws IOException if the port cannot be had; the message names protocol, address and port
    */
   public static TcpPort open(Listening listening, Protocol protocol, PeerLog log)
+      throws IOException {
+    return open(listening, protocol, log, System::nanoTime);
+  }
+
+  static TcpPort open(Listening listening, Protocol protocol, PeerLog log, LongSupplier nanoTime)
       throws IOException {
     ServerSocketChannel server = ServerSocketChannel.open();
     try {
@@ -55,8 +75,9 @@ public final class TcpPort implements AutoCloseable {
               + " cannot be had: "
               + e.getMessage());
     }
-    TcpPort port = new TcpPort(listening, protocol, log, server);
+    TcpPort port = new TcpPort(listening, protocol, log, nanoTime, server);
     port.acceptor.start();
+    port.watch.withPauses("the watch of " + listening.name(), LOOK_NS, port::look);
     return port;
   }
 
@@ -72,27 +93,29 @@ public final class TcpPort implements AutoCloseable {
 
   /** The peers that are connected now. */
   public List<Connection> connections() {
-    return List.copyOf(connections);
+    return slots.occupants();
   }
 
-  private void accept() {
-    while (server.isOpen()) {
-      try {
-        accept(server.accept());
-      } catch (IOException e) {
-        if (server.isOpen()) {
-          log.write(Level.WARNING, listening.name() + ": a connection failed: " + e.getMessage());
-        }
-      }
+  /** The port as the acceptor sees it. */
+  private final class Door implements Acceptor.Door<SocketChannel> {
+    @Override
+    public boolean open() {
+      return server.isOpen();
     }
-  }
 
-  private void accept(SocketChannel channel) throws IOException {
-    try {
-      greet(channel);
-    } catch (IOException e) {
-      channel.close();
-      throw e;
+    @Override
+    public SocketChannel accept() throws IOException {
+      return server.accept();
+    }
+
+    @Override
+    public void greet(SocketChannel peer) throws IOException {
+      try {
+        TcpPort.this.greet(peer);
+      } catch (IOException | RuntimeException | Error e) {
+        peer.close();
+        throw e;
+      }
     }
   }
 
@@ -100,16 +123,20 @@ public final class TcpPort implements AutoCloseable {
     InetSocketAddress peer = (InetSocketAddress) channel.getRemoteAddress();
     String name =
         listening.name() + " client " + peer.getAddress().getHostAddress() + ":" + peer.getPort();
-    if (connections.size() >= listening.mostConnections()) {
-      channel.close();
+    channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
+    KeepAlive.set(channel);
+    Connection connection = new Connection(name, peer, channel, nanoTime, slots::free);
+    ConnectionSlots.Admission<Connection> admission = slots.admit(connection, nanoTime.getAsLong());
+    admission
+        .givenUp()
+        .ifPresent(silent -> disconnect(silent, "it was silent, and others want its place"));
+    if (!admission.taken()) {
+      connection.close();
       log.write(
           Level.WARNING,
           name + " was refused: " + listening.mostConnections() + " are connected already");
       return;
     }
-    channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
-    Connection connection = new Connection(name, peer, channel, connections::remove);
-    connections.add(connection);
     if (!server.isOpen()) {
       // closed meanwhile, perhaps too early to find this one
       connection.close();
@@ -136,14 +163,28 @@ public final class TcpPort implements AutoCloseable {
     }
   }
 
+  /** Disconnects who has not been heard of for too long, or does not read what it is sent. */
+  void look() {
+    long nowNs = nanoTime.getAsLong();
+    for (Connection each : slots.occupants()) {
+      each.overdue(listening.idle(), nowNs).ifPresent(why -> disconnect(each, why));
+    }
+  }
+
+  private void disconnect(Connection connection, String why) {
+    log.write(Level.WARNING, connection.name() + " was disconnected: " + why);
+    connection.close();
+  }
+
   /** Ends all connections; new ones are accepted. */
   public void disconnectAll() {
-    connections.forEach(Connection::close);
+    slots.occupants().forEach(Connection::close);
   }
 
   /** Ends listening and all connections; the port can be had again afterwards. */
   @Override
   public void close() {
+    watch.close();
     try {
       server.close();
     } catch (IOException e) {
@@ -155,6 +196,8 @@ public final class TcpPort implements AutoCloseable {
 
   /** The system keeps the port until whoever waits for connections has let go of it. */
   private void awaitAcceptor() {
+    // it may wait for the system to give more
+    acceptor.interrupt();
     try {
       if (!acceptor.join(PATIENCE)) {
         log.write(Level.WARNING, listening.name() + ": the port is still in use");

@@ -2,6 +2,7 @@ package org.pendant.protocols.rtde;
 
 import java.io.IOException;
 import java.util.List;
+import org.pendant.protocols.net.IdleLimits;
 import org.pendant.protocols.net.Listening;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.serve.Outside;
@@ -28,7 +29,7 @@ public final class RtdeServer implements Server {
    * @throws IOException if the port cannot be had
    */
   public static RtdeServer open(Outside outside, PortNumbers numbers) throws IOException {
-    Listening listening = numbers.listening("RTDE", STANDARD_PORT);
+    Listening listening = numbers.listening("RTDE", STANDARD_PORT).with(IdleLimits.peerBegins());
     return new RtdeServer(
         TcpPort.open(listening, connection -> new RtdeSession(connection, outside), outside.log()));
   }

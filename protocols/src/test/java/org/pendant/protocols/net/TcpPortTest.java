@@ -10,11 +10,13 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -25,7 +27,8 @@ class TcpPortTest {
   private final BlockingQueue<String> logged = new LinkedBlockingQueue<>();
   private final BlockingQueue<Connection> connected = new LinkedBlockingQueue<>();
   private final CountDownLatch closed = new CountDownLatch(1);
-  private final TcpPort port = open(2);
+  private final AtomicLong nowNs = new AtomicLong();
+  private final TcpPort port = open(IdleLimits.NONE);
 
   /** Says hello, sends back what comes, and breaks off at a zero. */
   private Session echo(Connection connection) {
@@ -51,18 +54,28 @@ class TcpPortTest {
     };
   }
 
-  private TcpPort open(int mostConnections) {
+  /** With two places, by a clock that stands still. */
+  private TcpPort open(IdleLimits idle) {
     try {
       return TcpPort.open(
-          new Listening("Echo", LOOPBACK, 0, mostConnections),
+          new Listening("Echo", LOOPBACK, 0, 2, idle),
           this::echo,
-          new PeerLog((level, text) -> logged.add(text)));
+          new PeerLog((level, text) -> logged.add(text)),
+          nowNs::get);
     } catch (IOException e) {
       throw new AssertionError(e);
     }
   }
 
+  private void pass(Duration time) {
+    nowNs.addAndGet(time.toNanos());
+  }
+
   private Socket connect() throws IOException {
+    return connect(port);
+  }
+
+  private static Socket connect(TcpPort port) throws IOException {
     Socket socket = new Socket(LOOPBACK, port.number());
     socket.setSoTimeout(GIVE_UP_MS);
     return socket;
@@ -145,11 +158,11 @@ class TcpPortTest {
   }
 
   @Test
-  void takesOnlySoManyConnections() throws Exception {
+  void takesOnlySoManyConnectionsThatAreInUse() throws Exception {
     try (Socket one = connect();
         Socket two = connect()) {
-      assertArrayEquals(bytes("hello "), one.getInputStream().readNBytes(6));
-      assertArrayEquals(bytes("hello "), two.getInputStream().readNBytes(6));
+      say("you", one);
+      say("two", two);
       try (Socket three = connect()) {
         assertEquals(-1, three.getInputStream().read());
         assertTrue(
@@ -162,15 +175,113 @@ class TcpPortTest {
     }
   }
 
+  private static void say(String word, Socket socket) throws IOException {
+    socket.getOutputStream().write(bytes(word));
+    assertArrayEquals(bytes("hello " + word), socket.getInputStream().readNBytes(9));
+  }
+
+  @Test
+  void silentPeersShutNobodyOut() throws Exception {
+    try (Socket one = connect();
+        Socket two = connect()) {
+      assertArrayEquals(bytes("hello "), one.getInputStream().readNBytes(6));
+      assertArrayEquals(bytes("hello "), two.getInputStream().readNBytes(6));
+      for (int i = 0; i < 20; i++) {
+        try (Socket next = connect()) {
+          say("you", next);
+        }
+        awaitNoMoreThan(1);
+      }
+      assertTrue(
+          logged
+              .poll(GIVE_UP_MS, TimeUnit.MILLISECONDS)
+              .endsWith("was disconnected: it was silent, and others want its place"));
+    }
+  }
+
+  private void awaitNoMoreThan(int connections) {
+    long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(GIVE_UP_MS);
+    while (port.connections().size() > connections) {
+      assertTrue(System.nanoTime() < end, "connections are not given back");
+      Thread.onSpinWait();
+    }
+  }
+
+  @Test
+  void whoMustBeginAndDoesNotIsDisconnectedAfterAMinute() throws Exception {
+    try (TcpPort strict = open(IdleLimits.peerBegins());
+        Socket begins = connect(strict);
+        Socket silent = connect(strict)) {
+      say("you", begins);
+      assertArrayEquals(bytes("hello "), silent.getInputStream().readNBytes(6));
+      pass(Duration.ofSeconds(61));
+      strict.look();
+      assertEquals(-1, silent.getInputStream().read());
+      assertTrue(
+          logged
+              .poll(GIVE_UP_MS, TimeUnit.MILLISECONDS)
+              .endsWith("was disconnected: it has said nothing for 60 s"));
+      begins.getOutputStream().write(bytes("!"));
+      assertEquals('!', begins.getInputStream().read());
+    }
+  }
+
+  @Test
+  void whoReadsNothingForAMinuteIsDisconnected() throws Exception {
+    try (Socket socket = connect()) {
+      Connection connection = connected.poll(GIVE_UP_MS, TimeUnit.MILLISECONDS);
+      fillUp(connection);
+      pass(Duration.ofSeconds(59));
+      port.look();
+      assertTrue(connection.open());
+      pass(Duration.ofSeconds(2));
+      port.look();
+      assertTrue(closed.await(GIVE_UP_MS, TimeUnit.MILLISECONDS));
+      assertTrue(socket.isConnected());
+    }
+  }
+
+  private static void fillUp(Connection connection) {
+    byte[] message = new byte[1 << 16];
+    while (connection.dropped() == 0) {
+      connection.stream(message);
+    }
+  }
+
+  @Test
+  void whoHasSentAllAndReadsNothingIsDisconnectedAfterTenSeconds() throws Exception {
+    try (Socket socket = connect()) {
+      Connection connection = connected.poll(GIVE_UP_MS, TimeUnit.MILLISECONDS);
+      fillUp(connection);
+      socket.shutdownOutput();
+      assertTrue(closed.await(GIVE_UP_MS, TimeUnit.MILLISECONDS));
+      assertEquals(1, port.connections().size());
+      pass(Duration.ofSeconds(11));
+      port.look();
+      assertEquals(0, port.connections().size());
+    }
+  }
+
+  @Test
+  void whoIsToBeDisconnectedAfterSendingAndReadsNothingIsSoAfterTenSeconds() throws Exception {
+    try (Socket socket = connect()) {
+      Connection connection = connected.poll(GIVE_UP_MS, TimeUnit.MILLISECONDS);
+      fillUp(connection);
+      connection.closeAfterSending();
+      pass(Duration.ofSeconds(11));
+      port.look();
+      assertTrue(closed.await(GIVE_UP_MS, TimeUnit.MILLISECONDS));
+      assertTrue(socket.isConnected());
+    }
+  }
+
   @Test
   void aPeerThatReadsNothingMissesStreamsAndIsDisconnectedAfterAMegabyte() throws Exception {
     try (Socket socket = connect()) {
       Connection connection = connected.poll(GIVE_UP_MS, TimeUnit.MILLISECONDS);
-      byte[] message = new byte[1 << 16];
-      while (connection.dropped() == 0) {
-        connection.stream(message);
-      }
+      fillUp(connection);
       assertTrue(connection.open());
+      byte[] message = new byte[1 << 16];
       for (int i = 0; connection.open(); i++) {
         assertTrue(i < 1000, "must have been disconnected");
         connection.send(message);

@@ -1,6 +1,8 @@
 package org.pendant.protocols.eip.service;
 
 import java.io.IOException;
+import java.time.Duration;
+import org.pendant.protocols.net.IdleLimits;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.serve.PortNumbers;
@@ -9,6 +11,9 @@ import org.pendant.protocols.serve.PortNumbers;
 public final class AssemblyService {
   /** Where it listens on a real box. */
   public static final int STANDARD_PORT = 40_000;
+
+  /** Calls are made at once; who wants another one later connects again. */
+  private static final Duration IDLE = Duration.ofSeconds(30);
 
   private AssemblyService() {}
 
@@ -20,7 +25,7 @@ public final class AssemblyService {
   public static TcpPort open(PortNumbers numbers, Configuration configuration, PeerLog log)
       throws IOException {
     return TcpPort.open(
-        numbers.listening("Fieldbus configuration", STANDARD_PORT),
+        numbers.listening("Fieldbus configuration", STANDARD_PORT).with(IdleLimits.of(IDLE)),
         connection -> new ServiceSession(connection, new AssemblyCalls(configuration)),
         log);
   }
