@@ -7,10 +7,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.Launcher;
 
@@ -22,6 +24,7 @@ class RealClientsTest {
   @TempDir Path folder;
 
   @TestFactory
+  @Timeout(value = 25, unit = TimeUnit.MINUTES) // the first time, it installs Python packages
   Stream<DynamicTest> publishedClientsGetWhatTheyAskFor() throws IOException {
     PythonClients.prepare();
     List<Path> programs;
