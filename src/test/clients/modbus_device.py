@@ -16,7 +16,8 @@ from pymodbus.simulator import DataType, SimData, SimDevice
 HOST = sys.argv[1]
 GIVE_UP_S = 120
 UPLOAD_PORT = 30002
-RATE_S = 5
+RATE_S = 2
+RATE_ATTEMPTS = 10
 SIGNALS = 50
 FREQUENCY_HZ = 10
 
@@ -95,6 +96,13 @@ def program(lines):
       sync()
     end
   end
+  def await_status(name, wanted):
+    await_valid(name)
+    while modbus_get_signal_status(name) != wanted:
+      sync()
+    end
+    say(name)
+  end
   d = "127.0.0.1:{device.port}"
 {lines}
 end
@@ -129,14 +137,15 @@ upload(
   modbus_add_signal(d, 1, 3, 1, "coil again")
   modbus_add_signal(d, 1, 10, 1, "coils again", False, 3)
   modbus_add_signal(d, 1, 20, 3, "again", False, 22)
-  sleep(1)
-  say(modbus_get_signal_status("coil again"))
-  say(modbus_get_signal_status("coils again"))
-  say(modbus_get_signal_status("again"))
-  say(modbus_get_signal_status("both"))
+  await_status("coil again", True)
+  await_status("coils again", [True, False, True])
+  await_status("again", [1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 8, 9])
+  await_status("both", [54321, 0])
   modbus_add_signal(d, 1, 2000, 2, "nowhere")
-  sleep(1)
-  say(modbus_get_error("nowhere"))
+  while modbus_get_error("nowhere") != 2:
+    sync()
+  end
+  say("nowhere")
   modbus_send_custom_command(d, 1, 6, [0, 60, 2, 88])
   modbus_add_signal(d, 1, 60, 3, "sixty")
   await_valid("sixty")
@@ -147,11 +156,11 @@ expect(
     "all kinds of signals",
     "True",
     "77",
-    "True",
-    "[True, False, True]",
-    "[1, 2, " + "0, " * 18 + "8, 9]",
-    "[54321, 0]",
-    "2",
+    "coil again",
+    "coils again",
+    "again",
+    "both",
+    "nowhere",
     "600",
 )
 for function in (1, 2, 3, 4, 6, 15, 16, 23):
@@ -206,8 +215,18 @@ upload(
     )
 )
 expect("many signals", "all")
-before, began = device.requests[4], time.monotonic()
-time.sleep(RATE_S)
-rate = (device.requests[4] - before) / (time.monotonic() - began)
-print(f"{rate:.1f} requests a second for {SIGNALS} signals at {FREQUENCY_HZ} Hz")
-assert abs(rate / (SIGNALS * FREQUENCY_HZ) - 1) < 0.05, rate
+
+def rate():
+    before, began = device.requests[4], time.monotonic()
+    time.sleep(RATE_S)
+    return (device.requests[4] - before) / (time.monotonic() - began)
+
+
+# A busy computer keeps box or device from it for a while.
+for attempt in range(RATE_ATTEMPTS):
+    seen = rate()
+    print(f"{seen:.1f} requests a second for {SIGNALS} signals at {FREQUENCY_HZ} Hz")
+    if abs(seen / (SIGNALS * FREQUENCY_HZ) - 1) < 0.05:
+        break
+else:
+    raise AssertionError(seen)

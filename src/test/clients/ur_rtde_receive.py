@@ -16,7 +16,7 @@ from rtde_receive import RTDEReceiveInterface
 
 HOST = sys.argv[1]
 GIVE_UP_S = 60
-EFFECT_S = 5
+EFFECT_S = 20  # far longer than it takes, on a busy computer too
 JOINTS = 6
 
 signal.alarm(GIVE_UP_S)

@@ -1,6 +1,7 @@
 package org.pendant.protocols.eip;
 
 import java.io.IOException;
+import java.net.BindException;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.util.HashMap;
@@ -27,6 +28,8 @@ public final class EipServer implements Server {
   /** Where it listens for messages on a real box, by TCP and UDP. */
   public static final int STANDARD_PORT = 44_818;
 
+  private static final int ATTEMPTS = 10;
+
   private final TcpPort messages;
   private final TcpPort service;
   private final UdpPort discovery;
@@ -48,6 +51,20 @@ public final class EipServer implements Server {
    * @throws IOException if one of the ports cannot be had
    */
   public static EipServer open(Outside outside, PortNumbers numbers) throws IOException {
+    boolean anyFree = numbers.listening("EtherNet/IP", STANDARD_PORT).port() == 0;
+    for (int attempt = 1; ; attempt++) {
+      try {
+        return openAll(outside, numbers);
+      } catch (BindException e) {
+        // The number that TCP was lent may be taken for UDP; another will not be.
+        if (!anyFree || attempt == ATTEMPTS) {
+          throw e;
+        }
+      }
+    }
+  }
+
+  private static EipServer openAll(Outside outside, PortNumbers numbers) throws IOException {
     UdpPort io =
         UdpPort.open(
             numbers.listening("EtherNet/IP I/O", ConnectionDesk.STANDARD_IO_PORT), outside.log());
