@@ -160,7 +160,10 @@ public final class Controller {
     return frame.feed();
   }
 
-  /** Log lines after number {@code number} that are still kept, oldest first; any thread. */
+  /**
+   * Log lines after number {@code number} that are still kept, oldest first; any thread. The number
+   * of the first tells how many were missed.
+   */
   public List<LogEntry> logSince(long number) {
     return box.log().since(number);
   }

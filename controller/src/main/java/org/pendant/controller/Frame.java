@@ -11,6 +11,7 @@ import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.machine.ScriptFailure;
 import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.message.Popup;
 import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.rtde.PublishedState;
 import org.pendant.controller.safety.FrameFacts;
@@ -408,6 +409,7 @@ final class Frame {
   private ControllerState snapshot() {
     ArmState arm = armState();
     ArmReadings readings = ArmReadings.of(box);
+    List<Popup> popups = box.popups().takeNew();
     return new ControllerState(
         box.clock().frame(),
         box.clock().timeS(),
@@ -429,7 +431,7 @@ final class Frame {
         box.popups().open(),
         box.questions().open(),
         box.log().takeNew(),
-        box.popups().takeNew(),
+        popups,
         box.questions().takeNew(),
         machine.takeEvents(),
         box.log().newest());

@@ -50,13 +50,13 @@ final class CrowdedFrameTest {
 
   @Test
   void aSecondaryProgramIsRefusedAtOnceWhileADebuggerHoldsTheFrame() {
-    submit(new Command.Debug(debugger -> debugger.set(Breakpoint.at(2))));
+    var _ = submit(new Command.Debug(debugger -> debugger.set(Breakpoint.at(2))));
     start("def p():\n  x = 1\n  sleep(9)\nend\n");
     assertTrue(controller.state().debug().held());
     CompletableFuture<Reply> reply = submitSecondary();
     controller.advance();
     assertEquals(new Reply.Refused("a debugger holds program p"), reply.join());
-    submit(new Command.Debug(debugger -> debugger.resume()));
+    var _ = submit(new Command.Debug(debugger -> debugger.resume()));
     controller.advance();
     assertEquals(List.of(), controller.logSince(0));
   }

@@ -2,6 +2,15 @@ package org.pendant.controller.machine;
 
 /** What happens to the lines of interpreter mode, for its log files (manual 13.8). */
 public sealed interface InterpreterEvent {
+  /** About what it takes in memory. */
+  default int bytes() {
+    return switch (this) {
+      case Accepted accepted -> accepted.text().length();
+      case ProgramStarted started -> started.program().length();
+      case Cleared cleared -> 0;
+      case Kept kept -> 0;
+    };
+  }
 
   /** A program has started: ids begin again. */
   record ProgramStarted(String program) implements InterpreterEvent {}

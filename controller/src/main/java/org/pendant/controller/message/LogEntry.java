@@ -26,6 +26,27 @@ public record LogEntry(
     this(number, timeS, level, origin, "", text, Optional.empty());
   }
 
+  /**
+   * This entry with a text of at most {@code bytes}; where some is missing, its end says how long
+   * it was.
+   *
+   * @param bytes at least 64
+   */
+  public LogEntry shortened(int bytes) {
+    return text.length() <= bytes
+        ? this
+        : new LogEntry(number, timeS, level, origin, code, shortened(text, bytes), place);
+  }
+
+  /** A text of at most {@code bytes}, at least 64, as {@link #shortened(int)} makes it. */
+  public static String shortened(String text, int bytes) {
+    if (text.length() <= bytes) {
+      return text;
+    }
+    String note = " ... (cut, " + text.length() + " bytes in all)";
+    return text.substring(0, bytes - note.length()) + note;
+  }
+
   /** How bad it is. */
   public enum Level {
     INFO,

@@ -2,29 +2,45 @@ package org.pendant.controller.message;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.function.Supplier;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.LogEntry.Origin;
 
 /**
  * The log. The frame loop alone writes; {@link #since} and {@link #newest} may be called by any
- * thread at any time.
+ * thread at any time. What it takes is bounded: in lines and bytes that are kept, in the length of
+ * a line, and in what programs and clients may write in a frame.
  */
 public final class MessageLog {
-  /** How many of the newest entries can still be asked for. */
-  public static final int KEPT = 4096;
+  /** How many of the newest entries can still be asked for, where their texts are short. */
+  public static final int KEPT = 16_384;
 
-  private final AtomicReferenceArray<LogEntry> ring = new AtomicReferenceArray<>(KEPT);
-  private volatile long newest;
+  /** What the texts of the entries that can be asked for take together, at most. */
+  public static final int KEPT_BYTES = 16 << 20;
 
-  private List<LogEntry> thisFrame = new ArrayList<>();
+  /** The longest text of an entry, bytes; a longer one is cut, and its end says so. */
+  public static final int LONGEST_TEXT = 4 << 20;
+
+  /** Entries of a frame, errors not counted; more are left out, and one entry says how many. */
+  public static final int MOST_IN_FRAME = 4096;
+
+  /** What the texts of a frame's entries take together, at most; as {@link #MOST_IN_FRAME}. */
+  public static final int MOST_BYTES_IN_FRAME = 8 << 20;
+
+  /** Different warnings of a program that are given once; more are not given at all. */
+  private static final int MOST_WARNED = 1000;
+
+  private final RecentEntries<LogEntry> recent =
+      new RecentEntries<>(KEPT, KEPT_BYTES, LogEntry::number, each -> each.text().length());
   private final Set<String> warned = new HashSet<>();
+  private long taken;
+  private int linesOfFrame;
+  private long bytesOfFrame;
+  private long leftOut;
   private double timeS;
   private Supplier<Optional<LogEntry.Place>> where = Optional::empty;
 
@@ -103,7 +119,7 @@ public final class MessageLog {
 
   /** Warns, unless the same text was a warning of this kind since {@link #programStarted}. */
   public void warnOnce(String text) {
-    if (warned.add(text)) {
+    if (warned.size() < MOST_WARNED && warned.add(text)) {
       warning(text);
     }
   }
@@ -113,41 +129,61 @@ public final class MessageLog {
     warned.clear();
   }
 
-  /** What was written since the last call; for the frame's snapshot. */
-  public List<LogEntry> takeNew() {
-    if (thisFrame.isEmpty()) {
-      return List.of();
+  /** What was written since the last call, for the frame's snapshot; another frame begins. */
+  public LogLines takeNew() {
+    if (leftOut > 0) {
+      long count = leftOut;
+      leftOut = 0;
+      linesOfFrame = 0;
+      bytesOfFrame = 0;
+      add(
+          Level.WARNING,
+          Origin.CONTROLLER,
+          "",
+          count + (count == 1 ? " more line was" : " more lines were") + " left out in this frame",
+          Optional.empty());
     }
-    List<LogEntry> taken = List.copyOf(thisFrame);
-    thisFrame = new ArrayList<>();
-    return taken;
+    linesOfFrame = 0;
+    bytesOfFrame = 0;
+    long last = recent.newest();
+    if (last == taken) {
+      return LogLines.NONE;
+    }
+    LogLines lines = new LogLines.InLog(this, taken, last);
+    taken = last;
+    return lines;
   }
 
   /** The number of the newest entry, 0 when there is none. */
   public long newest() {
-    return newest;
+    return recent.newest();
   }
 
-  /** Entries after number {@code number} that are still kept, oldest first. */
+  /**
+   * Entries after number {@code number} that are still kept, oldest first. Numbers have no gaps: a
+   * reader that falls behind sees by the first of them how many it has missed.
+   */
   public List<LogEntry> since(long number) {
-    long last = newest;
-    List<LogEntry> found = new ArrayList<>();
-    for (long each = Math.max(number, last - KEPT) + 1; each <= last; each++) {
-      LogEntry entry = ring.get((int) (each % KEPT));
-      // a slow reader may be overtaken: then a newer entry stands in this place
-      if (entry != null && entry.number() == each) {
-        found.add(entry);
-      }
-    }
-    return found;
+    return between(number, Long.MAX_VALUE);
+  }
+
+  /** As {@link #since}, up to number {@code last}. */
+  List<LogEntry> between(long number, long last) {
+    return recent.between(number, last);
   }
 
   private void add(
       Level level, Origin origin, String code, String text, Optional<LogEntry.Place> place) {
-    long number = newest + 1;
-    LogEntry entry = new LogEntry(number, timeS, level, origin, code, text, place);
-    ring.set((int) (number % KEPT), entry);
-    thisFrame.add(entry);
-    newest = number;
+    LogEntry entry =
+        new LogEntry(recent.newest() + 1, timeS, level, origin, code, text, place)
+            .shortened(LONGEST_TEXT);
+    linesOfFrame++;
+    bytesOfFrame += entry.text().length();
+    boolean fits = linesOfFrame <= MOST_IN_FRAME && bytesOfFrame <= MOST_BYTES_IN_FRAME;
+    if (fits || level == Level.ERROR) {
+      recent.add(entry);
+    } else {
+      leftOut++;
+    }
   }
 }

@@ -10,11 +10,20 @@ public final class PopupBoard {
   /** More open windows than this help nobody: the oldest one that does not block goes. */
   private static final int MOST_OPEN = 64;
 
+  /** Windows of a frame that hold up nothing; more are not shown. */
+  static final int MOST_IN_FRAME = 16;
+
+  /** Bytes of a text that are shown. */
+  static final int LONGEST_TEXT = 4096;
+
+  private static final int LONGEST_TITLE = 256;
+
   private final Operator operator;
   private final MessageLog log;
   private final PromptNumbers numbers;
   private List<Popup> open = List.of();
   private List<Popup> shown = new ArrayList<>();
+  private int notShown;
 
   /**
    * An empty screen.
@@ -28,9 +37,20 @@ public final class PopupBoard {
     this.numbers = numbers;
   }
 
-  /** Shows a popup; it may be answered already, see {@link #isOpen}. */
+  /** Shows a popup, which may be answered already; {@link #isOpen} says whether it waits. */
   public Popup show(double timeS, String title, String text, Severity severity, boolean blocking) {
-    Popup popup = new Popup(numbers.next(), timeS, title, text, severity, blocking);
+    Popup popup =
+        new Popup(
+            numbers.next(),
+            timeS,
+            LogEntry.shortened(title, LONGEST_TITLE),
+            LogEntry.shortened(text, LONGEST_TEXT),
+            severity,
+            blocking);
+    if (shown.size() >= MOST_IN_FRAME && !blocking) {
+      notShown++;
+      return popup;
+    }
     shown.add(popup);
     switch (operator) {
       case Operator.Absent absent -> {}
@@ -101,6 +121,10 @@ public final class PopupBoard {
 
   /** What was shown since the last call, answered or not; for the frame's snapshot. */
   public List<Popup> takeNew() {
+    if (notShown > 0) {
+      log.warning(notShown + " more popups were not shown in this frame");
+      notShown = 0;
+    }
     if (shown.isEmpty()) {
       return List.of();
     }

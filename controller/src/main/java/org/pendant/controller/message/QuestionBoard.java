@@ -6,6 +6,12 @@ import java.util.Optional;
 
 /** The questions that wait for an answer, owned by the frame loop. */
 public final class QuestionBoard {
+  /** Questions of a frame with a prepared answer that are told; more are answered all the same. */
+  private static final int MOST_TOLD = 64;
+
+  /** Bytes of a text that are asked. */
+  private static final int LONGEST_TEXT = 4096;
+
   private final Optional<AnswerSheet> sheet;
   private final MessageLog log;
   private final PromptNumbers numbers;
@@ -35,8 +41,11 @@ public final class QuestionBoard {
    * @param text bytes, one {@code char} a byte; not empty
    */
   public Asked ask(double timeS, Question.Kind kind, String text) {
-    Asked asked = new Asked(new Question(numbers.next(), timeS, kind, text));
-    fresh.add(asked.question());
+    String shown = LogEntry.shortened(text, LONGEST_TEXT);
+    Asked asked = new Asked(new Question(numbers.next(), timeS, kind, shown));
+    if (sheet.isEmpty() || fresh.size() < MOST_TOLD) {
+      fresh.add(asked.question());
+    }
     if (sheet.isPresent()) {
       answerFrom(sheet.get(), asked);
     } else {

@@ -3,6 +3,7 @@ package org.pendant.controller.recording;
 import java.util.List;
 import org.pendant.controller.machine.ProgramEvent;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.LogLines;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.state.ControllerState;
@@ -14,6 +15,9 @@ record News(
     List<Question> questions,
     List<ProgramEvent> events,
     long newestEntry) {
+  /** The longest text of a log line that is recorded, bytes. */
+  private static final int LONGEST_TEXT = 1 << 16;
+
   static final News NONE = new News(List.of(), List.of(), List.of(), List.of(), 0);
 
   News {
@@ -24,7 +28,7 @@ record News(
   }
 
   static boolean in(ControllerState state) {
-    return !state.newEntries().isEmpty()
+    return state.newLines() != LogLines.NONE
         || !state.newPopups().isEmpty()
         || !state.newQuestions().isEmpty()
         || !state.newProgramEvents().isEmpty();
@@ -32,7 +36,7 @@ record News(
 
   static News of(ControllerState state) {
     return new News(
-        state.newEntries(),
+        state.newEntries().stream().map(each -> each.shortened(LONGEST_TEXT)).toList(),
         state.newPopups(),
         state.newQuestions(),
         state.newProgramEvents(),

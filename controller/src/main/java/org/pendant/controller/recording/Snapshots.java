@@ -10,6 +10,7 @@ import org.pendant.controller.encoder.Encoders;
 import org.pendant.controller.freedrive.FreedriveState;
 import org.pendant.controller.io.DigitalLevels;
 import org.pendant.controller.io.SignalState;
+import org.pendant.controller.message.LogLines;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.modbus.ModbusSignalState;
@@ -70,7 +71,7 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
         (TracedVariables) at.part(Part.TRACED),
         (List<Popup>) at.part(Part.POPUPS),
         (List<Question>) at.part(Part.QUESTIONS),
-        news.entries(),
+        news.entries().isEmpty() ? LogLines.NONE : new LogLines.Listed(news.entries()),
         news.popups(),
         news.questions(),
         news.events(),

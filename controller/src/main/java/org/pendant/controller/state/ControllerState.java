@@ -9,6 +9,7 @@ import org.pendant.controller.io.DigitalLevels;
 import org.pendant.controller.io.SignalState;
 import org.pendant.controller.machine.ProgramEvent;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.LogLines;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.modbus.ModbusSignalState;
@@ -37,7 +38,7 @@ import org.pendant.controller.variables.VariableSamples;
  * @param traced numbers among them that somebody wants in every frame
  * @param openPopups on the screen, oldest first
  * @param openQuestions to the operator, oldest first
- * @param newEntries log lines of this frame
+ * @param newLines log lines of this frame, as long as the log keeps them
  * @param newPopups popups shown in this frame, those already answered included
  * @param newQuestions asked in this frame, those already answered included
  * @param newProgramEvents programs that started and ended in this frame, in order
@@ -63,7 +64,7 @@ public record ControllerState(
     TracedVariables traced,
     List<Popup> openPopups,
     List<Question> openQuestions,
-    List<LogEntry> newEntries,
+    LogLines newLines,
     List<Popup> newPopups,
     List<Question> newQuestions,
     List<ProgramEvent> newProgramEvents,
@@ -73,9 +74,16 @@ public record ControllerState(
     modbus = List.copyOf(modbus);
     openPopups = List.copyOf(openPopups);
     openQuestions = List.copyOf(openQuestions);
-    newEntries = List.copyOf(newEntries);
     newPopups = List.copyOf(newPopups);
     newQuestions = List.copyOf(newQuestions);
     newProgramEvents = List.copyOf(newProgramEvents);
+  }
+
+  /**
+   * The log lines of this frame. A reader that takes longer than some frames may find that the log
+   * keeps the first of them no longer; {@link #newestEntry} tells.
+   */
+  public List<LogEntry> newEntries() {
+    return newLines.entries();
   }
 }

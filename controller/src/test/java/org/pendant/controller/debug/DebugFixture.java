@@ -160,7 +160,7 @@ final class DebugFixture {
 
   /** What the program has sent so far. */
   List<String> messages() {
-    box.log().takeNew().stream()
+    box.log().takeNew().entries().stream()
         .filter(entry -> entry.origin() == LogEntry.Origin.SCRIPT)
         .map(LogEntry::text)
         .forEach(messages::add);

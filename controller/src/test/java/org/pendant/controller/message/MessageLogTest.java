@@ -21,8 +21,8 @@ final class MessageLogTest {
         List.of(
             new LogEntry(1, 0.5, Level.INFO, Origin.SCRIPT, "a"),
             new LogEntry(2, 0.5, Level.WARNING, Origin.CONTROLLER, "b")),
-        log.takeNew());
-    assertTrue(log.takeNew().isEmpty());
+        log.takeNew().entries());
+    assertEquals(LogLines.NONE, log.takeNew());
     assertEquals(2, log.newest());
   }
 
@@ -30,6 +30,7 @@ final class MessageLogTest {
   void aSlowReaderGetsWhatIsKept() {
     for (int i = 1; i <= MessageLog.KEPT + 10; i++) {
       log.script("line " + i);
+      log.takeNew();
     }
     List<LogEntry> all = log.since(0);
     assertEquals(MessageLog.KEPT, all.size());
@@ -40,11 +41,75 @@ final class MessageLogTest {
   }
 
   @Test
-  void everythingOfOneFrameIsHandedOutHoweverMuch() {
-    for (int i = 0; i < 3 * MessageLog.KEPT; i++) {
+  void aFrameHoldsSoManyLinesAndOneThatSaysHowManyMoreThereWere() {
+    for (int i = 0; i < MessageLog.MOST_IN_FRAME + 7; i++) {
       log.script("x");
     }
-    assertEquals(3 * MessageLog.KEPT, log.takeNew().size());
+    List<LogEntry> lines = log.takeNew().entries();
+    assertEquals(MessageLog.MOST_IN_FRAME + 1, lines.size());
+    assertEquals("7 more lines were left out in this frame", lines.getLast().text());
+    assertEquals(Level.WARNING, lines.getLast().level());
+    log.script("y");
+    assertEquals("y", log.takeNew().entries().getFirst().text());
+  }
+
+  @Test
+  void errorsAreNeverLeftOut() {
+    for (int i = 0; i < MessageLog.MOST_IN_FRAME; i++) {
+      log.script("x");
+    }
+    log.error("fire");
+    assertEquals("fire", log.takeNew().entries().getLast().text());
+  }
+
+  @Test
+  void aFrameHoldsSoManyBytes() {
+    String megabyte = "x".repeat(1 << 20);
+    for (int i = 0; i < 10; i++) {
+      log.script(megabyte);
+    }
+    List<LogEntry> lines = log.takeNew().entries();
+    assertEquals(9, lines.size());
+    assertEquals("2 more lines were left out in this frame", lines.getLast().text());
+  }
+
+  @Test
+  void aLongLineIsCutAndSaysHowLongItWas() {
+    log.script("x".repeat(MessageLog.LONGEST_TEXT + 1));
+    String text = log.takeNew().entries().getFirst().text();
+    assertEquals(MessageLog.LONGEST_TEXT, text.length());
+    assertTrue(text.endsWith("x ... (cut, 4194305 bytes in all)"));
+  }
+
+  @Test
+  void theLogIsBoundedInBytes() {
+    for (int i = 0; i < 100; i++) {
+      log.script("x".repeat(1 << 20));
+      log.takeNew();
+    }
+    List<LogEntry> all = log.since(0);
+    assertEquals(16, all.size());
+    assertEquals(100, all.getLast().number());
+  }
+
+  @Test
+  void linesOfAFrameAreKeptNoLongerThanByTheLog() {
+    log.script("old");
+    LogLines frame = log.takeNew();
+    assertEquals("old", frame.entries().getFirst().text());
+    for (int i = 0; i < MessageLog.KEPT; i++) {
+      log.script("line " + i);
+      log.takeNew();
+    }
+    assertEquals(List.of(), frame.entries());
+  }
+
+  @Test
+  void warningsThatDifferAreGivenAThousandTimesAProgram() {
+    for (int i = 0; i < 2000; i++) {
+      log.warnOnce("slow " + i);
+    }
+    assertEquals(1000, log.newest());
   }
 
   @Test
@@ -65,7 +130,7 @@ final class MessageLogTest {
     log.safety(Level.ERROR, "C153A2", "C153A2 protective stop");
     log.safety(Level.INFO, "", "unlocked");
     log.info("b");
-    List<LogEntry> all = log.takeNew();
+    List<LogEntry> all = log.takeNew().entries();
     assertEquals(Optional.of(place), all.get(0).place());
     assertEquals(Optional.of(place), all.get(1).place());
     assertEquals("C153A2", all.get(1).code());

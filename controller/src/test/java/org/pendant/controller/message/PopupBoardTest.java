@@ -43,10 +43,29 @@ final class PopupBoardTest {
     Popup blocking = board.show(0, "Popup", "stay", Severity.MESSAGE, true);
     for (int i = 0; i < 1000; i++) {
       board.show(0, "Part", "number " + i, Severity.MESSAGE, false);
+      board.takeNew();
     }
     assertTrue(board.isOpen(blocking));
     assertTrue(board.open().size() < 100);
     assertTrue(log.since(0).getFirst().text().endsWith("Part: number 0"));
+  }
+
+  @Test
+  void aFrameShowsSixteenAndTheLogSaysHowManyMoreThereWere() {
+    PopupBoard board = board(Operator.present());
+    for (int i = 0; i < 20; i++) {
+      board.show(0, "Part", "number " + i, Severity.MESSAGE, false);
+    }
+    assertEquals(16, board.takeNew().size());
+    assertEquals("4 more popups were not shown in this frame", log.since(0).getFirst().text());
+  }
+
+  @Test
+  void aLongTextIsCutAndSaysHowLongItWas() {
+    Popup shown =
+        board(Operator.present()).show(0, "Popup", "x".repeat(5000), Severity.MESSAGE, false);
+    assertEquals(PopupBoard.LONGEST_TEXT, shown.text().length());
+    assertTrue(shown.text().endsWith("(cut, 5000 bytes in all)"));
   }
 
   @Test

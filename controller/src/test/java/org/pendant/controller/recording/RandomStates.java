@@ -42,6 +42,7 @@ import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.machine.ScriptFailure;
 import org.pendant.controller.machine.ThreadSnapshot;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.LogLines;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.modbus.ModbusSignalState;
@@ -145,7 +146,7 @@ final class RandomStates {
             some(last.map(ControllerState::traced), this::traced),
             some(last.map(ControllerState::openPopups), () -> list(this::popup)),
             some(last.map(ControllerState::openQuestions), () -> list(this::question)),
-            entries,
+            entries.isEmpty() ? LogLines.NONE : new LogLines.Listed(entries),
             news ? list(this::popup) : List.of(),
             news ? list(this::question) : List.of(),
             news ? list(this::event) : List.of(),

@@ -18,6 +18,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.debug.Breakpoint;
 import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.machine.Program;
+import org.pendant.controller.message.LogLines;
 import org.pendant.controller.state.ArmReadings;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
@@ -213,7 +214,7 @@ final class RecordingRingTest {
         state.traced(),
         state.openPopups(),
         state.openQuestions(),
-        List.of(),
+        LogLines.NONE,
         List.of(),
         List.of(),
         List.of(),

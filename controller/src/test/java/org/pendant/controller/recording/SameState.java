@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.lang.reflect.RecordComponent;
 import java.util.List;
 import java.util.Set;
+import org.pendant.controller.message.LogLines;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.variables.TracedVariables;
 import org.pendant.controller.variables.VariableSample;
@@ -62,6 +63,8 @@ final class SameState {
         for (int i = 0; i < traced.names().size(); i++) {
           assertEquals(traced.value(i), others.value(i), here);
         }
+      } else if (one instanceof LogLines lines) {
+        assertEquals(lines.entries(), ((LogLines) other).entries(), here);
       } else {
         assertEquals(one, other, here);
       }

@@ -2,11 +2,10 @@ package org.pendant.gui.log;
 
 import java.time.Instant;
 import java.time.InstantSource;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.function.LongFunction;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.RecentEntries;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.session.FrameListener;
 import org.pendant.language.source.ByteText;
@@ -17,10 +16,12 @@ import org.pendant.language.source.ByteText;
  * 1 and without gaps, also across a restart of the controller.
  */
 final class LogMailbox implements FrameListener {
-  private final AtomicReferenceArray<Mail> ring;
+  /** The longest text of a message, bytes: all that are kept must find room. */
+  static final int LONGEST_TEXT = 4096;
+
+  private final RecentEntries<Mail> recent;
   private final LongFunction<List<LogEntry>> controllerLog;
   private final InstantSource clock;
-  private volatile long newest;
   private volatile double timeS;
 
   private long lastFrame;
@@ -37,7 +38,9 @@ final class LogMailbox implements FrameListener {
    * @param clock tells when a message arrives
    */
   LogMailbox(int capacity, LongFunction<List<LogEntry>> controllerLog, InstantSource clock) {
-    ring = new AtomicReferenceArray<>(capacity);
+    recent =
+        new RecentEntries<>(
+            capacity, LogStore.MOST_BYTES, Mail::number, mail -> mail.entry().text().length());
     this.controllerLog = controllerLog;
     this.clock = clock;
   }
@@ -51,11 +54,20 @@ final class LogMailbox implements FrameListener {
     lastFrame = state.frame();
     timeS = state.timeS();
     if (state.newestEntry() > lastNumber) {
-      boolean complete = lastNumber + state.newEntries().size() == state.newestEntry();
-      (complete ? state.newEntries() : controllerLog.apply(lastNumber))
-          .forEach(entry -> put(LogSource.of(entry.origin()), entry));
+      List<LogEntry> fresh = state.newEntries();
+      boolean complete = lastNumber + fresh.size() == state.newestEntry();
+      (complete ? fresh : controllerLog.apply(lastNumber)).forEach(this::take);
       lastNumber = state.newestEntry();
     }
+  }
+
+  private void take(LogEntry entry) {
+    long missed = entry.number() - lastNumber - 1;
+    if (missed > 0) {
+      told(missed + " lines of the controller were not shown in time");
+    }
+    put(LogSource.of(entry.origin()), entry.shortened(LONGEST_TEXT));
+    lastNumber = entry.number();
   }
 
   /** Keeps what the window tells; the dispatch thread. */
@@ -68,27 +80,18 @@ final class LogMailbox implements FrameListener {
 
   /** The frame loop and the dispatch thread write, both rarely. */
   private synchronized void put(LogSource source, LogEntry entry) {
-    long number = newest + 1;
-    ring.set((int) (number % ring.length()), new Mail(number, clock.instant(), source, entry));
-    newest = number;
+    recent.add(new Mail(recent.newest() + 1, clock.instant(), source, entry));
   }
 
   /** The number of the newest message, 0 for none. */
   long newest() {
-    return newest;
+    return recent.newest();
   }
 
   /** Messages after number {@code number} that are still kept, oldest first. */
   List<LogLine> since(long number) {
-    long last = newest;
-    List<LogLine> found = new ArrayList<>();
-    for (long each = Math.max(number, last - ring.length()) + 1; each <= last; each++) {
-      Mail mail = ring.get((int) (each % ring.length()));
-      // a slow reader may be overtaken: then a newer one stands in this place
-      if (mail != null && mail.number() == each) {
-        found.add(LogLine.of(each, mail.wall(), mail.source(), mail.entry()));
-      }
-    }
-    return found;
+    return recent.between(number, Long.MAX_VALUE).stream()
+        .map(mail -> LogLine.of(mail.number(), mail.wall(), mail.source(), mail.entry()))
+        .toList();
   }
 }

@@ -7,7 +7,11 @@ import java.util.Arrays;
  * come, that it keeps when older ones go.
  */
 final class LogStore {
+  /** What the texts of the messages that are kept take together, at most. */
+  static final int MOST_BYTES = 32 << 20;
+
   private final LogLine[] ring;
+  private long bytes;
   private long first;
   private long end;
 
@@ -18,9 +22,14 @@ final class LogStore {
 
   /** Takes one; the oldest goes if there is no room. */
   void add(LogLine line) {
+    bytes += line.text().length();
+    while (first < end && (end - first >= ring.length || bytes > MOST_BYTES)) {
+      bytes -= ring[slot(first)].text().length();
+      ring[slot(first)] = null;
+      first++;
+    }
     ring[slot(end)] = line;
     end++;
-    first = Math.max(first, end - ring.length);
   }
 
   /** Position of the oldest one kept; equal to {@link #end} if there is none. */
@@ -49,6 +58,7 @@ final class LogStore {
   /** Forgets all; positions go on. */
   void clear() {
     Arrays.fill(ring, null);
+    bytes = 0;
     first = end;
   }
 

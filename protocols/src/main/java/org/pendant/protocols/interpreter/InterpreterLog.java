@@ -53,6 +53,10 @@ final class InterpreterLog implements AutoCloseable {
 
   private void write() {
     for (InterpreterJournal.Entry each : journal.since(written)) {
+      if (each.number() > written + 1) {
+        String missed = each.number() - written - 1 + " events were not written in time";
+        outside.log().write(Level.WARNING, "interpreter log: " + missed);
+      }
       try {
         files.write(each.event());
         failed = false;

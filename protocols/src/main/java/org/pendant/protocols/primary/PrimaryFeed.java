@@ -36,12 +36,14 @@ final class PrimaryFeed {
   private VariableSamples lastVariables = VariableSamples.NONE;
   private List<ProgramLabel> labels = List.of();
   private Optional<ProgramLabel> lastLabel = Optional.empty();
+  private long lastEntry;
   private int lastLine;
   private int frames;
 
   PrimaryFeed(Controller controller) {
     this.controller = controller;
     last = controller.state();
+    lastEntry = last.newestEntry();
     states = new RobotStateCodec(last.arm().description());
     lastFull = last;
   }
@@ -130,12 +132,20 @@ final class PrimaryFeed {
     }
   }
 
-  /** Log lines since the last frame that was seen, which need not be the one before. */
+  /** Log lines since the last that were seen; one in place of those that are gone already. */
   private List<LogEntry> entries(ControllerState state) {
-    long unseen = state.newestEntry() - last.newestEntry();
-    return unseen > state.newEntries().size()
-        ? controller.logSince(last.newestEntry())
-        : state.newEntries();
+    if (state.newestEntry() <= lastEntry) {
+      return List.of();
+    }
+    List<LogEntry> entries = new ArrayList<>(controller.logSince(lastEntry));
+    long missed = entries.getFirst().number() - lastEntry - 1;
+    if (missed > 0) {
+      String text = missed + " lines of the log were not sent in time";
+      entries.addFirst(
+          new LogEntry(0, state.timeS(), LogEntry.Level.WARNING, LogEntry.Origin.SCRIPT, text));
+    }
+    lastEntry = entries.getLast().number();
+    return entries;
   }
 
   private void sendState(ControllerState state) {
