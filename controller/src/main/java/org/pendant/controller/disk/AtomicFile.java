@@ -19,7 +19,7 @@ public final class AtomicFile {
   /** Writes the bytes of a file. */
   @FunctionalInterface
   public interface Content {
-    /** Writes all of them; the stream is buffered, and is closed by others. */
+    /** Writes all of them; the stream is buffered, and may be closed or not. */
     void writeTo(OutputStream out) throws IOException;
   }
 
@@ -77,7 +77,7 @@ public final class AtomicFile {
 
   private static void fill(FileDraft draft, Content content) throws IOException {
     try (draft) {
-      content.writeTo(draft);
+      content.writeTo(draft.out());
       draft.commit();
     }
   }

@@ -1,5 +1,6 @@
 package org.pendant.controller.disk;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.FileAlreadyExistsException;
@@ -11,7 +12,7 @@ import java.util.concurrent.ThreadLocalRandom;
  * A file in the making. It is written beside the place where it will be, with a hidden name, and
  * takes that place when it is committed. Closing it before that removes it. One thread uses it.
  */
-public final class FileDraft extends OutputStream {
+public final class FileDraft implements Closeable {
   private static final int BUFFER_BYTES = 1 << 16;
 
   /** Names have at most 255 bytes in most file systems; a character takes up to 4. */
@@ -22,8 +23,7 @@ public final class FileDraft extends OutputStream {
   private final boolean mayReplace;
   private final Path beside;
   private final OpenFile file;
-  private final byte[] buffer = new byte[BUFFER_BYTES];
-  private int buffered;
+  private final OutputStream out = new Buffered();
   private boolean failed;
   private boolean closed;
 
@@ -81,37 +81,9 @@ public final class FileDraft extends OutputStream {
     return beside;
   }
 
-  @Override
-  public void write(int value) throws IOException {
-    if (buffered == buffer.length) {
-      flush();
-    }
-    buffer[buffered] = (byte) value;
-    buffered++;
-  }
-
-  @Override
-  public void write(byte[] bytes, int from, int count) throws IOException {
-    Objects.checkFromIndexSize(from, count, bytes.length);
-    if (count > buffer.length - buffered) {
-      flush();
-    }
-    if (count >= buffer.length) {
-      put(bytes, from, count);
-      return;
-    }
-    System.arraycopy(bytes, from, buffer, buffered, count);
-    buffered += count;
-  }
-
-  @Override
-  public void flush() throws IOException {
-    if (closed) {
-      return; // many streams flush once more when they are closed
-    }
-    int count = buffered;
-    buffered = 0;
-    put(buffer, 0, count);
+  /** Where its bytes go, with a buffer. Closing the stream ends nothing. */
+  public OutputStream out() {
+    return out;
   }
 
   private void put(byte[] bytes, int from, int count) throws IOException {
@@ -136,7 +108,7 @@ public final class FileDraft extends OutputStream {
       throw new IOException("it is not whole");
     }
     try {
-      flush();
+      out.flush();
       file.sync();
       closed = true;
       file.close();
@@ -171,6 +143,48 @@ public final class FileDraft extends OutputStream {
       if (!place.special()) {
         disk.remove(beside);
       }
+    }
+  }
+
+  private final class Buffered extends OutputStream {
+    private final byte[] buffer = new byte[BUFFER_BYTES];
+    private int buffered;
+
+    @Override
+    public void write(int value) throws IOException {
+      if (buffered == buffer.length) {
+        flush();
+      }
+      buffer[buffered] = (byte) value;
+      buffered++;
+    }
+
+    @Override
+    public void write(byte[] bytes, int from, int count) throws IOException {
+      Objects.checkFromIndexSize(from, count, bytes.length);
+      if (count > buffer.length - buffered) {
+        flush();
+      }
+      if (count >= buffer.length) {
+        put(bytes, from, count);
+        return;
+      }
+      System.arraycopy(bytes, from, buffer, buffered, count);
+      buffered += count;
+    }
+
+    @Override
+    public void flush() throws IOException {
+      int count = buffered;
+      buffered = 0;
+      if (count > 0) {
+        put(buffer, 0, count);
+      }
+    }
+
+    @Override
+    public void close() throws IOException {
+      flush();
     }
   }
 }

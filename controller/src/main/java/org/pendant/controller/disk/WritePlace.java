@@ -47,7 +47,7 @@ public record WritePlace(Path path, boolean special) {
   }
 
   /** The folder that it is in. */
-  Path folder() {
+  public Path folder() {
     Path folder = path.getParent();
     return folder == null ? path : folder;
   }

@@ -26,6 +26,7 @@ final class MarkSearch {
   private final Recording recording;
   private final long labelFrames;
   private final ArrayDeque<RecordingMark> marks = new ArrayDeque<>();
+  private Optional<ProgramStatus> program = Optional.empty();
   private Optional<SafetyStop> stop = Optional.empty();
   private List<ProgramLabel> labels = List.of();
   private Optional<ProgramLabel> label = Optional.empty();
@@ -42,16 +43,19 @@ final class MarkSearch {
   }
 
   private void visit(SegmentCursor entry) {
-    int line = ((ProgramStatus) entry.part(Part.PROGRAM)).line();
+    ProgramStatus now = (ProgramStatus) entry.part(Part.PROGRAM);
+    int line = now.line();
     if (entry.changed(Part.NEWS)) {
       news((News) entry.part(Part.NEWS), entry.frame(), line);
     }
     if (entry.changed(Part.SAFETY)) {
       safety((SafetyStatus) entry.part(Part.SAFETY), entry.frame(), line);
     }
-    if (entry.changed(Part.PROGRAM) && line > 0) {
+    // the first entry of a segment has it in any case, changed or not
+    if (entry.changed(Part.PROGRAM) && line > 0 && program.filter(now::equals).isEmpty()) {
       label(entry.frame(), line);
     }
+    program = Optional.of(now);
   }
 
   private void news(News news, long frame, int line) {

@@ -3,10 +3,10 @@ package org.pendant.controller.recording;
 import java.io.BufferedWriter;
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
@@ -19,7 +19,7 @@ import org.pendant.models.pose.Pose;
  * and actual joint positions (rad) and speeds (rad/s), target and actual pose of the TCP in the
  * base frame (m, rotation vector in rad), the program's line, and the variables that were asked
  * for. Numbers have full double precision and a point, whatever the country; a variable without a
- * number leaves its field empty.
+ * number leaves its field empty. What it flushes is whole rows, the header at once.
  */
 public final class Recorder implements Closeable {
   private static final int BUFFER_CHARS = 1 << 16;
@@ -28,6 +28,7 @@ public final class Recorder implements Closeable {
   private final List<String> variables;
   private final StringBuilder row = new StringBuilder(1024);
   private ArmStateText arm = ArmStateText.NONE;
+  private int unflushed;
 
   /** The text of joints and poses, kept because an arm at rest repeats it in every row. */
   private record ArmStateText(
@@ -74,12 +75,14 @@ public final class Recorder implements Closeable {
     header.append(",line");
     this.variables.forEach(name -> header.append(",var:").append(name));
     out.append(header).append('\n');
+    out.flush();
   }
 
-  /** Records to a file, which is created or emptied. */
-  public static Recorder toFile(Path file, List<VariablePath> variables) throws IOException {
-    Writer writer = Files.newBufferedWriter(file, StandardCharsets.US_ASCII);
-    return new Recorder(new BufferedWriter(writer, BUFFER_CHARS), variables);
+  /** As {@link #Recorder(Writer, List)}, to a file that is closed with the recorder. */
+  public static Recorder to(OutputStream file, List<VariablePath> variables) throws IOException {
+    return new Recorder(
+        new BufferedWriter(new OutputStreamWriter(file, StandardCharsets.US_ASCII), BUFFER_CHARS),
+        variables);
   }
 
   /** Appends the row of one frame. */
@@ -98,6 +101,11 @@ public final class Recorder implements Closeable {
       }
     }
     out.append(row.append('\n'));
+    unflushed += row.length();
+    if (unflushed >= BUFFER_CHARS) {
+      unflushed = 0;
+      out.flush();
+    }
   }
 
   private ArmStateText text(ArmState state) {

@@ -1,30 +1,26 @@
 package org.pendant.controller.recording;
 
-import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.variables.TracedVariables;
 import org.pendant.controller.variables.VariablePath;
 
 /** Writes a stretch of a recording to a file. It takes a while: not for the dispatch thread. */
 public final class RecordingExport {
-  private static final int BUFFER_BYTES = 1 << 16;
-
   private RecordingExport() {}
 
   /**
    * Writes the frames from {@code fromS} to {@code toS}, robot time in s, as a {@code .rec} file,
-   * which is created or replaced.
+   * which is created, or replaced when all of it is written.
    */
   public static void toRec(Recording recording, double fromS, double toS, Path file)
       throws IOException {
-    OutputStream out = new BufferedOutputStream(Files.newOutputStream(file), BUFFER_BYTES);
-    toRec(recording, fromS, toS, out);
+    AtomicFile.write(file, out -> toRec(recording, fromS, toS, out));
   }
 
   /** As {@link #toRec(Recording, double, double, Path)}, to a stream, which is closed. */
@@ -56,13 +52,19 @@ public final class RecordingExport {
   /**
    * Writes the frames from {@code fromS} to {@code toS}, robot time in s, as comma-separated values
    * with one row a frame, see {@link Recorder}. Variables that were traced in every frame have
-   * columns.
+   * columns. The file is created, or replaced when all of it is written.
    */
   public static void toCsv(Recording recording, double fromS, double toS, Path file)
       throws IOException {
+    AtomicFile.write(file, out -> toCsv(recording, fromS, toS, out));
+  }
+
+  /** As {@link #toCsv(Recording, double, double, Path)}, to a stream, which is closed. */
+  public static void toCsv(Recording recording, double fromS, double toS, OutputStream out)
+      throws IOException {
     long from = recording.frameAt(fromS);
     long to = recording.frameAt(toS);
-    try (Recorder recorder = Recorder.toFile(file, traced(recording, from, to))) {
+    try (Recorder recorder = Recorder.to(out, traced(recording, from, to))) {
       for (long frame = from; frame <= to; frame++) {
         recorder.write(recording.atFrame(frame));
       }

@@ -1,27 +1,27 @@
 package org.pendant.controller.recording;
 
-import java.io.BufferedOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
+import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.state.ControllerState;
 
 /**
  * Writes a {@code .rec} file frame by frame, at any length with the same memory. Equal frames make
- * equal files. One thread uses it.
+ * equal files. What it flushes is whole blocks: the header with the first snapshot at once, and
+ * from then on at least one block for each minute in which something changes. One thread uses it.
  */
 public final class RecordingWriter implements Closeable {
-  private static final int BUFFER_BYTES = 1 << 16;
+  /** An arm at rest fills no block for a long time, and it is lost when the process is killed. */
+  private static final int MOST_FRAMES_A_BLOCK = 60 * FrameTime.FRAMES_PER_SECOND;
 
   private final OutputStream out;
   private final Deflater deflater = new Deflater(Deflater.BEST_SPEED);
@@ -55,17 +55,7 @@ public final class RecordingWriter implements Closeable {
             .putInt(checksum(header.array(), header.size()))
             .array());
     out.write(header.array(), 0, header.size());
-  }
-
-  /** Begins a file, which is created or emptied. */
-  public static RecordingWriter toFile(Path file, ControllerState start) throws IOException {
-    OutputStream stream = new BufferedOutputStream(Files.newOutputStream(file), BUFFER_BYTES);
-    try {
-      return new RecordingWriter(stream, start);
-    } catch (IOException e) {
-      stream.close();
-      throw e;
-    }
+    writeWhatIsThere();
   }
 
   /** Takes the next frame. */
@@ -76,6 +66,16 @@ public final class RecordingWriter implements Closeable {
       writeSegment(each);
     }
     full.clear();
+    if (state.frame() - tape.segment().firstFrame() >= MOST_FRAMES_A_BLOCK) {
+      writeWhatIsThere();
+    }
+  }
+
+  private void writeWhatIsThere() throws IOException {
+    Optional<Segment> segment = tape.cut();
+    if (segment.isPresent()) {
+      writeSegment(segment.get());
+    }
   }
 
   /** Nothing more changes until frame {@code frame}, which is the last. */
@@ -133,6 +133,7 @@ public final class RecordingWriter implements Closeable {
             .putInt(checksum(deflated, length))
             .array());
     out.write(deflated, 0, length);
+    out.flush();
   }
 
   static ByteBuffer littleEndian(int size) {
@@ -153,7 +154,7 @@ public final class RecordingWriter implements Closeable {
     }
     closed = true;
     try (out) {
-      writeSegment(tape.segment());
+      writeWhatIsThere();
       ByteSink end = new ByteSink();
       end.whole(lastFrame);
       writeBlock(FileFormat.END, end);

@@ -1,6 +1,7 @@
 package org.pendant.controller.recording;
 
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.state.ControllerState;
@@ -22,12 +23,13 @@ final class Tape {
 
   private long ambientFrame;
   private Segment segment;
+  private boolean handedOn;
 
   /**
    * Begins with a snapshot.
    *
    * @param begun gets each segment when it begins, also the first, which is in this tape already
-   * @param full gets each segment that the next one follows
+   * @param full gets each segment that the next one follows, unless it was {@link #cut}
    * @param ambientFrames frames for which what never rests does not make an entry by itself; 0 to
    *     keep it always
    */
@@ -50,6 +52,18 @@ final class Tape {
     return segment;
   }
 
+  /**
+   * Ends the segment that is being filled, which then is somebody else's: what changes next begins
+   * another one. Empty when nothing has changed since the last was ended.
+   */
+  Optional<Segment> cut() {
+    if (handedOn) {
+      return Optional.empty();
+    }
+    handedOn = true;
+    return Optional.of(segment);
+  }
+
   /** Takes what has changed. */
   void take(ControllerState state) {
     long frame = state.frame();
@@ -66,13 +80,16 @@ final class Tape {
     if ((numberMask & NumberGroup.AMBIENT.bit()) != 0) {
       ambientFrame = frame;
     }
-    if (segment.fits(frame, numberMask)) {
+    if (!handedOn && segment.fits(frame, numberMask)) {
       keep(frame, numberMask, partMask);
     } else {
       Segment done = segment;
       segment = new Segment(frame);
       keepAll(frame);
-      full.accept(done);
+      if (!handedOn) {
+        full.accept(done);
+      }
+      handedOn = false;
       begun.accept(segment);
     }
     if ((partMask & Part.NEWS.bit()) != 0) {

@@ -118,6 +118,49 @@ final class RecordingFileTest {
     assertTrue(opened > 20, opened + " opened");
   }
 
+  /** Counts what is flushed, as that is what a killed process leaves behind. */
+  private static final class Flushed extends ByteArrayOutputStream {
+    private int flushed;
+
+    @Override
+    public void flush() {
+      flushed = size();
+    }
+
+    byte[] kept() {
+      return Arrays.copyOf(toByteArray(), flushed);
+    }
+  }
+
+  @Test
+  void aFileOfAProcessThatIsKilledAtOnceHasTheFirstSnapshot() throws IOException {
+    ControllerState start = states(9, 1).getFirst();
+    Flushed out = new Flushed();
+    RecordingWriter unused = new RecordingWriter(out, start);
+
+    RecordingFile.Opened opened = RecordingFile.open(file(out.kept()));
+    assertTrue(opened.warning().orElseThrow().startsWith("some.rec is cut off: it ends at"));
+    SameState.assertSame(start, opened.recording().atFrame(start.frame()));
+    unused.close();
+  }
+
+  @Test
+  void aFileOfAKilledProcessLacksTheLastMinuteAtMost() throws IOException {
+    Controller controller = new Controller(ControllerOptions.headless());
+    Flushed out = new Flushed();
+    RecordingWriter writer = new RecordingWriter(out, controller.state());
+    for (int i = 0; i < 150 * 500; i++) {
+      controller.advance();
+      writer.write(controller.state());
+      if (i % 18_713 == 0) {
+        Recording kept = RecordingFile.open(file(out.kept())).recording();
+        long lost = controller.state().frame() - kept.lastFrame();
+        assertTrue(lost <= 61 * 500, lost + " frames are lost after " + i);
+      }
+    }
+    writer.close();
+  }
+
   @Test
   void aFileWithAWrongBitIsRefused() throws IOException {
     byte[] whole = bytes(states(2, 300));
@@ -239,7 +282,7 @@ final class RecordingFileTest {
     Controller controller = new Controller(ControllerOptions.headless());
     RecordingRing ring = new RecordingRing(controller.state(), Optional::empty);
     Path table = folder.resolve("run.csv");
-    try (Recorder recorder = Recorder.toFile(table, List.of())) {
+    try (Recorder recorder = Recorder.to(Files.newOutputStream(table), List.of())) {
       recorder.write(controller.state());
       for (int i = 0; i < 100; i++) {
         controller.advance();

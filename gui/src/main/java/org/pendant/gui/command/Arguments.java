@@ -14,6 +14,7 @@ import org.pendant.language.check.Nearest;
 final class Arguments {
   private final Map<String, List<String>> values = new HashMap<>();
   private final List<String> operands = new ArrayList<>();
+  private final SourceFiles files = new SourceFiles();
 
   private Arguments() {}
 
@@ -83,6 +84,11 @@ final class Arguments {
   /** All values of an option that may be repeated, in their order. */
   List<String> values(Option option) {
     return values.getOrDefault(option.name(), List.of());
+  }
+
+  /** By which everything is read that they name. */
+  SourceFiles files() {
+    return files;
   }
 
   /** The words that are no options. */

@@ -35,8 +35,7 @@ final class CheckCommand implements Subcommand {
     if (arguments.operands().isEmpty()) {
       throw new UsageException("no file given");
     }
-    List<RunnableFile> files =
-        RunnableFile.read(arguments.operands(), InstallationOption.of(arguments));
+    List<RunnableFile> files = RunnableFile.read(arguments);
     Builtins builtins = StandardBuiltins.create();
     ExitCode code = ExitCode.DONE;
     for (RunnableFile file : files) {

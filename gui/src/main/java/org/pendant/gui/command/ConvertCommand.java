@@ -3,9 +3,7 @@ package org.pendant.gui.command;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -26,9 +24,6 @@ import org.pendant.controller.recording.RecordingFile;
 
 /** {@code pendant convert FROM TO}: writes a file in another form; the endings say which. */
 final class ConvertCommand implements Subcommand {
-  private static final Option FORCE =
-      new Option("--force", "", "replace TO if there is such a file already");
-
   private static final String SCRIPT = ".script";
   private static final String RECORDING = ".rec";
   private static final String TABLE = ".csv";
@@ -37,24 +32,10 @@ final class ConvertCommand implements Subcommand {
           + InstallationText.ENDING
           + ", .rec becomes .csv";
 
-  /** Writes what comes out to a file of its own. */
-  @FunctionalInterface
-  private interface Output {
-    void write(Path file) throws IOException;
-  }
-
   /** What comes out, or why nothing does. */
-  private record Result(ExitCode code, Optional<Output> output) {
+  private record Result(ExitCode code, Optional<AtomicFile.Content> output) {
     static Result of(byte[] bytes) {
-      return new Result(ExitCode.DONE, Optional.of(file -> write(file, bytes)));
-    }
-
-    private static void write(Path file, byte[] bytes) throws IOException {
-      if (Files.exists(file)) {
-        AtomicFile.write(file, bytes);
-      } else {
-        Files.write(file, bytes, StandardOpenOption.CREATE_NEW);
-      }
+      return new Result(ExitCode.DONE, Optional.of(out -> out.write(bytes)));
     }
 
     static Result of(String text) {
@@ -83,7 +64,7 @@ final class ConvertCommand implements Subcommand {
 
   @Override
   public List<Option> options() {
-    return List.of(FORCE, InstallationOption.OPTION);
+    return List.of(OutputFile.FORCE, InstallationOption.OPTION);
   }
 
   @Override
@@ -94,29 +75,12 @@ final class ConvertCommand implements Subcommand {
     }
     String from = arguments.operands().get(0);
     String to = arguments.operands().get(1);
-    boolean force = arguments.has(FORCE);
-    Path target = target(to, force);
     Result result = convert(from, to, arguments, console);
+    OutputFile target = OutputFile.at(to, arguments);
     if (result.output().isPresent()) {
-      write(result.output().get(), target, to);
+      target.write(result.output().get());
     }
     return result.code();
-  }
-
-  /** The file is looked at first: nobody wants to wait for a refusal. */
-  private static Path target(String to, boolean force) throws UsageException {
-    try {
-      Path target = Path.of(to).toAbsolutePath();
-      if (Files.isDirectory(target)) {
-        throw new UsageException(to + " is a directory");
-      }
-      if (Files.exists(target) && !force) {
-        throw new UsageException(to + " exists already, --force replaces it");
-      }
-      return target;
-    } catch (InvalidPathException e) {
-      throw new UsageException(to + ": not a file name, " + e.getReason());
-    }
   }
 
   private static Result convert(String from, String to, Arguments arguments, Console console)
@@ -125,10 +89,10 @@ final class ConvertCommand implements Subcommand {
       return program(from, to, arguments, console);
     }
     if (InstallationFile.hasEnding(from) && ends(to, InstallationText.ENDING)) {
-      return installation(from, console);
+      return installation(from, arguments.files(), console);
     }
     if (ends(from, RECORDING) && ends(to, TABLE)) {
-      return recording(from, console);
+      return recording(from, arguments.files(), console);
     }
     throw new UsageException(from + " cannot become " + to + ": " + POSSIBLE);
   }
@@ -141,7 +105,12 @@ final class ConvertCommand implements Subcommand {
       throws UsageException {
     TreeOfFile read;
     try {
-      read = TreeOfFile.of(from, SourceFiles.bytes(from), InstallationOption.of(arguments));
+      read =
+          TreeOfFile.of(
+              from,
+              arguments.files().bytes(RunnableFile.PROGRAM, from),
+              InstallationOption.of(arguments),
+              arguments.files());
     } catch (BrokenTree e) {
       e.reports().forEach(console::complain);
       return Result.none(ExitCode.DOES_NOT_COMPILE);
@@ -175,15 +144,17 @@ final class ConvertCommand implements Subcommand {
     return Result.of(UrpPrograms.write(name, tree, file.installation()));
   }
 
-  private static Result installation(String from, Console console) throws UsageException {
+  private static Result installation(String from, SourceFiles files, Console console)
+      throws UsageException {
     try {
       Optional<String> variables =
           InstallationFile.variablesOf(from).filter(each -> Files.isRegularFile(Path.of(each)));
       Optional<byte[]> values =
           variables.isPresent()
-              ? Optional.of(SourceFiles.bytes(variables.get()))
+              ? Optional.of(files.bytes("the file of variables", variables.get()))
               : Optional.empty();
-      LoadedInstallation read = InstallationFile.read(from, SourceFiles.bytes(from), values);
+      LoadedInstallation read =
+          InstallationFile.read(from, files.bytes("the installation", from), values);
       read.remarks().forEach(each -> console.complain(from + ": note: " + each));
       return Result.of(InstallationText.write(read.installation()));
     } catch (InstallationTrouble e) {
@@ -192,26 +163,17 @@ final class ConvertCommand implements Subcommand {
     }
   }
 
-  private static Result recording(String from, Console console) throws UsageException {
+  private static Result recording(String from, SourceFiles files, Console console)
+      throws UsageException {
     try {
-      RecordingFile.Opened opened = RecordingFile.open(Path.of(from));
+      RecordingFile.Opened opened = RecordingFile.open(files.path("the recording", from));
       opened.warning().ifPresent(each -> console.complain(from + ": warning: " + each));
       Recording all = opened.recording();
       return new Result(
           ExitCode.DONE,
-          Optional.of(file -> RecordingExport.toCsv(all, all.firstS(), all.lastS(), file)));
+          Optional.of(out -> RecordingExport.toCsv(all, all.firstS(), all.lastS(), out)));
     } catch (IOException e) {
       throw new UsageException(from + ": " + FileTrouble.reason(e));
-    } catch (InvalidPathException e) {
-      throw new UsageException(from + ": not a file name, " + e.getReason());
-    }
-  }
-
-  private static void write(Output output, Path target, String to) throws UsageException {
-    try {
-      output.write(target);
-    } catch (IOException e) {
-      throw new UsageException(to + ": cannot be written, " + FileTrouble.reason(e));
     }
   }
 }

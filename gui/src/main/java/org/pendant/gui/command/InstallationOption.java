@@ -26,17 +26,20 @@ final class InstallationOption {
   /** The installation that the command line names; empty if it names none. */
   static Optional<Installation> of(Arguments arguments) throws UsageException {
     Optional<String> name = arguments.value(OPTION);
-    return name.isPresent() ? Optional.of(read(name.get())) : Optional.empty();
+    return name.isPresent() ? Optional.of(read(name.get(), arguments.files())) : Optional.empty();
   }
 
   /** Reads an installation from a file, and the values of its variables from the one beside it. */
-  static Installation read(String name) throws UsageException {
+  static Installation read(String name, SourceFiles files) throws UsageException {
     try {
       Optional<String> variables =
           InstallationFile.variablesOf(name).filter(file -> Files.isRegularFile(Path.of(file)));
       Optional<byte[]> values =
-          variables.isPresent() ? Optional.of(bytes(variables.get())) : Optional.empty();
-      return InstallationFile.read(name, bytes(name), values).installation();
+          variables.isPresent()
+              ? Optional.of(bytes(files.path("the file of variables", variables.get())))
+              : Optional.empty();
+      return InstallationFile.read(name, bytes(files.path("the installation", name)), values)
+          .installation();
     } catch (InstallationTrouble e) {
       throw new UsageException(e.getMessage());
     } catch (NoSuchFileException e) {
@@ -56,7 +59,8 @@ final class InstallationOption {
    * @param program file name of the program
    * @param installation name of the installation, with an ending or without; empty for none
    */
-  static Optional<Installation> beside(String program, String installation) throws UsageException {
+  static Optional<Installation> beside(String program, String installation, SourceFiles files)
+      throws UsageException {
     if (installation.isEmpty()) {
       return Optional.empty();
     }
@@ -64,7 +68,7 @@ final class InstallationOption {
       try {
         Path file = Path.of(program).resolveSibling(each);
         if (Files.isRegularFile(file)) {
-          return Optional.of(read(file.toString()));
+          return Optional.of(read(file.toString(), files));
         }
       } catch (InvalidPathException e) {
         throw new UsageException(
@@ -74,12 +78,12 @@ final class InstallationOption {
     return Optional.empty();
   }
 
-  private static byte[] bytes(String name) throws IOException, UsageException {
-    try (InputStream in = Files.newInputStream(Path.of(name))) {
+  private static byte[] bytes(Path path) throws IOException, UsageException {
+    try (InputStream in = Files.newInputStream(path)) {
       byte[] bytes = in.readNBytes(InstallationFile.LARGEST_BYTES + 1);
       if (bytes.length > InstallationFile.LARGEST_BYTES) {
         throw new UsageException(
-            name + " has more than " + InstallationFile.LARGEST_BYTES + " bytes");
+            path + " has more than " + InstallationFile.LARGEST_BYTES + " bytes");
       }
       return bytes;
     }

@@ -1,9 +1,6 @@
 package org.pendant.gui.command;
 
 import java.awt.image.BufferedImage;
-import java.io.IOException;
-import java.io.OutputStream;
-import java.nio.file.Files;
 import java.util.List;
 import javax.imageio.ImageIO;
 import org.pendant.controller.Controller;
@@ -46,20 +43,15 @@ final class RenderCommand implements Subcommand {
 
   @Override
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
-    RenderOptions options = RenderOptions.of(arguments);
     if (arguments.operands().size() != 1) {
       throw new UsageException("expected one file, there are " + arguments.operands().size());
     }
-    RunnableFile file =
-        RunnableFile.read(arguments.operands(), InstallationOption.of(arguments)).getFirst();
+    RunnableFile file = RunnableFile.read(arguments).getFirst();
+    RenderOptions options = RenderOptions.of(arguments, file.installation());
     file.tell(console);
-    RenderOptions own =
-        file.installation().isPresent()
-            ? RenderOptions.of(arguments, file.installation())
-            : options;
-    try (ScriptDoors doors = new ScriptDoors(own.run().hosts())) {
-      Controller controller = new Controller(own.run().controller().withOutside(doors.doors()));
-      return run(file, controller, own, console);
+    try (ScriptDoors doors = new ScriptDoors(options.run().hosts())) {
+      Controller controller = new Controller(options.run().controller().withOutside(doors.doors()));
+      return run(file, controller, options, console);
     }
   }
 
@@ -118,11 +110,11 @@ final class RenderCommand implements Subcommand {
   private static ExitCode write(BufferedImage picture, RenderOptions options, Console console) {
     // A picture in the making needs no file besides its own.
     ImageIO.setUseCache(false);
-    try (OutputStream out = Files.newOutputStream(options.out())) {
-      ImageIO.write(picture, "png", out);
+    try {
+      options.out().write(out -> ImageIO.write(picture, "png", out));
       return ExitCode.DONE;
-    } catch (IOException e) {
-      console.complain("pendant render: the picture cannot be written: " + e.getMessage());
+    } catch (UsageException e) {
+      console.complain("pendant render: " + e.getMessage());
       return ExitCode.WRONG_USAGE;
     }
   }

@@ -1,8 +1,5 @@
 package org.pendant.gui.command;
 
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -25,7 +22,7 @@ import org.pendant.gui.scene.Theme;
  */
 record RenderOptions(
     RunOptions run,
-    Path out,
+    OutputFile out,
     Optional<Double> atS,
     int widthPx,
     int heightPx,
@@ -46,13 +43,16 @@ record RenderOptions(
 
   /** For the usage text. */
   static final List<Option> ALL =
-      Stream.concat(Stream.of(OUT, AT, SIZE, VIEW, THEME), RunOptions.OF_PROGRAM.stream()).toList();
+      Stream.concat(
+              Stream.of(OUT, OutputFile.FORCE, AT, SIZE, VIEW, THEME),
+              RunOptions.OF_PROGRAM.stream())
+          .toList();
 
-  static RenderOptions of(Arguments arguments) throws UsageException {
-    return of(arguments, Optional.empty());
-  }
-
-  /** With the installation of a program, unless the command line names another one. */
+  /**
+   * After the program was read.
+   *
+   * @param ofProgram the installation that the program names, unless the command line names one
+   */
   static RenderOptions of(Arguments arguments, Optional<Installation> ofProgram)
       throws UsageException {
     RunOptions run = RunOptions.of(arguments, ofProgram);
@@ -67,26 +67,12 @@ record RenderOptions(
         theme(arguments.value(THEME).orElse("light")));
   }
 
-  /** The file is looked at before the program runs: nobody wants to wait for a refusal. */
-  private static Path out(Arguments arguments) throws UsageException {
-    Optional<String> name = arguments.value(OUT);
-    if (name.isEmpty()) {
+  private static OutputFile out(Arguments arguments) throws UsageException {
+    Optional<OutputFile> out = OutputFile.of(OUT, arguments);
+    if (out.isEmpty()) {
       throw new UsageException("no picture named, expected " + OUT.usage());
     }
-    try {
-      Path out = Path.of(name.get()).toAbsolutePath();
-      Path folder = out.getParent();
-      boolean writable =
-          Files.exists(out)
-              ? Files.isRegularFile(out) && Files.isWritable(out)
-              : folder != null && Files.isDirectory(folder) && Files.isWritable(folder);
-      if (!writable) {
-        throw new UsageException("--out " + name.get() + ": cannot be written");
-      }
-      return out;
-    } catch (InvalidPathException e) {
-      throw new UsageException("--out " + name.get() + ": not a file name, " + e.getReason());
-    }
+    return out.get();
   }
 
   private static Optional<Double> atS(Arguments arguments) throws UsageException {

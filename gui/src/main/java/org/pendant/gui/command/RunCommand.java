@@ -3,6 +3,7 @@ package org.pendant.gui.command;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.util.List;
+import java.util.Optional;
 import org.pendant.controller.Controller;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.call.Builtins;
@@ -17,6 +18,13 @@ import org.pendant.protocols.toolserial.ToolSerialServer;
 
 /** {@code pendant run FILE...}: runs programs, each in a controller of its own. */
 final class RunCommand implements Subcommand {
+
+  /**
+   * What is recorded.
+   *
+   * @param file empty for nothing
+   */
+  private record Recorded(Optional<OutputFile> file, RecordColumns columns) {}
 
   @Override
   public String name() {
@@ -48,8 +56,8 @@ final class RunCommand implements Subcommand {
     if (options.record().isPresent() && arguments.operands().size() > 1) {
       throw new UsageException("--record goes with one program, there are several");
     }
-    List<RunnableFile> files =
-        RunnableFile.read(arguments.operands(), InstallationOption.of(arguments));
+    List<RunnableFile> files = RunnableFile.read(arguments);
+    Recorded recorded = new Recorded(OutputFile.of(RunOptions.RECORD, arguments), columns);
     Builtins builtins = StandardBuiltins.create();
     ExitCode code = ExitCode.DONE;
     try (Interruption interruption = Interruption.listen()) {
@@ -59,7 +67,7 @@ final class RunCommand implements Subcommand {
             file.installation().isPresent()
                 ? RunOptions.of(arguments, file.installation())
                 : options;
-        code = code.or(run(file, own, columns, builtins, interruption, console));
+        code = code.or(run(file, own, recorded, builtins, interruption, console));
         if (interruption.requested() || console.outputClosed()) {
           break;
         }
@@ -73,7 +81,7 @@ final class RunCommand implements Subcommand {
   private static ExitCode run(
       RunnableFile file,
       RunOptions options,
-      RecordColumns columns,
+      Recorded recorded,
       Builtins builtins,
       Interruption interruption,
       Console console)
@@ -83,13 +91,13 @@ final class RunCommand implements Subcommand {
       if (options.toolDevice().isEmpty()) {
         Controller controller =
             new Controller(options.controller().withOutside(doors.doors()), builtins);
-        return run(file, controller, options, columns, interruption, console);
+        return run(file, controller, options, recorded, interruption, console);
       }
       try (ToolSerialLine tool = ToolSerialOption.line(options.toolDevice())) {
         Doors all = doors.doors().withToolSerial(tool);
         Controller controller = new Controller(options.controller().withOutside(all), builtins);
         try (var _ = open(tool, controller)) {
-          return run(file, controller, options, columns, interruption, console);
+          return run(file, controller, options, recorded, interruption, console);
         }
       } catch (IOException e) {
         console.complain("pendant run: " + e.getMessage());
@@ -109,7 +117,7 @@ final class RunCommand implements Subcommand {
       RunnableFile file,
       Controller controller,
       RunOptions options,
-      RecordColumns columns,
+      Recorded recorded,
       Interruption interruption,
       Console console)
       throws UsageException {
@@ -123,10 +131,10 @@ final class RunCommand implements Subcommand {
       return ExitCode.DOES_NOT_COMPILE;
     }
     Program program = loaded.program().get();
-    columns.check(program);
-    var _ = controller.submit(columns.command());
+    recorded.columns().check(program);
+    var _ = controller.submit(recorded.columns().command());
     ExitCode code;
-    RunRecord record = RunRecord.open(options.record(), columns, controller, console);
+    RunRecord record = RunRecord.open(recorded.file(), recorded.columns(), controller, console);
     try (record) {
       code = new HeadlessRun(file, controller, options, interruption, console, record).run(program);
     }

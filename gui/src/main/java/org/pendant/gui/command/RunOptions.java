@@ -58,7 +58,7 @@ record RunOptions(
           "--answer",
           "TEXT=VALUE",
           "answer to the question TEXT, without TEXT to whichever is next; repeatable");
-  private static final Option RECORD =
+  static final Option RECORD =
       new Option(
           "--record",
           "FILE",
@@ -103,6 +103,7 @@ record RunOptions(
                   ENCODER,
                   ANSWER,
                   RECORD,
+                  OutputFile.FORCE,
                   RecordColumns.OPTION,
                   TIMEOUT,
                   SEED,

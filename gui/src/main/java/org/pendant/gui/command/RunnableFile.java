@@ -31,6 +31,9 @@ record RunnableFile(
     List<String> notes,
     List<String> problems) {
 
+  /** What it is to a command. */
+  static final String PROGRAM = "the program";
+
   private static final String SCRIPT = ".script";
 
   RunnableFile {
@@ -39,20 +42,20 @@ record RunnableFile(
   }
 
   /**
-   * Reads all of {@code names}, before anything is done with the first: a slip in the last name
-   * shows at once.
+   * Reads all programs that a command line names, before anything is done with the first: a slip in
+   * the last name shows at once.
    *
-   * @param given the installation of the command line
    * @throws UsageException when a file cannot be read
    */
-  static List<RunnableFile> read(List<String> names, Optional<Installation> given)
-      throws UsageException {
-    List<RunnableFile> files = new ArrayList<>();
-    for (String name : names) {
-      byte[] bytes = SourceFiles.bytes(name);
-      files.add(TreeFile.hasEnding(name) ? tree(name, bytes, given) : script(name, bytes));
+  static List<RunnableFile> read(Arguments arguments) throws UsageException {
+    Optional<Installation> given = InstallationOption.of(arguments);
+    SourceFiles files = arguments.files();
+    List<RunnableFile> read = new ArrayList<>();
+    for (String name : arguments.operands()) {
+      byte[] bytes = files.bytes(PROGRAM, name);
+      read.add(TreeFile.hasEnding(name) ? tree(name, bytes, given, files) : script(name, bytes));
     }
-    return files;
+    return read;
   }
 
   private static RunnableFile script(String name, byte[] bytes) {
@@ -65,11 +68,12 @@ record RunnableFile(
         List.of());
   }
 
-  private static RunnableFile tree(String name, byte[] bytes, Optional<Installation> given)
+  private static RunnableFile tree(
+      String name, byte[] bytes, Optional<Installation> given, SourceFiles files)
       throws UsageException {
     TreeOfFile read;
     try {
-      read = TreeOfFile.of(name, bytes, given);
+      read = TreeOfFile.of(name, bytes, given, files);
     } catch (BrokenTree e) {
       return new RunnableFile(
           name, Optional.empty(), Optional.empty(), Optional.empty(), List.of(), e.reports());
@@ -83,7 +87,7 @@ record RunnableFile(
               + ": note: it has nodes that do nothing here; "
               + beside.get()
               + " runs in its place, which was saved beside it");
-      Source saved = Source.of(beside.get(), SourceFiles.bytes(beside.get()));
+      Source saved = Source.of(beside.get(), files.bytes("the script", beside.get()));
       return new RunnableFile(
           name, Optional.of(saved), Optional.empty(), read.own(), notes, List.of());
     }

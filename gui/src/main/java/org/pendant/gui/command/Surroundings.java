@@ -4,9 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.ControllerOptions;
@@ -42,11 +40,11 @@ final class Surroundings {
     ControllerOptions chosen = options.withArm(arm(arguments)).withEncoderNoise(noise(arguments));
     Optional<String> scene = arguments.value(SCENE);
     if (scene.isPresent()) {
-      chosen = chosen.withScene(scene(scene.get()));
+      chosen = chosen.withScene(scene(scene.get(), arguments.files()));
     }
     Optional<String> safety = arguments.value(SAFETY);
     if (safety.isPresent()) {
-      chosen = chosen.withSafety(safety(safety.get(), options.robotId()));
+      chosen = chosen.withSafety(safety(safety.get(), options.robotId(), arguments.files()));
     }
     return chosen;
   }
@@ -70,8 +68,8 @@ final class Surroundings {
     return noise;
   }
 
-  private static Scene scene(String name) throws UsageException {
-    try (InputStream in = open(name)) {
+  private static Scene scene(String name, SourceFiles files) throws UsageException {
+    try (InputStream in = Files.newInputStream(files.path("the scene", name))) {
       return SceneReader.read(name, in);
     } catch (JsonException e) {
       throw new UsageException(e.getMessage());
@@ -80,21 +78,14 @@ final class Surroundings {
     }
   }
 
-  private static SafetyConfiguration safety(String name, String robotId) throws UsageException {
-    try (InputStream in = open(name)) {
+  private static SafetyConfiguration safety(String name, String robotId, SourceFiles files)
+      throws UsageException {
+    try (InputStream in = Files.newInputStream(files.path("the safety file", name))) {
       return SafetyConfigurationReader.read(name, in, ArmLibrary.load(robotId));
     } catch (JsonException e) {
       throw new UsageException(e.getMessage());
     } catch (IOException e) {
       throw unreadable(name, e);
-    }
-  }
-
-  private static InputStream open(String name) throws IOException, UsageException {
-    try {
-      return Files.newInputStream(Path.of(name));
-    } catch (InvalidPathException e) {
-      throw new UsageException(name + ": not a file name, " + e.getReason());
     }
   }
 

@@ -23,15 +23,16 @@ record TreeOfFile(TreeFile file, Optional<Installation> own, List<String> notes)
    * Understands a file.
    *
    * @param given the installation of the command line
+   * @param files by which its installation is read
    * @throws BrokenTree if it holds no tree
    * @throws UsageException if its installation cannot be read
    */
-  static TreeOfFile of(String name, byte[] bytes, Optional<Installation> given)
+  static TreeOfFile of(String name, byte[] bytes, Optional<Installation> given, SourceFiles files)
       throws BrokenTree, UsageException {
     TreeFile bare = TreeFile.read(name, bytes);
     String wanted = bare.tree().installation();
     Optional<Installation> found =
-        given.isPresent() ? given : InstallationOption.beside(name, wanted);
+        given.isPresent() ? given : InstallationOption.beside(name, wanted, files);
     TreeFile tree = found.map(bare::in).orElse(bare);
     List<String> notes = new ArrayList<>(tree.remarks());
     if (!wanted.isEmpty() && found.isEmpty()) {

@@ -119,7 +119,12 @@ final class RenderCommandTest {
     String out = folder.resolve("none").resolve("shot.png").toString();
 
     assertEquals(2, refused("--out", out));
-    assertEquals("pendant render: --out " + out + ": cannot be written", complaint());
+    assertEquals(
+        "pendant render: --out "
+            + out
+            + ": cannot be written, there is no folder "
+            + folder.resolve("none"),
+        complaint());
   }
 
   @Test

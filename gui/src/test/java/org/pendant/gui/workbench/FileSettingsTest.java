@@ -92,7 +92,7 @@ final class FileSettingsTest {
                 + file()
                 + ": "
                 + inTheWay
-                + " is in the way; what is changed is forgotten at the end"),
+                + " is not a folder; what is changed is forgotten at the end"),
         told);
   }
 
