@@ -12,6 +12,9 @@ import org.pendant.models.pose.Pose;
 
 /** Checks of what programs hand to the functions that move or locate the arm. */
 final class MotionArguments {
+  /** Products of larger numbers would overflow, and make a pose of NaN of a finite one. */
+  private static final double LARGEST_IN_POSE = 1e100;
+
   private static final List<String> JOINT_NAMES =
       List.of("base", "shoulder", "elbow", "wrist 1", "wrist 2", "wrist 3");
 
@@ -40,11 +43,14 @@ final class MotionArguments {
     return finite(call, index, call.pose(index));
   }
 
-  /** A pose from argument {@code index}, whose numbers must be finite. */
+  /** A pose from argument {@code index}, whose numbers must be finite, and so their squares. */
   static Pose finite(Call call, int index, Pose pose) throws ScriptError {
     for (int i = 0; i < Pose.SIZE; i++) {
       if (!Double.isFinite(pose.get(i))) {
         throw call.refuse(index, "must be finite");
+      }
+      if (Math.abs(pose.get(i)) > LARGEST_IN_POSE) {
+        throw call.refuse(index, "its numbers must lie within 1e100");
       }
     }
     return pose;
