@@ -144,6 +144,28 @@ final class ServeTest {
     }
   }
 
+  @Test
+  void startsWithoutAPortThatFewNeedAndSaysWhich() throws IOException {
+    try (ServerSocket taken =
+        new ServerSocket(30_013 + OFFSET, 1, InetAddress.getLoopbackAddress())) {
+      Process process = serve();
+      try (BufferedReader output = process.inputReader(StandardCharsets.ISO_8859_1);
+          BufferedReader errors = process.errorReader(StandardCharsets.ISO_8859_1)) {
+        List<String> lines = untilReady(output);
+        assertTrue(lines.stream().noneMatch(each -> each.startsWith("Realtime read-only")));
+        assertTrue(
+            errors
+                .readLine()
+                .startsWith(
+                    "pendant serve: warning: Realtime read-only: port "
+                        + taken.getLocalPort()
+                        + " of 127.0.0.1 cannot be had"));
+      } finally {
+        process.destroy();
+      }
+    }
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

@@ -25,6 +25,7 @@ import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.panel.Panel;
 import org.pendant.protocols.panel.PanelSetup;
 import org.pendant.protocols.script.RunningBox;
+import org.pendant.protocols.serve.MissingPort;
 import org.pendant.protocols.serve.PortNumbers;
 import org.pendant.protocols.serve.RemoteControl;
 
@@ -100,18 +101,25 @@ class BoxPortsTest {
   }
 
   @Test
-  void nothingStaysOpenWhenOneCannotBeHad() throws IOException {
-    int dashboardPort = free();
+  void aPortThatIsTakenIsNamedAndKeepsNoOtherClosed() throws IOException {
+    int dashboard = free();
     try (ServerSocket taken = new ServerSocket(0, 1, LOOPBACK)) {
       PortNumbers numbers =
           PortNumbers.anyFree()
-              .with(29_999, dashboardPort)
+              .with(29_999, dashboard)
+              .with(30_011, taken.getLocalPort())
               .with(ModbusServer.STANDARD_PORT, taken.getLocalPort());
-      String message =
-          assertThrows(IOException.class, () -> BoxPorts.open(box.outside(), numbers, panel))
-              .getMessage();
-      assertTrue(message.startsWith("Modbus: port " + taken.getLocalPort()), message);
-      assertThrows(ConnectException.class, () -> connect(dashboardPort));
+      try (BoxPorts ports = BoxPorts.open(box.outside(), numbers, panel)) {
+        assertEquals(
+            List.of(30_011, ModbusServer.STANDARD_PORT),
+            ports.missing().stream().map(MissingPort::standardPort).toList());
+        String why = ports.missing().getLast().why();
+        assertTrue(why.startsWith("Modbus: port " + taken.getLocalPort()), why);
+        connect(dashboard);
+        for (TcpPort each : ports.ports()) {
+          connect(each.number());
+        }
+      }
     }
   }
 }

@@ -1,29 +1,33 @@
 package org.pendant.gui.command;
 
-import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import java.util.stream.Stream;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.WallClock;
 import org.pendant.protocols.BoxPorts;
 import org.pendant.protocols.ScriptDoors;
+import org.pendant.protocols.dashboard.DashboardServer;
 import org.pendant.protocols.net.FrameFan;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.panel.Panel;
 import org.pendant.protocols.panel.StartWatch;
+import org.pendant.protocols.primary.PrimaryServer;
+import org.pendant.protocols.realtime.RealtimeServer;
+import org.pendant.protocols.rtde.RtdeServer;
+import org.pendant.protocols.serve.MissingPort;
 import org.pendant.protocols.serve.Outside;
 import org.pendant.protocols.serve.PortNumbers;
 import org.pendant.protocols.serve.PrivilegedPort;
 import org.pendant.protocols.toolserial.ToolSerialLine;
-import org.pendant.protocols.toolserial.ToolSerialServer;
 
 /** One controller in real time with all its ports, from its start to its end. */
 final class Service {
@@ -32,6 +36,15 @@ final class Service {
 
   /** An arm that is not at rest by then never will be. */
   private static final long REST_NS = TimeUnit.SECONDS.toNanos(3);
+
+  /** The ports that most clients need. */
+  private static final Set<Integer> NEEDED =
+      Set.of(
+          DashboardServer.STANDARD_PORT,
+          PrimaryServer.PRIMARY,
+          PrimaryServer.SECONDARY,
+          RealtimeServer.REALTIME,
+          RtdeServer.STANDARD_PORT);
 
   private final ServeOptions options;
   private final Interruption interruption;
@@ -61,19 +74,18 @@ final class Service {
         FrameFan frames = new FrameFan(controller.feed(), log)) {
       Outside outside = new Outside(controller, frames, log, options.remote());
       return serve(outside, loop, tool);
-    } catch (IOException e) {
-      console.complain("pendant serve: " + e.getMessage());
-      return ExitCode.UNAVAILABLE;
     }
   }
 
-  private ExitCode serve(Outside outside, FrameLoop loop, ToolSerialLine tool) throws IOException {
+  private ExitCode serve(Outside outside, FrameLoop loop, ToolSerialLine tool) {
     Panel panel = new Panel(outside.controller(), options.panel());
     PortNumbers numbers = numbers();
-    try (BoxPorts ports = BoxPorts.open(outside, numbers, panel);
-        ToolSerialServer serial = ToolSerialServer.open(tool, numbers, outside.log())) {
+    try (BoxPorts ports = BoxPorts.open(outside, numbers, panel, tool)) {
+      if (!complete(ports.missing())) {
+        return ExitCode.UNAVAILABLE;
+      }
       panel.loadAtStart();
-      announce(Stream.concat(ports.ports().stream(), serial.ports().stream()).toList());
+      announce(ports.ports());
       try (LogPrinter printer = new LogPrinter(outside.controller(), console)) {
         outside.frames().add(printer::look);
         outside.frames().add(new StartWatch(outside.controller(), panel)::look);
@@ -82,6 +94,26 @@ final class Service {
       }
     }
     return loop.failure().map(this::failed).orElse(ExitCode.DONE);
+  }
+
+  /** Says which ports cannot be had; answers whether it is worth while to serve without them. */
+  private boolean complete(List<MissingPort> missing) {
+    Optional<MissingPort> needed = missing.stream().filter(this::needed).findFirst();
+    if (needed.isPresent()) {
+      int others = missing.size() - 1;
+      console.complain(
+          "pendant serve: "
+              + needed.get().why()
+              + (others > 0 ? " (and " + others + " other ports)" : ""));
+      return false;
+    }
+    missing.forEach(each -> console.complain("pendant serve: warning: " + each.why()));
+    return true;
+  }
+
+  private boolean needed(MissingPort port) {
+    return NEEDED.contains(port.standardPort())
+        || (options.modbusChosen() && port.standardPort() == PortOptions.MODBUS);
   }
 
   private PortNumbers numbers() {

@@ -1,6 +1,5 @@
 package org.pendant.gui.ports;
 
-import java.io.IOException;
 import java.net.InetAddress;
 import java.net.NetworkInterface;
 import java.net.SocketException;
@@ -137,26 +136,26 @@ public final class DeskPorts implements SwitchListener {
     }
     InetAddress host = now.host().get();
     RemoteControl control = new RemoteControl(true, wishes.remote());
-    try {
-      OpenPorts ports =
-          OpenPorts.open(
-              session,
-              numbers(host, wishes),
-              control,
-              ProgramsFolder.at(wishes.programs()),
-              logs,
-              () -> inBackground(this::switchingOff));
-      open = Optional.of(ports);
-      remote = control;
-      String address = host.getHostAddress();
-      return new PortsState.Open(
-          address.contains(":") ? "[" + address + "]" : address,
-          !host.isLoopbackAddress(),
-          ports.ports());
-    } catch (IOException e) {
-      String text = String.valueOf(e.getMessage());
-      return trouble(text.startsWith("Modbus") ? PortField.MODBUS : PortField.OFFSET, text);
+    OpenPorts ports =
+        OpenPorts.open(
+            session,
+            numbers(host, wishes),
+            control,
+            ProgramsFolder.at(wishes.programs()),
+            logs,
+            () -> inBackground(this::switchingOff));
+    if (ports.ports().isEmpty()) {
+      ports.close();
+      return trouble(PortField.OFFSET, ports.missing().getFirst().why());
     }
+    open = Optional.of(ports);
+    remote = control;
+    String address = host.getHostAddress();
+    return new PortsState.Open(
+        address.contains(":") ? "[" + address + "]" : address,
+        !host.isLoopbackAddress(),
+        ports.ports(),
+        ports.missing());
   }
 
   private static PortsState trouble(PortField field, String text) {

@@ -1,10 +1,8 @@
 package org.pendant.gui.ports;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.stream.Stream;
 import org.pendant.controller.Command;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.gui.session.Session;
@@ -14,28 +12,25 @@ import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.panel.Panel;
 import org.pendant.protocols.panel.PanelSetup;
+import org.pendant.protocols.serve.MissingPort;
 import org.pendant.protocols.serve.Outside;
 import org.pendant.protocols.serve.PortNumbers;
 import org.pendant.protocols.serve.RemoteControl;
-import org.pendant.protocols.toolserial.ToolSerialServer;
 
 /** The ports of one controller, as long as they are open. */
 final class OpenPorts implements AutoCloseable {
   private final FrameFan frames;
   private final BoxPorts box;
-  private final ToolSerialServer serial;
 
-  private OpenPorts(FrameFan frames, BoxPorts box, ToolSerialServer serial) {
+  private OpenPorts(FrameFan frames, BoxPorts box) {
     this.frames = frames;
     this.box = box;
-    this.serial = serial;
   }
 
   /**
-   * Opens all ports of the session's present controller, or none.
+   * Opens the ports of the session's present controller, as far as they can be had.
    *
    * @param shutDown runs once when the controller shuts itself down, in a thread that must not wait
-   * @throws IOException if a port cannot be had; the message names protocol, address and port
    */
   static OpenPorts open(
       Session session,
@@ -43,8 +38,7 @@ final class OpenPorts implements AutoCloseable {
       RemoteControl remote,
       ProgramsFolder programs,
       Path logs,
-      Runnable shutDown)
-      throws IOException {
+      Runnable shutDown) {
     PeerLog log =
         new PeerLog(
             (level, text) -> {
@@ -52,46 +46,34 @@ final class OpenPorts implements AutoCloseable {
               var _ = session.submit(new Command.WriteLog(level, text));
             });
     FrameFan frames = new FrameFan(session.controller().feed(), log);
-    try {
-      Outside outside = new Outside(session.controller(), frames, log, remote);
-      Panel panel =
-          new Panel(
-              session.controller(), new PanelSetup(session.options().robotId(), programs, logs));
-      BoxPorts box = BoxPorts.open(outside, numbers, panel);
-      OpenPorts open = new OpenPorts(frames, box, serial(session, numbers, log, box));
-      var _ = session.submit(new Command.SetProgramsFolder(programs));
-      AtomicBoolean told = new AtomicBoolean();
-      frames.add(
-          state -> {
-            if (state.safety().shutDown() && !told.getAndSet(true)) {
-              shutDown.run();
-            }
-          });
-      return open;
-    } catch (IOException e) {
-      frames.close();
-      throw e;
-    }
-  }
-
-  private static ToolSerialServer serial(
-      Session session, PortNumbers numbers, PeerLog log, BoxPorts box) throws IOException {
-    try {
-      return ToolSerialServer.open(session.toolSerial(), numbers, log);
-    } catch (IOException e) {
-      box.close();
-      throw e;
-    }
+    Outside outside = new Outside(session.controller(), frames, log, remote);
+    Panel panel =
+        new Panel(
+            session.controller(), new PanelSetup(session.options().robotId(), programs, logs));
+    BoxPorts box = BoxPorts.open(outside, numbers, panel, session.toolSerial());
+    var _ = session.submit(new Command.SetProgramsFolder(programs));
+    AtomicBoolean told = new AtomicBoolean();
+    frames.add(
+        state -> {
+          if (state.safety().shutDown() && !told.getAndSet(true)) {
+            shutDown.run();
+          }
+        });
+    return new OpenPorts(frames, box);
   }
 
   /** The ports, in the order of the real box's documentation. */
   List<TcpPort> ports() {
-    return Stream.concat(box.ports().stream(), serial.ports().stream()).toList();
+    return box.ports();
+  }
+
+  /** What could not be had. */
+  List<MissingPort> missing() {
+    return box.missing();
   }
 
   @Override
   public void close() {
-    serial.close();
     box.close();
     frames.close();
   }

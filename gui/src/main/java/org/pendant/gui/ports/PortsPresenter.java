@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.pendant.gui.ports.PortsState.Trouble;
 import org.pendant.gui.workbench.Settings;
 import org.pendant.protocols.net.Connection;
@@ -16,6 +18,9 @@ import org.pendant.protocols.net.TcpPort;
 final class PortsPresenter {
   private static final String SETTING = "ports.";
   private static final String REMOTE = SETTING + "remote";
+
+  /** As many ports that could not be had are named. */
+  private static final int MOST_MISSING = 3;
 
   private final DeskPorts ports;
   private final Settings settings;
@@ -169,11 +174,26 @@ final class PortsPresenter {
 
   /** What somebody should know before others come; empty for nothing. */
   String warning() {
-    return ports.state() instanceof PortsState.Open open && open.exposed()
-        ? "Whoever reaches "
-            + open.address()
-            + " can move this robot. Nobody is asked for a password."
+    return ports.state() instanceof PortsState.Open open
+        ? Stream.concat(exposure(open), missing(open)).collect(Collectors.joining("\n"))
         : "";
+  }
+
+  private static Stream<String> exposure(PortsState.Open open) {
+    return open.exposed()
+        ? Stream.of(
+            "Whoever reaches "
+                + open.address()
+                + " can move this robot. Nobody is asked for a password.")
+        : Stream.empty();
+  }
+
+  /** One sentence for each of the first, as all may be taken by another controller. */
+  private static Stream<String> missing(PortsState.Open open) {
+    int more = open.missing().size() - MOST_MISSING;
+    return Stream.concat(
+        open.missing().stream().limit(MOST_MISSING).map(each -> each.why() + "."),
+        more > 0 ? Stream.of("So it is with " + more + " more.") : Stream.empty());
   }
 
   /** The open ports. */

@@ -3,6 +3,7 @@ package org.pendant.gui.ports;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.serve.MissingPort;
 
 /** Whether the ports are open. */
 sealed interface PortsState {
@@ -23,15 +24,18 @@ sealed interface PortsState {
   record Opening() implements PortsState {}
 
   /**
-   * All of them listen.
+   * They listen, as far as they can be had.
    *
    * @param address of the interface, as people write it before a colon
    * @param exposed whether other computers reach it
    * @param ports in the order of the real box's documentation
+   * @param missing those that cannot be had
    */
-  record Open(String address, boolean exposed, List<TcpPort> ports) implements PortsState {
+  record Open(String address, boolean exposed, List<TcpPort> ports, List<MissingPort> missing)
+      implements PortsState {
     public Open {
       ports = List.copyOf(ports);
+      missing = List.copyOf(missing);
     }
   }
 }

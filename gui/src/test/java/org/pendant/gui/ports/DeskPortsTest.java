@@ -15,6 +15,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -123,29 +124,39 @@ final class DeskPortsTest {
   }
 
   @Test
-  void aPortThatIsTakenIsNamedAndNothingStaysOpen() throws IOException {
-    try (ServerSocket taken =
-        new ServerSocket(30_004 + wishes.offset(), 1, InetAddress.getLoopbackAddress())) {
+  void aPortThatIsTakenIsNamedAndKeepsNoOtherClosed() throws IOException {
+    try (ServerSocket rtde =
+            new ServerSocket(30_004 + wishes.offset(), 1, InetAddress.getLoopbackAddress());
+        ServerSocket serial =
+            new ServerSocket(54_321 + wishes.offset(), 1, InetAddress.getLoopbackAddress())) {
       ports.want(Optional.of(wishes));
-      assertTrue(
-          trouble().text().startsWith("RTDE: port " + taken.getLocalPort()), trouble().text());
-      assertEquals(PortField.OFFSET, trouble().field());
-      assertThrows(ConnectException.class, () -> connect(PRIMARY));
+      PortsState.Open open = assertInstanceOf(PortsState.Open.class, ports.state());
+      assertEquals(
+          List.of(
+              "RTDE: port " + rtde.getLocalPort() + " of 127.0.0.1 cannot be had",
+              "Tool serial: port " + serial.getLocalPort() + " of 127.0.0.1 cannot be had"),
+          open.missing().stream()
+              .map(each -> each.why().replaceAll("had: .*", "had"))
+              .sorted()
+              .toList());
+      assertEquals("UR5", ask("get robot model"));
     }
-    session.restart(session.options());
-    assertThrows(ConnectException.class, () -> connect(PRIMARY), "not tried again unasked");
   }
 
   @Test
-  void theLastPortThatIsTakenLeavesNothingOpenEither() throws IOException {
-    try (ServerSocket taken =
-        new ServerSocket(54_321 + wishes.offset(), 1, InetAddress.getLoopbackAddress())) {
+  void withoutAnyPortTheyCountAsClosed() {
+    Session other = Session.start(ControllerOptions.headless());
+    try {
+      DeskPorts others = new DeskPorts(other, folder);
+      others.want(Optional.of(wishes));
       ports.want(Optional.of(wishes));
-      assertTrue(
-          trouble().text().startsWith("Tool serial: port " + taken.getLocalPort()),
-          trouble().text());
-      assertThrows(ConnectException.class, () -> connect(PRIMARY));
+      assertTrue(trouble().text().contains("cannot be had"), trouble().text());
+      assertEquals(PortField.OFFSET, trouble().field());
+    } finally {
+      other.close();
     }
+    session.restart(session.options());
+    assertThrows(ConnectException.class, () -> connect(PRIMARY), "not tried again unasked");
   }
 
   @Test

@@ -1,71 +1,73 @@
 package org.pendant.protocols.realtime;
 
-import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.protocols.net.Connection;
+import org.pendant.protocols.net.Listening;
+import org.pendant.protocols.net.Protocol;
 import org.pendant.protocols.net.Session;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.script.ScriptDesk;
+import org.pendant.protocols.serve.MissingPort;
 import org.pendant.protocols.serve.Outside;
 import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.serve.PortOpening;
 import org.pendant.protocols.serve.Server;
 
 /** Port 30003, which takes scripts, and its read-only twin 30013. */
 public final class RealtimeServer implements Server {
-  private static final int REALTIME = 30003;
+  /** Where it listens on a real box. */
+  public static final int REALTIME = 30003;
+
   private static final int REALTIME_READ_ONLY = 30013;
 
   private final Outside outside;
   private final RealtimeCodec codec = new RealtimeCodec();
   private final List<Connection> clients = new CopyOnWriteArrayList<>();
   private final Consumer<ControllerState> frames = this::send;
-  private final TcpPort writable;
-  private final TcpPort readOnly;
+  private final List<TcpPort> writable = new ArrayList<>();
+  private final List<TcpPort> readOnly = new ArrayList<>();
+  private final PortOpening opening = new PortOpening();
 
-  private RealtimeServer(Outside outside, PortNumbers numbers, ScriptDesk desk) throws IOException {
+  private RealtimeServer(Outside outside) {
     this.outside = outside;
-    writable = listen(numbers, "Realtime", REALTIME, desk::session);
-    try {
-      readOnly =
-          listen(
-              numbers,
-              "Realtime read-only",
-              REALTIME_READ_ONLY,
-              (connection, left) -> ScriptDesk.readOnly(left));
-    } catch (IOException e) {
-      writable.close();
-      throw e;
-    }
   }
 
   /**
-   * Opens both ports.
+   * Opens those of the two ports that can be had.
    *
    * @param desk runs what clients send
-   * @throws IOException if a port cannot be had; the message names it, and none is open then
    */
-  public static RealtimeServer open(Outside outside, PortNumbers numbers, ScriptDesk desk)
-      throws IOException {
-    RealtimeServer server = new RealtimeServer(outside, numbers, desk);
+  public static RealtimeServer open(Outside outside, PortNumbers numbers, ScriptDesk desk) {
+    RealtimeServer server = new RealtimeServer(outside);
+    server.listen(
+        numbers.listening("Realtime", REALTIME), REALTIME, desk::session, server.writable);
+    server.listen(
+        numbers.listening("Realtime read-only", REALTIME_READ_ONLY),
+        REALTIME_READ_ONLY,
+        (connection, left) -> ScriptDesk.readOnly(left),
+        server.readOnly);
     outside.frames().add(server.frames);
-    outside.remote().onLocal(server.writable::disconnectAll);
+    outside.remote().onLocal(() -> server.writable.forEach(TcpPort::disconnectAll));
     return server;
   }
 
-  private TcpPort listen(
-      PortNumbers numbers, String name, int number, BiFunction<Connection, Runnable, Session> input)
-      throws IOException {
-    return TcpPort.open(
-        numbers.listening(name, number),
+  private void listen(
+      Listening listening,
+      int number,
+      BiFunction<Connection, Runnable, Session> input,
+      List<TcpPort> ports) {
+    Protocol protocol =
         connection -> {
           clients.add(connection);
           return input.apply(connection, () -> clients.remove(connection));
-        },
-        outside.log());
+        };
+    opening.attempt(number, () -> ports.add(TcpPort.open(listening, protocol, outside.log())));
   }
 
   private void send(ControllerState state) {
@@ -80,7 +82,12 @@ public final class RealtimeServer implements Server {
 
   @Override
   public List<TcpPort> ports() {
-    return List.of(writable, readOnly);
+    return Stream.concat(writable.stream(), readOnly.stream()).toList();
+  }
+
+  @Override
+  public List<MissingPort> missing() {
+    return opening.missing();
   }
 
   @Override

@@ -8,6 +8,11 @@ public interface Server extends AutoCloseable {
   /** The ports it listens at. */
   List<TcpPort> ports();
 
+  /** Those of its ports that could not be had; it does without them. */
+  default List<MissingPort> missing() {
+    return List.of();
+  }
+
   /** Ends listening and all connections. */
   @Override
   default void close() {
