@@ -15,6 +15,7 @@ import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import org.pendant.controller.disk.FileTrouble;
+import org.pendant.gui.fault.Faults;
 
 /**
  * Asks where to save and saves there, while the window behind it can be used. A file that exists is
@@ -113,6 +114,9 @@ public final class SaveDialog {
       return "Saved " + file.toAbsolutePath();
     } catch (IOException e) {
       return "Not saved: " + file.toAbsolutePath() + ": " + FileTrouble.reason(e);
+    } catch (RuntimeException | Error fault) {
+      Faults.report(fault);
+      return "Not saved: " + file.toAbsolutePath() + ": internal error, " + fault;
     }
   }
 

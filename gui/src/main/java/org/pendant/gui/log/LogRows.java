@@ -12,6 +12,7 @@ import javax.swing.SwingConstants;
 import javax.swing.Timer;
 import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
+import org.pendant.gui.fault.Faults;
 import org.pendant.gui.workbench.Palette;
 
 /**
@@ -32,7 +33,7 @@ final class LogRows extends JTable {
   private final LogPresenter presenter;
   private final LogColumns columns;
   private final MessageCell message;
-  private final Timer settled = new Timer(SETTLED_MS, event -> fitRows(0));
+  private final Timer settled = Faults.timer(SETTLED_MS, () -> fitRows(0));
   private List<LogColumns.Shown> shown = List.of();
 
   LogRows(LogTableModel model, LogPresenter presenter, LogColumns columns) {

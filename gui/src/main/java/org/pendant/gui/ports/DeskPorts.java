@@ -73,7 +73,16 @@ public final class DeskPorts implements SwitchListener {
   /** Begins to open them, as {@code wishes} say; {@link #state} tells what came of it. */
   public void open(PortWishes wishes) {
     state = new PortsState.Opening();
-    inBackground(() -> want(Optional.of(wishes)));
+    inBackground(
+        () -> {
+          try {
+            want(Optional.of(wishes));
+          } catch (RuntimeException | Error fault) {
+            // they are not open, and can be tried again
+            state = trouble(PortField.OFFSET, "internal error, " + fault);
+            throw fault;
+          }
+        });
   }
 
   /** Begins to close them. */

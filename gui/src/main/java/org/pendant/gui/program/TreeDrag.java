@@ -14,6 +14,7 @@ import java.util.function.BiConsumer;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import org.pendant.controller.program.ProgramNode;
+import org.pendant.gui.fault.Faults;
 
 /**
  * Nodes on their way under the pointer, from the tree or from the palette. The pointer's own
@@ -25,7 +26,7 @@ final class TreeDrag {
 
   private final TreeList list;
   private final BiConsumer<Cargo, Spot> drop;
-  private final Timer scrolling = new Timer(SCROLL_MS, event -> scroll());
+  private final Timer scrolling = Faults.timer(SCROLL_MS, this::scroll);
   private final KeyEventDispatcher escape = this::key;
   private Optional<Cargo> cargo = Optional.empty();
   private Optional<Component> source = Optional.empty();

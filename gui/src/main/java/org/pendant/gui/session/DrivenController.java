@@ -12,6 +12,7 @@ import org.pendant.controller.SteerableClock;
 import org.pendant.controller.recording.RecordingRing;
 import org.pendant.controller.replay.Journal;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.fault.Faults;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 
 /** One controller with the thread that drives it, until it is switched off. */
@@ -37,8 +38,9 @@ final class DrivenController implements AutoCloseable {
             clock,
             () -> {
               ControllerState state = controller.state();
-              on.ring().take(state);
-              listeners.forEach(each -> each.frame(state));
+              // A fault here would end the loop, and with it the robot.
+              Faults.guard(() -> on.ring().take(state));
+              listeners.forEach(each -> Faults.guard(() -> each.frame(state)));
             });
   }
 

@@ -18,6 +18,7 @@ import org.pendant.controller.recording.Recording;
 import org.pendant.controller.replay.Rerun;
 import org.pendant.controller.replay.RerunRefused;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.fault.Faults;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 
@@ -187,7 +188,7 @@ public final class Session implements AutoCloseable {
   }
 
   private void exchange(SwitchedOn next, Pace pace) {
-    switchListeners.forEach(SwitchListener::switchingOff);
+    switchListeners.forEach(each -> Faults.guard(each::switchingOff));
     driven.close();
     origin.goBack(next.controller().state().frame());
     driven = new DrivenController(next, pace, listeners);
@@ -195,7 +196,7 @@ public final class Session implements AutoCloseable {
     for (String owner : next.journal().owners()) {
       var _ = driven.submit(new Command.ReleaseSignals(owner));
     }
-    switchListeners.forEach(SwitchListener::switchedOn);
+    switchListeners.forEach(each -> Faults.guard(each::switchedOn));
   }
 
   /** Why there can be no branch from the end of a frame; empty if there can. */
@@ -261,7 +262,7 @@ public final class Session implements AutoCloseable {
     switching.lock();
     try {
       closed = true;
-      switchListeners.forEach(SwitchListener::switchingOff);
+      switchListeners.forEach(each -> Faults.guard(each::switchingOff));
       driven.close();
     } finally {
       switching.unlock();

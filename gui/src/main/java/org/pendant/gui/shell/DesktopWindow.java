@@ -10,6 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.fault.Faults;
 import org.pendant.gui.ports.PortWishes;
 import org.pendant.gui.session.InstallationLink;
 import org.pendant.gui.session.ProgramDocument;
@@ -66,8 +67,8 @@ final class DesktopWindow {
   private final Header header;
   private final RobotChange robot;
   private final Footer footer;
-  private final Timer refresh = new Timer(REFRESH_MS, event -> refresh());
-  private final Timer keep;
+  private final Timer refresh = Faults.timer(REFRESH_MS, this::refresh);
+  private final Timer keep = Faults.timer(KEEP_MS, this::keep);
   private final Runnable closed;
   private boolean failureTold;
   private int warnings;
@@ -119,13 +120,6 @@ final class DesktopWindow {
     leaving =
         new Leaving(
             programs, files, views.installation(), installationFiles, notices, this::dispose);
-    keep =
-        new Timer(
-            KEEP_MS,
-            event -> {
-              keeper.look();
-              disk.look();
-            });
     window = new WindowFrame(settings, leaving::ask);
     addActions(programActions);
     footer = new Footer(session, actions, runner::send);
@@ -267,16 +261,16 @@ final class DesktopWindow {
 
   private void refresh() {
     ControllerState state = session.state();
-    header.refresh(state);
-    footer.refresh(state);
-    status.refresh(session.lateness(), state.debug().held());
-    prompts.refresh(state);
-    stopNotice.refresh(state);
-    views.follow(state);
-    startPanel.refresh(state);
+    Faults.guard(() -> header.refresh(state));
+    Faults.guard(() -> footer.refresh(state));
+    Faults.guard(() -> status.refresh(session.lateness(), state.debug().held()));
+    Faults.guard(() -> prompts.refresh(state));
+    Faults.guard(() -> stopNotice.refresh(state));
+    Faults.guard(() -> views.follow(state));
+    Faults.guard(() -> startPanel.refresh(state));
     for (View view : docks.views()) {
       if (view.component().isShowing()) {
-        view.refresh(views.past().shown(view, state));
+        Faults.guard(() -> view.refresh(views.past().shown(view, state)));
       }
     }
     Optional<Throwable> failure = session.failure();
@@ -284,6 +278,12 @@ final class DesktopWindow {
       status.tell("The controller has failed, an internal error: " + failure.get());
     }
     failureTold = failure.isPresent();
+  }
+
+  /** What is done every few seconds: one part goes on when another has failed. */
+  private void keep() {
+    Faults.guard(keeper::look);
+    Faults.guard(disk::look);
   }
 
   private void chooseRobot(String id) {

@@ -23,6 +23,7 @@ import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Scene;
 import org.pendant.gui.export.SaveDialog;
+import org.pendant.gui.fault.Faults;
 import org.pendant.gui.move.ArmPull;
 import org.pendant.gui.move.GhostArm;
 import org.pendant.gui.scene.JointFrames;
@@ -64,7 +65,7 @@ final class ScenePanel implements View, GhostArm {
   private final SceneShows shows;
   private final ArmPull pull;
   private final SceneBar bar;
-  private final Timer moving = new Timer(MOVING_MS, event -> follow());
+  private final Timer moving = Faults.timer(MOVING_MS, this::follow);
   private Optional<Joints> ghostRad = Optional.empty();
   private Waymarks waymarks = Waymarks.NONE;
   private List<Waymarks.Mark> features = List.of();

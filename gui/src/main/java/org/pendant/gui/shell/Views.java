@@ -21,6 +21,7 @@ import org.pendant.gui.editor.PlacesView;
 import org.pendant.gui.editor.ProblemsView;
 import org.pendant.gui.editor.ScriptEditor;
 import org.pendant.gui.editor.WorkerThread;
+import org.pendant.gui.fault.Faults;
 import org.pendant.gui.installation.InstallationView;
 import org.pendant.gui.installation.SignalNames;
 import org.pendant.gui.io.IoView;
@@ -270,11 +271,11 @@ final class Views {
   }
 
   private static Place screen(View view, Glyph glyph) {
-    return new Place(view, Side.MAIN, Optional.of(glyph));
+    return new Place(new GuardedView(view), Side.MAIN, Optional.of(glyph));
   }
 
   private static Place panel(View view, Side home) {
-    return new Place(view, home, Optional.empty());
+    return new Place(new GuardedView(view), home, Optional.empty());
   }
 
   /** Has debugger and editor follow the program, whatever is in front. */
@@ -284,11 +285,14 @@ final class Views {
       runner.forget();
       link.strangerStarted();
     }
-    debug.refresh(state);
-    if (!past.follow(state, log)) {
-      link.follow(state);
-    }
-    startMove.refresh(state);
+    Faults.guard(() -> debug.refresh(state));
+    Faults.guard(
+        () -> {
+          if (!past.follow(state, log)) {
+            link.follow(state);
+          }
+        });
+    Faults.guard(() -> startMove.refresh(state));
   }
 
   /** What happens while people look at the past. */

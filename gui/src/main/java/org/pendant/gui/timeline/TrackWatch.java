@@ -2,8 +2,10 @@ package org.pendant.gui.timeline;
 
 import java.awt.EventQueue;
 import java.io.UncheckedIOException;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.controller.recording.Recording;
+import org.pendant.gui.fault.Faults;
 
 /** Has tracks looked for beside the dispatch thread, one at a time and at most half of the time. */
 final class TrackWatch {
@@ -36,25 +38,28 @@ final class TrackWatch {
         .name("timeline")
         .start(
             () -> {
-              Tracks tracks = look(recording, range, buckets, Tracks.NONE);
+              Optional<Tracks> tracks = tracks(recording, range, buckets);
               EventQueue.invokeLater(() -> done(tracks, System.nanoTime() - begin));
             });
   }
 
-  private static Tracks look(
-      Recording recording, TimeRange range, int buckets, Tracks whereItCannotBeRead) {
+  /** Empty after a fault of ours: what was found before stays. */
+  private static Optional<Tracks> tracks(Recording recording, TimeRange range, int buckets) {
     try {
-      return Tracks.of(recording, range, buckets);
+      return Optional.of(Tracks.of(recording, range, buckets));
     } catch (UncheckedIOException e) {
       // A file has gone. Whoever looks at a moment of it is told; here nothing is drawn.
-      return whereItCannotBeRead;
+      return Optional.of(Tracks.NONE);
+    } catch (RuntimeException | Error fault) {
+      Faults.report(fault);
+      return Optional.empty();
     }
   }
 
-  private void done(Tracks tracks, long tookNs) {
+  private void done(Optional<Tracks> tracks, long tookNs) {
     busy = false;
     doneNs = System.nanoTime();
     restNs = tookNs;
-    found.accept(tracks);
+    tracks.ifPresent(found);
   }
 }

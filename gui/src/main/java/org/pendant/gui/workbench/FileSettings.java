@@ -15,6 +15,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileTrouble;
+import org.pendant.gui.fault.Faults;
 
 /**
  * Settings in a file of the user's configuration folder. Changes are written soon, by a thread of
@@ -134,7 +135,7 @@ public final class FileSettings implements Settings, AutoCloseable {
       return;
     }
     if (changed.compareAndSet(false, true)) {
-      var _ = writer.schedule(this::write, DELAY_MS, TimeUnit.MILLISECONDS);
+      var _ = writer.schedule(() -> Faults.guard(this::write), DELAY_MS, TimeUnit.MILLISECONDS);
     }
   }
 

@@ -94,20 +94,20 @@ final class PictureLoop {
 
   private void draw(PictureRequest request) {
     Quality quality = settled ? Quality.FULL : pace.quality();
-    busy = true;
     long startNs = nowNs.getAsLong();
+    CompletableFuture<BufferedImage> begun = painter.draw(request.as(quality), image(request));
+    // Not before: a drawing that could not begin has no end either.
+    busy = true;
     var _ =
-        painter
-            .draw(request.as(quality), image(request))
-            .whenComplete(
-                (image, failure) ->
-                    dispatcher.execute(
-                        () -> {
-                          lastNs = nowNs.getAsLong() - startNs;
-                          pace.took(quality, (double) lastNs);
-                          drawnInFull = quality == Quality.FULL;
-                          finished(request, image, failure);
-                        }));
+        begun.whenComplete(
+            (image, failure) ->
+                dispatcher.execute(
+                    () -> {
+                      lastNs = nowNs.getAsLong() - startNs;
+                      pace.took(quality, (double) lastNs);
+                      drawnInFull = quality == Quality.FULL;
+                      finished(request, image, failure);
+                    }));
   }
 
   /** Asks for no picture any more; one that is being drawn is not shown. */

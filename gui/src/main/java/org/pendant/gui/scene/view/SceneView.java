@@ -16,6 +16,7 @@ import java.util.function.UnaryOperator;
 import javax.swing.JPanel;
 import javax.swing.Timer;
 import org.pendant.controller.world.Vector3;
+import org.pendant.gui.fault.Faults;
 import org.pendant.gui.scene.Camera;
 import org.pendant.gui.scene.Lens;
 import org.pendant.gui.scene.Outline;
@@ -57,7 +58,7 @@ public final class SceneView extends JPanel {
   private final transient ArmDrag drag = new ArmDrag(this);
   private final transient Hover hover =
       new Hover(this::pick, EventQueue::invokeLater, this::repaint);
-  private final Timer rest = new Timer(REST_MS, event -> loop.ifPresent(PictureLoop::settle));
+  private final Timer rest = Faults.timer(REST_MS, () -> loop.ifPresent(PictureLoop::settle));
 
   /** Counts the windows it was part of, so that what was started for an earlier one is dropped. */
   private int window;
@@ -230,6 +231,9 @@ public final class SceneView extends JPanel {
       EventQueue.invokeLater(() -> started(opened, startedFor));
     } catch (SceneUnavailable e) {
       EventQueue.invokeLater(() -> explain(e.getMessage()));
+    } catch (RuntimeException | Error fault) {
+      EventQueue.invokeLater(() -> explain("an internal error, " + fault));
+      Faults.report(fault);
     }
   }
 
