@@ -117,6 +117,9 @@ final class LeavingWindowTest {
             write(file, "newer = " + System.nanoTime() + "\n");
             return window.words("script-text").contains("newer");
           });
+      // What was written last may be read only now, and must not come between the keys.
+      String last = Files.readString(file).strip();
+      window.awaitWords("script-text", last);
       edit(window);
       write(file, "newest = 3\n");
       window.awaitWords("notices", "has changed on disk, and here too");

@@ -22,8 +22,8 @@ import java.util.function.BooleanSupplier;
  * their {@code setName} says, keys as in {@link javax.swing.KeyStroke#getKeyStroke(String)}.
  */
 final class OpenWindow implements AutoCloseable {
-  /** Far longer than anything here takes. */
-  private static final long PATIENCE_NS = TimeUnit.SECONDS.toNanos(20);
+  /** Far longer than anything here takes, on a busy machine too. */
+  private static final long PATIENCE_NS = TimeUnit.SECONDS.toNanos(60);
 
   private static final int LOOK_AGAIN_MS = 20;
 
