@@ -182,6 +182,11 @@ public final class ProgramDocument {
     tellFileChanged();
   }
 
+  /** Others have written {@code now} to its file; the text here stays, to replace that. */
+  public void changedOnDisk(ProgramFile now) {
+    saved(onDisk.map(known -> known.withText(now.text())).orElse(now));
+  }
+
   /** {@code file} has been read again; its text replaces the present one. */
   public void reloaded(ProgramFile file) {
     saved(file);

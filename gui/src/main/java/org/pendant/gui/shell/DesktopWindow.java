@@ -107,19 +107,34 @@ final class DesktopWindow {
             runner::startByInput);
     docks = new DockFrame(new DockPlan(settings, views.home()), views.all(), views.home());
     workbench.attach(docks);
-    files = new ProgramFiles(programs, settings, status::tell, this::warn, docks.component());
+    SaveQueue saves = new SaveQueue();
+    DocumentSaver saver = new DocumentSaver(saves, notices, status::tell, this::warn);
+    files =
+        new ProgramFiles(programs, saver, settings, status::tell, this::warn, docks.component());
     installationFiles =
         new InstallationFiles(
-            views.installation(), settings, notices, status::tell, this::warn, docks.component());
+            views.installation(),
+            saver,
+            settings,
+            notices,
+            status::tell,
+            this::warn,
+            docks.component());
     header =
         new Header(
             new ProgramMenu(actions, programs, files::recent, files::open), this::chooseRobot);
     robot = new RobotChange(session, settings, notices, status::tell, header::showRobot);
     keeper = new Keeper(programs, views.installation(), recovery, notices, this::warn);
-    disk = new DiskWatch(programs, views.installation(), notices, status::tell);
+    disk = new DiskWatch(programs, views.installation(), saves, notices, status::tell);
     leaving =
         new Leaving(
-            programs, files, views.installation(), installationFiles, notices, this::dispose);
+            programs,
+            files,
+            views.installation(),
+            installationFiles,
+            saves,
+            notices,
+            this::dispose);
     window = new WindowFrame(settings, leaving::ask);
     addActions(programActions);
     footer = new Footer(session, actions, runner::send);

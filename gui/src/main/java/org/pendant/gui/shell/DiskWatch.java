@@ -17,6 +17,7 @@ import org.pendant.gui.shell.Notices.Choice;
 final class DiskWatch {
   private final Programs programs;
   private final ActiveInstallation installation;
+  private final SaveQueue saves;
   private final Notices notices;
   private final Consumer<String> tell;
   private final IdentityHashMap<ProgramDocument, DiskChange> watched = new IdentityHashMap<>();
@@ -40,9 +41,14 @@ final class DiskWatch {
   }
 
   DiskWatch(
-      Programs programs, ActiveInstallation installation, Notices notices, Consumer<String> tell) {
+      Programs programs,
+      ActiveInstallation installation,
+      SaveQueue saves,
+      Notices notices,
+      Consumer<String> tell) {
     this.programs = programs;
     this.installation = installation;
+    this.saves = saves;
     this.notices = notices;
     this.tell = tell;
   }
@@ -55,6 +61,7 @@ final class DiskWatch {
     List<Watched> files = new ArrayList<>();
     for (ProgramDocument each : all) {
       each.onDisk()
+          .filter(known -> !saves.writes(known.path()))
           .ifPresent(
               known ->
                   files.add(
@@ -69,7 +76,7 @@ final class DiskWatch {
         () -> files.stream().flatMap(each -> found(each).stream()).toList(),
         found -> {
           busy = false;
-          found.stream().filter(DiskWatch::stillSo).forEach(this::tell);
+          found.stream().filter(this::stillSo).forEach(this::tell);
         },
         // Each file has its own trouble: this is a fault, which is told elsewhere.
         failed -> busy = false);
@@ -86,10 +93,15 @@ final class DiskWatch {
     }
   }
 
-  /** Whether the program was neither saved nor read again meanwhile. */
-  private static boolean stillSo(Found found) {
-    Watched watched = found.watched();
-    return watched.document().onDisk().equals(Optional.of(watched.known()));
+  /** Whether the program was neither saved nor read again meanwhile, and is not being saved. */
+  private boolean stillSo(Found found) {
+    Watched file = found.watched();
+    if (saves.writes(file.known().path())) {
+      // It may be what we write ourselves: the next look begins anew.
+      watched.remove(file.document());
+      return false;
+    }
+    return file.document().onDisk().equals(Optional.of(file.known()));
   }
 
   private void tell(Found found) {
@@ -117,13 +129,13 @@ final class DiskWatch {
   }
 
   private void ask(ProgramDocument document, ProgramFile now) {
-    String name = "disk-change-" + System.identityHashCode(document);
+    String name = DocumentSaver.question(document);
     notices.ask(
         name,
         document.name() + " has changed on disk, and here too. Saving would replace what is there.",
         List.of(
             new Choice("Read it again", () -> document.reloaded(now)),
-            Choice.nothing("Keep mine")));
+            new Choice("Keep mine", () -> document.changedOnDisk(now), true)));
     document.addListener(
         new ProgramDocument.Listener() {
           @Override

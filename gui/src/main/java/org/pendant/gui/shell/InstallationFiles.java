@@ -37,6 +37,7 @@ final class InstallationFiles {
   private static final int SHOWN_REMARKS = 3;
 
   private final ActiveInstallation active;
+  private final DocumentSaver saver;
   private final Settings settings;
   private final Notices notices;
   private final Consumer<String> tell;
@@ -52,12 +53,14 @@ final class InstallationFiles {
    */
   InstallationFiles(
       ActiveInstallation active,
+      DocumentSaver saver,
       Settings settings,
       Notices notices,
       Consumer<String> tell,
       Consumer<String> warn,
       Component parent) {
     this.active = active;
+    this.saver = saver;
     this.settings = settings;
     this.notices = notices;
     this.tell = tell;
@@ -286,11 +289,10 @@ final class InstallationFiles {
    */
   void save(Consumer<Boolean> then) {
     ProgramDocument document = active.document();
-    Optional<ProgramFile> file = document.toSave();
-    if (file.isEmpty()) {
+    if (document.file().isEmpty()) {
       saveAs(document, then);
     } else {
-      write(document, file.get(), then);
+      saver.save(document, remembering(document, then));
     }
   }
 
@@ -303,7 +305,9 @@ final class InstallationFiles {
         new String[] {InstallationText.ENDING.substring(1)},
         chosen ->
             chosen.ifPresentOrElse(
-                path -> write(document, document.toSaveAs(fitting(path)), then),
+                path ->
+                    saver.saveAs(
+                        document, document.toSaveAs(fitting(path)), remembering(document, then)),
                 () -> then.accept(false)));
   }
 
@@ -319,22 +323,13 @@ final class InstallationFiles {
         .orElse(Path.of(System.getProperty("user.home")));
   }
 
-  private void write(ProgramDocument document, ProgramFile file, Consumer<Boolean> then) {
-    Background.run(
-        () -> {
-          file.write();
-          return file;
-        },
-        written -> {
-          document.saved(written);
-          remember(written.path());
-          tell.accept("Saved " + written.path().toAbsolutePath());
-          then.accept(true);
-        },
-        failed -> {
-          warn.accept("Not saved: " + failed.getMessage());
-          then.accept(false);
-        });
+  private Consumer<Boolean> remembering(ProgramDocument document, Consumer<Boolean> then) {
+    return saved -> {
+      if (saved) {
+        document.file().ifPresent(this::remember);
+      }
+      then.accept(saved);
+    };
   }
 
   private void reload() {

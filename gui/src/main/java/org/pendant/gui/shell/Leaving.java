@@ -12,13 +12,16 @@ import org.pendant.gui.shell.Notices.Choice;
 /** What happens when the window is to be closed: nothing is lost without a question. */
 final class Leaving {
   private static final String QUESTION = "unsaved";
+  private static final String WAITING = "saving";
 
   private final Programs programs;
   private final ProgramFiles files;
   private final ActiveInstallation installation;
   private final InstallationFiles installationFiles;
+  private final SaveQueue saves;
   private final Notices notices;
   private final Runnable leave;
+  private boolean waiting;
 
   /**
    * The way out.
@@ -30,18 +33,27 @@ final class Leaving {
       ProgramFiles files,
       ActiveInstallation installation,
       InstallationFiles installationFiles,
+      SaveQueue saves,
       Notices notices,
       Runnable leave) {
     this.programs = programs;
     this.files = files;
     this.installation = installation;
     this.installationFiles = installationFiles;
+    this.saves = saves;
     this.notices = notices;
     this.leave = leave;
   }
 
-  /** Leaves, after asking for what is not saved. */
+  /** Leaves, after what is being saved is on disk and people were asked for the rest. */
   void ask() {
+    if (waiting) {
+      return;
+    }
+    if (!saves.underWay().isEmpty()) {
+      await();
+      return;
+    }
     List<ProgramDocument> unsaved = unsaved();
     if (unsaved.isEmpty()) {
       leave.run();
@@ -56,6 +68,29 @@ final class Leaving {
             new Choice("Quit without saving", leave),
             Choice.nothing("Cancel")));
     notices.focus();
+  }
+
+  /** A disk that answers no more holds nobody: the old file stays whole then. */
+  private void await() {
+    waiting = true;
+    List<String> names =
+        saves.underWay().stream().map(file -> String.valueOf(file.getFileName())).toList();
+    notices.ask(
+        WAITING,
+        "Saving " + String.join(", ", names) + "; the window closes when that is done.",
+        List.of(
+            new Choice("Stay", () -> waiting = false, true),
+            new Choice("Quit without saving", leave)));
+    saves.whenDone(this::saved);
+  }
+
+  private void saved() {
+    if (waiting) {
+      waiting = false;
+      notices.close(WAITING);
+      // What could not be saved is asked about.
+      ask();
+    }
   }
 
   private List<ProgramDocument> unsaved() {

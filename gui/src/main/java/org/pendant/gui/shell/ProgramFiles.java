@@ -23,6 +23,7 @@ final class ProgramFiles {
   private static final int MOST_RECENT = 10;
 
   private final Programs programs;
+  private final DocumentSaver saver;
   private final Settings settings;
   private final Consumer<String> tell;
   private final Consumer<String> warn;
@@ -38,11 +39,13 @@ final class ProgramFiles {
    */
   ProgramFiles(
       Programs programs,
+      DocumentSaver saver,
       Settings settings,
       Consumer<String> tell,
       Consumer<String> warn,
       Component parent) {
     this.programs = programs;
+    this.saver = saver;
     this.settings = settings;
     this.tell = tell;
     this.warn = warn;
@@ -145,16 +148,7 @@ final class ProgramFiles {
         "Save the script of " + document.name() + " as",
         folder().orElse(home()).resolve(script.name()),
         new String[] {"script"},
-        chosen ->
-            chosen.ifPresent(
-                path ->
-                    Background.run(
-                        () -> {
-                          ProgramFile.create(path, script.text()).write();
-                          return path;
-                        },
-                        written -> tell.accept("Saved " + written.toAbsolutePath()),
-                        failed -> warn.accept("Not saved: " + failed.getMessage()))));
+        chosen -> chosen.ifPresent(path -> saver.export(ProgramFile.create(path, script.text()))));
   }
 
   /** Saves a program where it is, or asks where. */
@@ -168,11 +162,10 @@ final class ProgramFiles {
    * @param then hears whether it is on disk now
    */
   void save(ProgramDocument document, Consumer<Boolean> then) {
-    Optional<ProgramFile> file = document.toSave();
-    if (file.isEmpty()) {
+    if (document.file().isEmpty()) {
       saveAs(document, then);
     } else {
-      write(document, file.get(), then);
+      saver.save(document, remembering(document, then));
     }
   }
 
@@ -190,7 +183,11 @@ final class ProgramFiles {
         new String[] {document.isTree() ? "pendant" : "script"},
         chosen ->
             chosen.ifPresentOrElse(
-                path -> write(document, document.toSaveAs(fitting(document, path)), then),
+                path ->
+                    saver.saveAs(
+                        document,
+                        document.toSaveAs(fitting(document, path)),
+                        remembering(document, then)),
                 () -> then.accept(false)));
   }
 
@@ -210,23 +207,14 @@ final class ProgramFiles {
         .orElse(Path.of(System.getProperty("user.home")));
   }
 
-  private void write(ProgramDocument document, ProgramFile file, Consumer<Boolean> then) {
-    Background.run(
-        () -> {
-          file.write();
-          return file;
-        },
-        written -> {
-          document.saved(written);
-          remember(written.path());
-          rememberOpen();
-          tell.accept("Saved " + written.path().toAbsolutePath());
-          then.accept(true);
-        },
-        failed -> {
-          warn.accept("Not saved: " + failed.getMessage());
-          then.accept(false);
-        });
+  private Consumer<Boolean> remembering(ProgramDocument document, Consumer<Boolean> then) {
+    return saved -> {
+      if (saved) {
+        document.file().ifPresent(this::remember);
+        rememberOpen();
+      }
+      then.accept(saved);
+    };
   }
 
   /** Takes the text from disk again. */

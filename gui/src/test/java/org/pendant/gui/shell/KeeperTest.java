@@ -3,7 +3,6 @@ package org.pendant.gui.shell;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.EventQueue;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.InvocationTargetException;
@@ -54,9 +53,9 @@ final class KeeperTest {
       first.setText("lost = 1\n");
       second.setText("lost = 2\n");
       Keeper keeper = keeper(programs, throwing(1));
-      EventQueue.invokeAndWait(keeper::look);
-      await(() -> kept("lost = 2"));
-      await(() -> !told.isEmpty());
+      DispatchThread.run(keeper::look);
+      DispatchThread.await(() -> kept("lost = 2"));
+      DispatchThread.await(() -> !told.isEmpty());
       assertEquals(1, faults.all().size());
       assertTrue(told.getFirst().startsWith("Unsaved texts cannot be kept"), told::toString);
     }
@@ -70,13 +69,7 @@ final class KeeperTest {
   /** Looks again and again, as the window does. */
   private static void look(Keeper keeper, BooleanSupplier until) throws Exception {
     while (!until.getAsBoolean()) {
-      EventQueue.invokeAndWait(keeper::look);
-    }
-  }
-
-  private static void await(BooleanSupplier until) throws Exception {
-    while (!until.getAsBoolean()) {
-      EventQueue.invokeAndWait(() -> {});
+      DispatchThread.run(keeper::look);
     }
   }
 
