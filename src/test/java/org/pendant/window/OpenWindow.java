@@ -73,6 +73,7 @@ final class OpenWindow implements AutoCloseable {
         new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT);
     builder.environment().put("DISPLAY", display.name());
     builder.environment().put("XDG_CONFIG_HOME", folder.toString());
+    builder.environment().put("XDG_STATE_HOME", folder.resolve("state").toString());
     OpenWindow window = new OpenWindow(builder.start());
     window.awaitShown("pendant");
     return window;

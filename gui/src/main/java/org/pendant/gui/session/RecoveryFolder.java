@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -35,42 +34,9 @@ public final class RecoveryFolder {
    */
   public record LeftBehind(Path kept, Optional<Path> file, String name, String text) {}
 
-  /**
-   * A process. Systems use numbers again, small ones soon, so its start belongs to it.
-   *
-   * @param startedMs when it was started, ms since 1970; 0 where the system does not tell
-   */
-  record Owner(long process, long startedMs) {
-    static Owner of(ProcessHandle handle) {
-      return new Owner(
-          handle.pid(), handle.info().startInstant().map(Instant::toEpochMilli).orElse(0L));
-    }
-
-    static Optional<Owner> parse(String text) {
-      return text.matches("\\d{1,18} \\d{1,18}")
-          ? Optional.of(
-              new Owner(
-                  Long.parseLong(text.substring(0, text.indexOf(' '))),
-                  Long.parseLong(text.substring(text.indexOf(' ') + 1))))
-          : Optional.empty();
-    }
-
-    boolean alive() {
-      return ProcessHandle.of(process)
-          .filter(ProcessHandle::isAlive)
-          .filter(handle -> of(handle).equals(this))
-          .isPresent();
-    }
-
-    @Override
-    public String toString() {
-      return process + " " + startedMs;
-    }
-  }
-
   /** The folder for this process. */
   public RecoveryFolder(Path folder) {
-    this(folder, Owner.of(ProcessHandle.current()), Owner::alive);
+    this(folder, Owner.self(), Owner::alive);
   }
 
   RecoveryFolder(Path folder, Owner self, Predicate<Owner> alive) {

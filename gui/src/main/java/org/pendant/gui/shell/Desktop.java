@@ -21,6 +21,8 @@ import org.pendant.controller.message.Operator;
 import org.pendant.gui.fault.FaultFile;
 import org.pendant.gui.fault.Faults;
 import org.pendant.gui.ports.PortWishes;
+import org.pendant.gui.ports.StateFolder;
+import org.pendant.gui.session.OpenFiles;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
 import org.pendant.gui.session.Programs;
@@ -186,6 +188,7 @@ public final class Desktop {
             look,
             programs,
             new RecoveryFolder(folder.resolve("recovery")),
+            new OpenFiles(StateFolder.of(System.getenv()).resolve("windows")),
             () -> close(session));
     Faults.keepIn(
         new FaultFile(folder.resolve("errors.txt")),

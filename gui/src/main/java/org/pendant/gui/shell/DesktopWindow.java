@@ -13,6 +13,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.fault.Faults;
 import org.pendant.gui.ports.PortWishes;
 import org.pendant.gui.session.InstallationLink;
+import org.pendant.gui.session.OpenFiles;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.RecoveryFolder;
@@ -56,6 +57,7 @@ final class DesktopWindow {
   private final DockFrame docks;
   private final Keeper keeper;
   private final DiskWatch disk;
+  private final OtherWindows others;
   private final Leaving leaving;
   private final PromptPanel prompts;
   private final StartPanel startPanel;
@@ -84,6 +86,7 @@ final class DesktopWindow {
       Look look,
       Programs programs,
       RecoveryFolder recovery,
+      OpenFiles openFiles,
       Runnable closed) {
     assert EventQueue.isDispatchThread();
     this.session = session;
@@ -126,6 +129,7 @@ final class DesktopWindow {
     robot = new RobotChange(session, settings, notices, status::tell, header::showRobot);
     keeper = new Keeper(programs, views.installation(), recovery, notices, this::warn);
     disk = new DiskWatch(programs, views.installation(), saves, notices, status::tell);
+    others = new OtherWindows(programs, views.installation(), openFiles, notices, status::tell);
     leaving =
         new Leaving(
             programs,
@@ -238,6 +242,8 @@ final class DesktopWindow {
     refresh.start();
     keep.start();
     keeper.offerLeftBehind();
+    programs.addListener(others::look);
+    others.look();
     installationFiles.offerBeside(programs);
   }
 
@@ -299,6 +305,7 @@ final class DesktopWindow {
   private void keep() {
     Faults.guard(keeper::look);
     Faults.guard(disk::look);
+    Faults.guard(others::look);
   }
 
   private void chooseRobot(String id) {
@@ -310,6 +317,7 @@ final class DesktopWindow {
     keep.stop();
     typing.stop();
     keeper.end();
+    others.end();
     window.end();
     closed.run();
   }

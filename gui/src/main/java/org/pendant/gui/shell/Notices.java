@@ -109,6 +109,11 @@ final class Notices extends JPanel {
     }
   }
 
+  /** Whether a notice of this name is there. */
+  boolean shows(String name) {
+    return open.containsKey(name);
+  }
+
   /** Whether there is a question. */
   boolean any() {
     return !open.isEmpty();

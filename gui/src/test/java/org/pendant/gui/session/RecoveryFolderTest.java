@@ -16,8 +16,8 @@ final class RecoveryFolderTest {
 
   @TempDir Path folder;
 
-  private RecoveryFolder of(long process, Predicate<RecoveryFolder.Owner> alive) {
-    return new RecoveryFolder(folder, new RecoveryFolder.Owner(process, 1000), alive);
+  private RecoveryFolder of(long process, Predicate<Owner> alive) {
+    return new RecoveryFolder(folder, new Owner(process, 1000), alive);
   }
 
   @Test
@@ -41,8 +41,7 @@ final class RecoveryFolderTest {
   @Test
   void aNumberThatTheSystemUsesAgainIsAnotherProcess() throws IOException {
     long self = ProcessHandle.current().pid();
-    new RecoveryFolder(folder, new RecoveryFolder.Owner(self, 1), owner -> true)
-        .keep(0, FILE, "p.script", "x");
+    new RecoveryFolder(folder, new Owner(self, 1), owner -> true).keep(0, FILE, "p.script", "x");
     assertEquals(1, new RecoveryFolder(folder).leftBehind().size());
   }
 
