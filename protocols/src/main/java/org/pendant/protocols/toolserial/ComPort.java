@@ -36,6 +36,7 @@ final class ComPort implements SerialDevice {
         throw new IOException("no permission to read and write " + name);
       }
     }
+    SerialLibrary.load();
     try {
       SerialPort port = SerialPort.getCommPort(name);
       port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, READ_MS, 0);

@@ -1,5 +1,6 @@
 package org.pendant.gui.scene.gl;
 
+import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.IntBuffer;
@@ -15,6 +16,7 @@ import org.lwjgl.system.Configuration;
 import org.lwjgl.system.JNI;
 import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
+import org.pendant.protocols.natives.NativeFolder;
 
 /** A context without a window, from EGL: on Linux with Mesa and others, with a GPU or without. */
 final class EglContext implements GlContext {
@@ -54,7 +56,10 @@ final class EglContext implements GlContext {
         Configuration.DEBUG_STREAM.set(new PrintStream(OutputStream.nullOutputStream()));
       }
       Configuration.OPENGL_CONTEXT_API.set("EGL");
+      Configuration.SHARED_LIBRARY_EXTRACT_PATH.set(NativeFolder.ofUser().toString());
       return openLoaded();
+    } catch (IOException e) {
+      throw new SceneUnavailable("LWJGL cannot be unpacked: " + e.getMessage(), e);
     } catch (LinkageError missing) {
       // LWJGL looks for its libraries in static initialisers, so this is how their absence shows.
       throw new SceneUnavailable(
