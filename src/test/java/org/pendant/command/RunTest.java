@@ -165,6 +165,33 @@ final class RunTest {
   }
 
   @Test
+  void eachProgramEndsWhenItsTimeOnTheWallIsOver() {
+    script("endless.script", "def endless():", "  while True:", "    sync()", "  end", "end");
+
+    Result result =
+        Launcher.pendant(
+            folder, "run", "--wall-timeout", "0.2", "endless.script", "endless.script");
+
+    String once = "endless.script: error: stopped after 0.2 s on the wall, its time limit there\n";
+    assertAll(
+        () -> assertEquals(4, result.exitCode()), () -> assertEquals(once + once, result.errors()));
+  }
+
+  @Test
+  void aProgramThatNeedsMoreMemoryThanItMayHaveFails() {
+    script("large.script", "def large():", "  a = make_list(100000, 0, 100000)", "  b = a", "end");
+
+    Result fails = Launcher.pendant(folder, "run", "--memory", "1MB", "large.script");
+    Result runs = Launcher.pendant(folder, "run", "--memory", "4MB", "large.script");
+
+    assertAll(
+        () -> assertEquals(1, fails.exitCode()),
+        () -> assertTrue(fails.errors().contains("large.script:3:"), fails.errors()),
+        () -> assertTrue(fails.errors().contains("1 MB"), fails.errors()),
+        () -> assertEquals(0, runs.exitCode(), runs::errors));
+  }
+
+  @Test
   void optionsReachTheController() {
     script(
         "options.script",

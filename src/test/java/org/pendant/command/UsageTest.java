@@ -34,6 +34,8 @@ final class UsageTest {
         Arguments.of("run --input analog_in[0]=11V good.script", "must be 0.0 to 10.0 V"),
         Arguments.of("run --input digital_out[0]=1 good.script", "safeguard_stop"),
         Arguments.of("run --timeout -1 good.script", "-1"),
+        Arguments.of("run --wall-timeout 0 good.script", "--wall-timeout is 0"),
+        Arguments.of("run --memory lots good.script", "such as 256MB"),
         Arguments.of("run --record missing/out.csv good.script", "missing/out.csv"),
         Arguments.of("run missing.script", "missing.script: no such file"),
         Arguments.of("run .", "is a directory"),

@@ -31,7 +31,7 @@ public final class ControllerOptions {
   public static final long STANDARD_MEMORY_BYTES = 256_000_000;
 
   /** The part of the JVM's memory that values may take, since others need some as well. */
-  private static final int SHARE_OF_HEAP = 3;
+  public static final int SHARE_OF_HEAP = 3;
 
   private String robotId = DEFAULT_ROBOT;
   private Joints startRad = BoxSetup.START_RAD;
@@ -103,7 +103,12 @@ public final class ControllerOptions {
 
   /** {@link #STANDARD_MEMORY_BYTES}, or less in a small process. */
   public static long standardMemoryBytes() {
-    return Math.min(STANDARD_MEMORY_BYTES, Runtime.getRuntime().maxMemory() / SHARE_OF_HEAP);
+    return Math.min(STANDARD_MEMORY_BYTES, mostMemoryBytes());
+  }
+
+  /** What the values of a program may take at most in this process, bytes. */
+  public static long mostMemoryBytes() {
+    return Runtime.getRuntime().maxMemory() / SHARE_OF_HEAP;
   }
 
   long memoryBytes() {

@@ -7,6 +7,7 @@ import org.pendant.controller.Clock;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.Reply;
+import org.pendant.controller.VirtualClock;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.machine.Ending;
 import org.pendant.controller.machine.Program;
@@ -35,9 +36,10 @@ final class HeadlessRun {
   private final Controller controller;
   private final RunOptions options;
   private final Interruption interruption;
+  private final WallLimit wall;
   private final Console console;
   private final FrameWatcher watcher;
-  private final Clock clock;
+  private Clock clock;
   private long flushedNs = System.nanoTime();
   private boolean pendingOutput;
   private Optional<SafetyStop> heldBy = Optional.empty();
@@ -48,6 +50,7 @@ final class HeadlessRun {
       Controller controller,
       RunOptions options,
       Interruption interruption,
+      WallLimit wall,
       Console console,
       FrameWatcher watcher) {
     this.file = file;
@@ -55,6 +58,7 @@ final class HeadlessRun {
     this.controller = controller;
     this.options = options;
     this.interruption = interruption;
+    this.wall = wall;
     this.console = console;
     this.watcher = watcher;
     clock = options.clock();
@@ -70,10 +74,13 @@ final class HeadlessRun {
       console.complain(Report.error(source, refused.reason()));
       return ExitCode.PROGRAM_FAILED;
     }
-    boolean timedOut = false;
+    Optional<String> timedOut = Optional.empty();
     while (controller.state().program().state() != ProgramState.STOPPED) {
-      timedOut = controller.state().timeS() >= endS;
-      if (timedOut || interruption.requested() || console.outputClosed() || watcher.enough()) {
+      timedOut = timedOut(endS);
+      if (timedOut.isPresent()
+          || interruption.requested()
+          || console.outputClosed()
+          || watcher.enough()) {
         stop();
       } else if (controller.state().program().state() == ProgramState.PAUSED) {
         goOnOrStop();
@@ -82,7 +89,17 @@ final class HeadlessRun {
       }
     }
     comeToRest();
-    return timedOut ? timedOut() : ended();
+    return timedOut.isPresent() ? tellTimedOut(timedOut.get()) : ended();
+  }
+
+  /** Which time limit is over. */
+  private Optional<String> timedOut(double endS) {
+    if (controller.state().timeS() >= endS) {
+      return Optional.of(endS + " s, its time limit");
+    }
+    return wall.over()
+        ? Optional.of(wall.limitS().orElseThrow() + " s on the wall, its time limit there")
+        : Optional.empty();
   }
 
   private ExitCode runSecondary(Command.RunSecondary program) {
@@ -133,16 +150,16 @@ final class HeadlessRun {
     return reply.join();
   }
 
+  /** As fast as possible: nobody wants to wait for a run that is over. */
   private void comeToRest() {
+    clock = new VirtualClock();
     for (int i = 0; i < MOST_FRAMES_TO_REST && controller.state().arm().moving(); i++) {
       advance();
     }
   }
 
-  private ExitCode timedOut() {
-    console.complain(
-        Report.error(
-            source, "stopped after " + options.timeoutS().orElseThrow() + " s, its time limit"));
+  private ExitCode tellTimedOut(String limit) {
+    console.complain(Report.error(source, "stopped after " + limit));
     return ExitCode.TIMED_OUT;
   }
 

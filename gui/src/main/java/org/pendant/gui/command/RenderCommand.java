@@ -69,11 +69,13 @@ final class RenderCommand implements Subcommand {
     }
     // Before the program runs: without graphics there is no use in that.
     try (OffscreenScene scene = OffscreenScene.open();
-        Interruption interruption = Interruption.listen()) {
+        Interruption interruption = Interruption.listen("the run");
+        WallLimit wall = WallLimit.begin(options.run().wallTimeoutS(), file.file())) {
+      interruption.hold();
       Exposure exposure = new Exposure(controller.state(), options.atS());
       Program program = loaded.program().get();
       ExitCode code =
-          new HeadlessRun(file, controller, options.run(), interruption, console, exposure)
+          new HeadlessRun(file, controller, options.run(), interruption, wall, console, exposure)
               .run(program);
       if (exposure.tooEarly() && code == ExitCode.DONE) {
         console.complain(Report.note(source, "ended before --at; the picture shows its end"));

@@ -60,14 +60,16 @@ final class RunCommand implements Subcommand {
     Recorded recorded = new Recorded(OutputFile.of(RunOptions.RECORD, arguments), columns);
     Builtins builtins = StandardBuiltins.create();
     ExitCode code = ExitCode.DONE;
-    try (Interruption interruption = Interruption.listen()) {
+    try (Interruption interruption = Interruption.listen("the run")) {
       for (RunnableFile file : files) {
         file.tell(console);
         RunOptions own =
             file.installation().isPresent()
                 ? RunOptions.of(arguments, file.installation())
                 : options;
-        code = code.or(run(file, own, recorded, builtins, interruption, console));
+        try (WallLimit wall = WallLimit.begin(own.wallTimeoutS(), file.file())) {
+          code = code.or(run(file, own, recorded, builtins, interruption, wall, console));
+        }
         if (interruption.requested() || console.outputClosed()) {
           break;
         }
@@ -84,6 +86,7 @@ final class RunCommand implements Subcommand {
       Recorded recorded,
       Builtins builtins,
       Interruption interruption,
+      WallLimit wall,
       Console console)
       throws UsageException {
     // closed last: what a program has sent on its last line still goes out
@@ -91,13 +94,13 @@ final class RunCommand implements Subcommand {
       if (options.toolDevice().isEmpty()) {
         Controller controller =
             new Controller(options.controller().withOutside(doors.doors()), builtins);
-        return run(file, controller, options, recorded, interruption, console);
+        return run(file, controller, options, recorded, interruption, wall, console);
       }
       try (ToolSerialLine tool = ToolSerialOption.line(options.toolDevice())) {
         Doors all = doors.doors().withToolSerial(tool);
         Controller controller = new Controller(options.controller().withOutside(all), builtins);
         try (var _ = open(tool, controller)) {
-          return run(file, controller, options, recorded, interruption, console);
+          return run(file, controller, options, recorded, interruption, wall, console);
         }
       } catch (IOException e) {
         console.complain("pendant run: " + e.getMessage());
@@ -119,6 +122,7 @@ final class RunCommand implements Subcommand {
       RunOptions options,
       Recorded recorded,
       Interruption interruption,
+      WallLimit wall,
       Console console)
       throws UsageException {
     if (file.source().isEmpty()) {
@@ -133,11 +137,16 @@ final class RunCommand implements Subcommand {
     Program program = loaded.program().get();
     recorded.columns().check(program);
     var _ = controller.submit(recorded.columns().command());
+    interruption.hold();
     ExitCode code;
     RunRecord record = RunRecord.open(recorded.file(), recorded.columns(), controller, console);
     try (record) {
-      code = new HeadlessRun(file, controller, options, interruption, console, record).run(program);
+      code =
+          new HeadlessRun(file, controller, options, interruption, wall, console, record)
+              .run(program);
     }
+    console.flush();
+    interruption.release();
     return record.failed() ? code.or(ExitCode.WRONG_USAGE) : code;
   }
 }

@@ -31,6 +31,7 @@ import org.pendant.protocols.reach.AllowedHosts;
  * @param speedFactor how fast time goes against the wall clock; empty for as fast as possible
  * @param record the file to record to, by name
  * @param timeoutS robot time after which a program is stopped, s
+ * @param wallTimeoutS time on the wall after which a program is stopped, s
  * @param toolDevice the serial device at the tool connector
  */
 record RunOptions(
@@ -39,6 +40,7 @@ record RunOptions(
     Optional<Double> speedFactor,
     Optional<String> record,
     Optional<Double> timeoutS,
+    Optional<Double> wallTimeoutS,
     Optional<String> toolDevice) {
 
   private static final Option ROBOT =
@@ -80,7 +82,9 @@ record RunOptions(
                   ENCODER,
                   ANSWER,
                   TIMEOUT,
+                  WallLimit.OPTION,
                   SEED,
+                  MemoryOption.OPTION,
                   HostsOption.OPTION),
               Surroundings.ALL.stream())
           .toList();
@@ -88,7 +92,14 @@ record RunOptions(
   /** What says what a controller is and what surrounds it, whatever it is to do. */
   static final List<Option> OF_CONTROLLER =
       Stream.concat(
-              Stream.of(ROBOT, InstallationOption.OPTION, INPUT, ENCODER, SEED, HostsOption.OPTION),
+              Stream.of(
+                  ROBOT,
+                  InstallationOption.OPTION,
+                  INPUT,
+                  ENCODER,
+                  SEED,
+                  MemoryOption.OPTION,
+                  HostsOption.OPTION),
               Surroundings.ALL.stream())
           .toList();
 
@@ -106,7 +117,9 @@ record RunOptions(
                   OutputFile.FORCE,
                   RecordColumns.OPTION,
                   TIMEOUT,
+                  WallLimit.OPTION,
                   SEED,
+                  MemoryOption.OPTION,
                   HostsOption.OPTION,
                   ToolSerialOption.OPTION),
               Surroundings.ALL.stream())
@@ -131,7 +144,8 @@ record RunOptions(
         HostsOption.of(arguments),
         speedFactor,
         arguments.value(RECORD),
-        timeoutS(arguments),
+        seconds(arguments, TIMEOUT),
+        seconds(arguments, WallLimit.OPTION),
         ToolSerialOption.of(arguments));
   }
 
@@ -149,7 +163,8 @@ record RunOptions(
             .withSeed(seed(arguments))
             .withInputs(safetyInputs(arguments))
             .withSignals(signals(arguments))
-            .withEncoders(encoders(arguments));
+            .withEncoders(encoders(arguments))
+            .withMemory(MemoryOption.of(arguments));
     ControllerOptions placed = Surroundings.in(controller, arguments);
     return installation.isPresent() ? InstallationOption.in(placed, installation.get()) : placed;
   }
@@ -194,14 +209,15 @@ record RunOptions(
     return Optional.of(factor);
   }
 
-  private static Optional<Double> timeoutS(Arguments arguments) throws UsageException {
-    Optional<String> text = arguments.value(TIMEOUT);
+  private static Optional<Double> seconds(Arguments arguments, Option option)
+      throws UsageException {
+    Optional<String> text = arguments.value(option);
     if (text.isEmpty()) {
       return Optional.empty();
     }
-    double seconds = number(text.get(), "--timeout", "a number of seconds above 0");
+    double seconds = number(text.get(), option.name(), "a number of seconds above 0");
     if (!(seconds > 0)) {
-      throw new UsageException("--timeout is " + text.get() + ", must be above 0 seconds");
+      throw new UsageException(option.name() + " is " + text.get() + ", must be above 0 seconds");
     }
     return Optional.of(seconds);
   }

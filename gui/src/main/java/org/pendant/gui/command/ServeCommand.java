@@ -31,8 +31,9 @@ final class ServeCommand implements Subcommand {
       throw new UsageException("takes no file, it was given " + arguments.operands().getFirst());
     }
     ServeOptions options = ServeOptions.of(arguments);
-    Interruption interruption = Interruption.listen();
+    Interruption interruption = Interruption.listen("the server");
     try (interruption) {
+      interruption.hold();
       ExitCode code = new Service(options, interruption, console).run();
       // Before the interruption is closed: after that the process may be gone at any moment.
       console.flush();
