@@ -148,21 +148,26 @@ final class InstallationDesk {
 
   /** Signals that stay the same keep their values and their connection. */
   private void exchange(List<ModbusSetup> before, List<ModbusSetup> wanted) {
+    for (ModbusSetup each : before) {
+      if (!wanted.contains(each)) {
+        deleteModbus(each.name());
+      }
+    }
+    for (ModbusSetup each : wanted) {
+      if (!before.contains(each)) {
+        addModbus(each);
+      }
+    }
+  }
+
+  private void addModbus(ModbusSetup setup) {
+    String name = ByteText.asBytes(setup.name());
     try {
-      for (ModbusSetup each : before) {
-        if (!wanted.contains(each)) {
-          deleteModbus(each.name());
-        }
-      }
-      for (ModbusSetup each : wanted) {
-        if (!before.contains(each)) {
-          String name = ByteText.asBytes(each.name());
-          box.links().modbus().add(name, exchange(each));
-          box.links().modbus().signal(name).setUpdateHz(each.updateHz());
-        }
-      }
+      box.links().modbus().add(name, exchange(setup));
+      box.links().modbus().signal(name).setUpdateHz(setup.updateHz());
     } catch (ScriptError e) {
-      box.log().warning("installation: Modbus signals are not exchanged: " + e.getMessage());
+      box.log()
+          .warning("installation: Modbus signal " + name + " is not exchanged: " + e.getMessage());
     }
   }
 

@@ -18,6 +18,7 @@ import org.pendant.controller.installation.text.ReadInstallation;
 import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.io.SignalText;
 import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.modbus.ModbusSignalState;
 import org.pendant.controller.outside.Doors;
 import org.pendant.controller.outside.FakeModbus;
@@ -289,6 +290,24 @@ class InstallationCommandsTest {
     robot.done(new Command.ApplyInstallation(Installation.NONE));
     robot.advance(1);
     assertEquals(List.of(), robot.state().modbus());
+  }
+
+  @Test
+  void aModbusSignalThatCannotBeExchangedIsNamedAndLeavesTheOthers() {
+    String lamp =
+        "modbus name=\"lamp\" device=\"10.0.0.1\" unit=3 kind=digital-output address=7"
+            + " update-hz=20\n";
+    devices.refuse("10.0.0.2");
+    String door = lamp.replace("lamp", "door").replace("0.1", "0.2");
+    Controller robot = new Controller(options(door + lamp + door.replace("door", "gate")));
+    robot.advance();
+    assertEquals(
+        List.of("lamp"), robot.state().modbus().stream().map(ModbusSignalState::name).toList());
+    assertEquals(
+        List.of(
+            "installation: Modbus signal door is not exchanged: 10.0.0.2 is refused",
+            "installation: Modbus signal gate is not exchanged: 10.0.0.2 is refused"),
+        robot.logSince(0).stream().map(LogEntry::text).toList());
   }
 
   @Test

@@ -28,7 +28,7 @@ record News(
   }
 
   static boolean in(ControllerState state) {
-    return state.newLines() != LogLines.NONE
+    return !state.newLines().equals(LogLines.NONE)
         || !state.newPopups().isEmpty()
         || !state.newQuestions().isEmpty()
         || !state.newProgramEvents().isEmpty();

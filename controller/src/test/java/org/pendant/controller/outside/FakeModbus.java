@@ -11,6 +11,12 @@ import org.pendant.controller.value.Value;
 public final class FakeModbus implements ModbusDoor {
   private final List<FakePoint> points = new ArrayList<>();
   private final List<FakeCommand> commands = new ArrayList<>();
+  private final List<String> refused = new ArrayList<>();
+
+  /** No signal can be added at {@code host} from now on. */
+  public void refuse(String host) {
+    refused.add(host);
+  }
 
   /** A signal and all that was asked of it. */
   public static final class FakePoint implements ModbusPoint {
@@ -142,7 +148,11 @@ public final class FakeModbus implements ModbusDoor {
   }
 
   @Override
-  public ModbusPoint add(ModbusExchange exchange) {
+  public ModbusPoint add(ModbusExchange exchange) throws ScriptError {
+    String host = exchange.device().host();
+    if (refused.contains(host)) {
+      throw new ScriptError("refused", host + " is refused");
+    }
     FakePoint point = new FakePoint(exchange);
     points.add(point);
     return point;

@@ -65,6 +65,8 @@ final class HeadlessRun {
   }
 
   ExitCode run(Program program) {
+    // what the log says of switching on
+    controller.state().newEntries().forEach(this::print);
     Optional<ProgramsFolder> folder = Optional.of(ProgramsFolder.of(file.file()));
     if (program.secondary()) {
       return runSecondary(new Command.RunSecondary(program, folder));
@@ -206,7 +208,11 @@ final class HeadlessRun {
       throw new IllegalStateException("nobody interrupts the thread that runs the frames", e);
     }
     controller.advance();
-    ControllerState state = controller.state();
+    show(controller.state());
+  }
+
+  /** What a frame has brought. */
+  private void show(ControllerState state) {
     if (state.program().line() > 0) {
       lastLine = state.program().line();
     }
