@@ -278,7 +278,7 @@ final class CommandDesk {
       };
     } catch (IllegalArgumentException e) {
       return new Reply.Refused(e.getMessage());
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
       box.log().internalError(e);
       return new Reply.Refused("internal error: " + e);
     }

@@ -33,6 +33,7 @@ import org.pendant.models.arm.Joints;
 /** What happens in one frame of 2 ms, in its order. One thread at a time calls {@link #advance}. */
 final class Frame {
   private static final double NS = 1e-9;
+  private static final String FULL = "out of memory: the program has used up Java's memory";
 
   private final ControlBox box;
   private final Machine machine;
@@ -86,6 +87,18 @@ final class Frame {
   }
 
   void advance() {
+    try {
+      step();
+    } catch (OutOfMemoryError | StackOverflowError e) {
+      if (machine.state() == ProgramState.STOPPED) {
+        throw e;
+      }
+      // whatever met it: it is the program that takes so much, and without it the box goes on
+      endAfter(e);
+    }
+  }
+
+  private void step() {
     beganNs = box.clock().inRealTime() ? System.nanoTime() : 0;
     if (!held) {
       box.beginFrame();
@@ -183,7 +196,7 @@ final class Frame {
       if (machine.advance()) {
         return true;
       }
-    } catch (RuntimeException | StackOverflowError e) {
+    } catch (RuntimeException | Error e) {
       endAfter(e);
     }
     if (box.popups().blocked()) {
@@ -388,20 +401,31 @@ final class Frame {
     }
   }
 
-  /** Our own mistake, not the program's: it ends, and the log gets all there is to know. */
+  /**
+   * Our own mistake, not the program's: it ends, and the log gets all there is to know. Of a
+   * program that has used up Java's memory it gets what the program was at.
+   */
   private void endAfter(Throwable cause) {
-    box.log().internalError(cause);
+    int line = Math.max(1, machine.line());
+    boolean full = cause instanceof OutOfMemoryError;
+    held = false;
+    if (full) {
+      // first of all: for anything else there is room only when the values are gone
+      machine.abandon();
+      box.log().error("program " + machine.programName() + ", line " + line + ": " + FULL);
+    } else {
+      box.log().internalError(cause);
+      machine.stop();
+    }
     box.clock().repeatability().lose("an internal error ended the program");
-    int line = machine.line();
-    machine.stop();
     internalEnding =
         Optional.of(
             new Ending.Failed(
                 new ScriptFailure(
-                    "internal-error",
-                    "internal error: " + cause,
+                    full ? "out-of-memory" : "internal-error",
+                    full ? FULL : "internal error: " + cause,
                     new SourceRange(0, 0),
-                    Math.max(1, line),
+                    line,
                     1,
                     List.of())));
   }

@@ -208,6 +208,13 @@ public final class Machine {
     sentry.programEnded();
   }
 
+  /** Ends the program and drops its values, where there is no room for anything else. */
+  public void abandon() {
+    stop();
+    run = Optional.empty();
+    variableSlots = Optional.empty();
+  }
+
   /** The text of the running or last program. */
   public Optional<Source> source() {
     return run.map(each -> each.program().source());

@@ -1,0 +1,96 @@
+package org.pendant.controller;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.controller.call.Builtins;
+import org.pendant.controller.machine.Ending;
+import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.machine.ScriptFailure;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.language.source.Source;
+
+/** What a program meets that Java calls an error ends the program, and nothing else. */
+final class ErrorsInProgramsTest {
+  private Controller controller;
+
+  /** Runs a program that meets {@code error} in its second line. */
+  private ScriptFailure failing(Error error) {
+    Builtins builtins = StandardBuiltins.create();
+    builtins
+        .declare("meet_error")
+        .manual("test", "1")
+        .doc("Throws.")
+        .does(
+            call -> {
+              throw error;
+            });
+    controller = new Controller(ControllerOptions.headless(), builtins);
+    start("def meets():\n  meet_error()\nend\n");
+    controller.runUntil(this::stopped, 10);
+    Ending ending = controller.state().program().ending().orElseThrow();
+    return assertInstanceOf(Ending.Failed.class, ending).failure();
+  }
+
+  private boolean stopped() {
+    return controller.state().program().state() == ProgramState.STOPPED;
+  }
+
+  private void start(String text) {
+    var _ =
+        controller.submit(
+            new Command.StartProgram(
+                controller.load(Source.of("t.script", text)).program().orElseThrow()));
+    controller.advance();
+  }
+
+  private List<String> log() {
+    return controller.logSince(0).stream().map(LogEntry::text).toList();
+  }
+
+  @Test
+  void aProgramThatUsesUpTheMemoryOfJavaEndsForThatReason() {
+    ScriptFailure failure = failing(new OutOfMemoryError("Java heap space"));
+    assertEquals("out-of-memory", failure.code());
+    assertEquals(2, failure.line());
+    assertEquals(
+        List.of("program meets, line 2: out of memory: the program has used up Java's memory"),
+        log());
+  }
+
+  @Test
+  void anyOtherErrorIsAnInternalOne() {
+    assertEquals("internal-error", failing(new StackOverflowError()).code());
+    assertTrue(log().getFirst().startsWith("internal error: java.lang.StackOverflowError"));
+    assertEquals("internal-error", failing(new LinkageError("translated")).code());
+  }
+
+  @Test
+  void theControllerRunsTheNextProgram() {
+    failing(new OutOfMemoryError("Java heap space"));
+    start("def well():\n  textmsg(\"well\")\nend\n");
+    controller.runUntil(this::stopped, 10);
+    assertEquals("well", log().getLast());
+    assertInstanceOf(Ending.Finished.class, controller.state().program().ending().orElseThrow());
+  }
+
+  @Test
+  void aSecondaryProgramThatMeetsOneLeavesThePrimaryOne() {
+    failing(new OutOfMemoryError("Java heap space"));
+    start("def goes_on():\n  sleep(9)\nend\n");
+    var reply =
+        controller.submit(
+            new Command.RunSecondary(
+                controller
+                    .load(Source.of("s.script", "sec s():\n  meet_error()\nend\n"))
+                    .program()
+                    .orElseThrow()));
+    controller.advance();
+    assertInstanceOf(Reply.Refused.class, reply.join());
+    assertEquals(ProgramState.RUNNING, controller.state().program().state());
+  }
+}
