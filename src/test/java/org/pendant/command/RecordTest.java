@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static java.nio.file.StandardWatchEventKinds.ENTRY_CREATE;
+import static java.nio.file.StandardWatchEventKinds.ENTRY_MODIFY;
 import static org.junit.jupiter.api.Assertions.assertAll;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -8,8 +10,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.WatchKey;
+import java.nio.file.WatchService;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -20,6 +26,7 @@ import org.pendant.controller.recording.RecordingFile;
 /** {@code pendant run --record}. */
 final class RecordTest {
   private static final int RUNS = 10;
+  private static final int KILLS = 4;
 
   @TempDir Path folder;
 
@@ -180,5 +187,46 @@ final class RecordTest {
 
     assertEquals(2, result.exitCode());
     assertTrue(result.errors().contains("--column goes with --record"), result.errors());
+  }
+
+  /** Killed without a warning, at many moments: what was recorded until then can be read. */
+  @Test
+  void recordingOfAKilledProcessCanBeRead() throws IOException, InterruptedException {
+    Launcher.script(
+        folder,
+        "endless.script",
+        """
+        def endless():
+          textmsg("started")
+          while True:
+            movej([0.8, -1.5708, -1.5708, -1.5708, 1.5708, 0], a=1, v=1)
+            movej([0, -1.5708, -1.5708, -1.5708, 1.5708, 0], a=1, v=1)
+          end
+        end
+        """);
+    Random random = new Random(12);
+    for (int i = 0; i < KILLS; i++) {
+      Path file = folder.resolve("killed" + i + ".rec");
+      Process process =
+          Launcher.start(folder, "run", "--record", file.toString(), "endless.script");
+      long bytes = i == 0 ? 1 : 1 + random.nextInt(1 << random.nextInt(10, 21));
+      try (WatchService changes = folder.getFileSystem().newWatchService()) {
+        folder.register(changes, ENTRY_CREATE, ENTRY_MODIFY);
+        while (process.isAlive() && (!Files.exists(file) || Files.size(file) < bytes)) {
+          WatchKey key = changes.poll(1, TimeUnit.SECONDS);
+          if (key != null) {
+            key.pollEvents();
+            key.reset();
+          }
+        }
+      }
+      process.destroyForcibly();
+      process.waitFor();
+
+      RecordingFile.Opened opened = RecordingFile.open(file);
+      assertTrue(opened.warning().isPresent(), "seed 12, kill " + i);
+      Recording recording = opened.recording();
+      assertEquals(recording.lastFrame(), recording.atFrame(recording.lastFrame()).frame());
+    }
   }
 }

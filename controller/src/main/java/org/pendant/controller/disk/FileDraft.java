@@ -6,7 +6,6 @@ import java.io.OutputStream;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Path;
 import java.util.Objects;
-import java.util.concurrent.ThreadLocalRandom;
 
 /**
  * A file in the making. It is written beside the place where it will be, with a hidden name, and
@@ -14,9 +13,6 @@ import java.util.concurrent.ThreadLocalRandom;
  */
 public final class FileDraft implements Closeable {
   private static final int BUFFER_BYTES = 1 << 16;
-
-  /** Names have at most 255 bytes in most file systems; a character takes up to 4. */
-  private static final int MOST_CHARACTERS = 40;
 
   private final Disk disk;
   private final WritePlace place;
@@ -37,7 +33,7 @@ public final class FileDraft implements Closeable {
       file = disk.openSpecial(place.path());
       return;
     }
-    beside = place.path().resolveSibling(hiddenName(place.path()));
+    beside = place.beside();
     file = disk.create(beside, place.occupied() ? Rights.of(place.path()) : rights);
   }
 
@@ -64,16 +60,6 @@ public final class FileDraft implements Closeable {
       throw new FileAlreadyExistsException(path.toString());
     }
     return new FileDraft(disk, place, mayReplace, rights);
-  }
-
-  private static String hiddenName(Path path) {
-    String name = path.getFileName().toString();
-    int characters = Math.min(MOST_CHARACTERS, name.codePointCount(0, name.length()));
-    return "."
-        + name.substring(0, name.offsetByCodePoints(0, characters))
-        + "."
-        + Integer.toHexString(ThreadLocalRandom.current().nextInt())
-        + ".new";
   }
 
   /** Where it is until it is committed. */

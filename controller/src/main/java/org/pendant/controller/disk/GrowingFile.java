@@ -7,16 +7,17 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Path;
 
 /**
- * A new file that has its name from the beginning, so that what it holds is found when its process
- * is killed. It grows by whole parts: what was written goes to the file when it is flushed, all of
- * it or, when that fails, nothing. A file without a single part is removed. Pipes and devices are
- * written straight. One thread uses it.
+ * A new file that has its name from its first part on, so that what it holds is found when its
+ * process is killed. It grows by whole parts: what was written goes to the file when it is flushed,
+ * all of it or, when that fails, nothing. It is never empty. Pipes and devices are written
+ * straight. One thread uses it.
  */
 public final class GrowingFile extends OutputStream {
   private final Disk disk;
   private final WritePlace place;
   private final OpenFile file;
   private final ByteArrayOutputStream part = new ByteArrayOutputStream();
+  private final Path beside;
   private long length;
   private boolean failed;
   private boolean closed;
@@ -24,8 +25,8 @@ public final class GrowingFile extends OutputStream {
   private GrowingFile(Disk disk, WritePlace place) throws IOException {
     this.disk = disk;
     this.place = place;
-    file =
-        place.special() ? disk.openSpecial(place.path()) : disk.create(place.path(), Rights.USUAL);
+    beside = place.special() ? place.path() : place.beside();
+    file = place.special() ? disk.openSpecial(beside) : disk.create(beside, Rights.USUAL);
   }
 
   /**
@@ -73,6 +74,9 @@ public final class GrowingFile extends OutputStream {
     part.reset();
     try {
       file.write(bytes, 0, bytes.length);
+      if (length == 0 && !place.special()) {
+        disk.rename(beside, place.path());
+      }
       length += bytes.length;
     } catch (IOException e) {
       failed = true;
@@ -99,7 +103,7 @@ public final class GrowingFile extends OutputStream {
     } finally {
       closed = true;
       if (length == 0 && !place.special()) {
-        disk.remove(place.path());
+        disk.remove(beside);
       }
       disk.syncFolder(place.folder());
     }

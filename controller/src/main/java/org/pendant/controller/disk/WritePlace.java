@@ -5,6 +5,7 @@ import java.nio.file.FileSystemLoopException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.ThreadLocalRandom;
 
 /**
  * Where what is written under a name goes: links are followed, so that a link stays and leads to
@@ -16,6 +17,9 @@ import java.util.List;
  */
 public record WritePlace(Path path, boolean special) {
   private static final int MOST_LINKS = 40;
+
+  /** Names have at most 255 bytes in most file systems; a character takes up to 4. */
+  private static final int MOST_CHARACTERS = 40;
 
   /** Folders whose entries stand for open files, also for regular ones. */
   private static final List<Path> OPEN_FILES = List.of(Path.of("/proc"), Path.of("/dev/fd"));
@@ -50,6 +54,18 @@ public record WritePlace(Path path, boolean special) {
   public Path folder() {
     Path folder = path.getParent();
     return folder == null ? path : folder;
+  }
+
+  /** A hidden name in the same folder, another one each time. */
+  Path beside() {
+    String name = path.getFileName().toString();
+    int characters = Math.min(MOST_CHARACTERS, name.codePointCount(0, name.length()));
+    return path.resolveSibling(
+        "."
+            + name.substring(0, name.offsetByCodePoints(0, characters))
+            + "."
+            + Integer.toHexString(ThreadLocalRandom.current().nextInt())
+            + ".new");
   }
 
   /** Whether there is a file that writing would replace. */

@@ -10,6 +10,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -38,7 +39,7 @@ final class GrowingFileTest {
 
   @Test
   void partThatFailsIsNotThereAtAll() throws IOException {
-    FailingDisk disk = new FailingDisk(3);
+    FailingDisk disk = new FailingDisk(4);
     try (GrowingFile growing = GrowingFile.create(disk, file())) {
       write(growing, "first,");
       write(growing, "second,");
@@ -48,7 +49,8 @@ final class GrowingFileTest {
     } catch (IOException e) {
       // This disk does not even sync any more.
       assertEquals(
-          List.of("create", "write", "write", "write", "sync", "sync folder"), disk.steps());
+          List.of("create", "write", "rename", "write", "write", "sync", "sync folder"),
+          disk.steps());
     }
     assertEquals("first,second,", Files.readString(file()));
   }
@@ -59,7 +61,28 @@ final class GrowingFileTest {
     assertThrows(IOException.class, () -> write(growing, "first,"));
     assertThrows(IOException.class, growing::close);
 
-    assertFalse(Files.exists(file()));
+    try (Stream<Path> files = Files.list(folder)) {
+      assertEquals(List.of(), files.toList());
+    }
+  }
+
+  @Test
+  void nameIsThereWithTheFirstPart() throws IOException {
+    try (GrowingFile growing = GrowingFile.create(file())) {
+      growing.write("first".getBytes(UTF_8));
+      assertFalse(Files.exists(file()));
+      growing.flush();
+      assertEquals("first", Files.readString(file()));
+    }
+  }
+
+  @Test
+  void fileThatHasComeMeanwhileIsNotReplaced() throws IOException {
+    try (GrowingFile growing = GrowingFile.create(file())) {
+      Files.writeString(file(), "old");
+      assertThrows(FileAlreadyExistsException.class, () -> write(growing, "first"));
+    }
+    assertEquals("old", Files.readString(file()));
   }
 
   @Test
@@ -76,6 +99,6 @@ final class GrowingFileTest {
     try (GrowingFile growing = GrowingFile.create(disk, file())) {
       write(growing, "all");
     }
-    assertEquals(List.of("create", "write", "sync", "sync folder"), disk.steps());
+    assertEquals(List.of("create", "write", "rename", "sync", "sync folder"), disk.steps());
   }
 }

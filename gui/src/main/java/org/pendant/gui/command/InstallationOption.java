@@ -19,7 +19,7 @@ import org.pendant.models.arm.ArmLibrary;
 /** {@code --installation FILE}: how the robot is set up. */
 final class InstallationOption {
   static final Option OPTION =
-      new Option("--installation", "FILE", "how the robot is set up: TCPs, signals, safety, ...");
+      Option.input("--installation", "FILE", "how the robot is set up: TCPs, signals, safety, ...");
 
   private InstallationOption() {}
 

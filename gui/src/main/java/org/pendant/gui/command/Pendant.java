@@ -39,6 +39,11 @@ public final class Pendant {
     System.exit(code.number());
   }
 
+  /** All that there are. */
+  List<Subcommand> subcommands() {
+    return subcommands;
+  }
+
   /** Runs the command line {@code words}; everything is written out when it returns. */
   ExitCode run(List<String> words) {
     ExitCode code;

@@ -28,7 +28,7 @@ record RenderOptions(
     int heightPx,
     StandardView view,
     Theme theme) {
-  private static final Option OUT = new Option("--out", "FILE.png", "the picture to write");
+  private static final Option OUT = Option.output("--out", "FILE.png", "the picture to write");
   private static final Option AT =
       new Option("--at", "S", "robot time of the picture, default the program's end");
   private static final Option SIZE =

@@ -61,7 +61,7 @@ record RunOptions(
           "TEXT=VALUE",
           "answer to the question TEXT, without TEXT to whichever is next; repeatable");
   static final Option RECORD =
-      new Option(
+      Option.output(
           "--record",
           "FILE",
           "write what happens: FILE.csv a table, FILE.rec a recording of it all");

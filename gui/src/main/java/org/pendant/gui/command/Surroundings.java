@@ -19,9 +19,10 @@ import org.pendant.models.arm.ArmLibrary;
 /** The options that say which arm simulation is used, what is around it and what limits it. */
 final class Surroundings {
   private static final Option SCENE =
-      new Option("--scene", "FILE.json", "what the arm can touch and carries");
+      Option.input("--scene", "FILE.json", "what the arm can touch and carries");
   private static final Option SAFETY =
-      new Option("--safety", "FILE.json", "safety limits and planes instead of the standard ones");
+      Option.input(
+          "--safety", "FILE.json", "safety limits and planes instead of the standard ones");
   private static final Option ARM =
       new Option("--arm", "dynamic|ideal", "with masses and drives, or always exactly on target");
   private static final Option NOISE =
