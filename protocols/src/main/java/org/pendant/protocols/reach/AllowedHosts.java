@@ -97,6 +97,20 @@ public final class AllowedHosts {
   }
 
   /**
+   * Whether anybody may be asked for the addresses of a name. A question tells the name to others,
+   * so only names that the user has written are asked for; networks allow addresses.
+   */
+  boolean mayAskFor(String name) {
+    return any
+        || entries.stream()
+            .anyMatch(entry -> entry instanceof Name(String allowed) && same(allowed, name));
+  }
+
+  private static boolean same(String allowed, String name) {
+    return allowed.equals(name.toLowerCase(Locale.ROOT));
+  }
+
+  /**
    * Whether a script may connect to an address.
    *
    * @param name the host as the script calls it
@@ -108,8 +122,7 @@ public final class AllowedHosts {
   private static boolean matches(Entry entry, String name, InetAddress address) {
     return switch (entry) {
       case Name(String allowed) ->
-          allowed.equals(name.toLowerCase(Locale.ROOT))
-              || (allowed.equals(LOCALHOST) && address.isLoopbackAddress());
+          same(allowed, name) || (allowed.equals(LOCALHOST) && address.isLoopbackAddress());
       case Network(InetAddress network, int bits) ->
           agree(network.getAddress(), address.getAddress(), bits);
     };

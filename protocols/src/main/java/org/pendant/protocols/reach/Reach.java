@@ -17,8 +17,29 @@ import java.util.concurrent.FutureTask;
  * to, so a name that changes its address in between gains nothing.
  *
  * @param allowed where it may go
+ * @param names who knows the addresses of names; asked for those only that are allowed
  */
-public record Reach(AllowedHosts allowed) {
+public record Reach(AllowedHosts allowed, Names names) {
+  /** This computer; its name needs no asking (RFC 6761, section 6.3). */
+  private static final String LOCALHOST = "localhost";
+
+  private static final List<String> LOOPBACK = List.of("127.0.0.1", "::1");
+
+  /** Tells the addresses of a name. */
+  @FunctionalInterface
+  public interface Names {
+    /**
+     * All addresses of a host.
+     *
+     * @throws UnknownHostException if it has none
+     */
+    InetAddress[] addresses(String host) throws UnknownHostException;
+  }
+
+  /** Asks as this computer is set up to: its list of hosts, then mostly the DNS. */
+  public Reach(AllowedHosts allowed) {
+    this(allowed, InetAddress::getAllByName);
+  }
 
   /**
    * Connects, and waits for that; an interrupted virtual thread gives up.
@@ -52,16 +73,22 @@ public record Reach(AllowedHosts allowed) {
     throw failure;
   }
 
-  private static List<InetAddress> addresses(String host) throws IOException {
+  private List<InetAddress> addresses(String host) throws IOException {
     if (AllowedHosts.isLiteral(host)) {
       return List.of(InetAddress.ofLiteral(host));
+    }
+    if (host.equalsIgnoreCase(LOCALHOST)) {
+      return LOOPBACK.stream().map(InetAddress::ofLiteral).toList();
     }
     if (host.isBlank()) {
       // for Java that would be this computer
       throw new UnknownHostException("no such host");
     }
+    if (!allowed.mayAskFor(host)) {
+      throw new HostNotAllowed();
+    }
     // a look-up holds the thread it runs on, and there are few for all virtual ones
-    FutureTask<InetAddress[]> lookup = new FutureTask<>(() -> InetAddress.getAllByName(host));
+    FutureTask<InetAddress[]> lookup = new FutureTask<>(() -> names.addresses(host));
     Thread.ofPlatform().daemon().name("look-up of " + host).start(lookup);
     try {
       return Arrays.asList(lookup.get());
