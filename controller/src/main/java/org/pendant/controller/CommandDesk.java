@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.CompletableFuture;
 import java.util.stream.Collectors;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.debug.Debugger;
@@ -53,9 +52,9 @@ final class CommandDesk {
   private final HandDesk hand;
   private final VariableTracer tracer;
   private final InstallationDesk installed;
-  private final BlockingQueue<Submitted> arrived = new ArrayBlockingQueue<>(CAPACITY);
-  private final List<Submitted> secondaries = new ArrayList<>();
-  private final Deque<Submitted> lines = new ArrayDeque<>();
+  private final BlockingQueue<PendingCommand> arrived = new ArrayBlockingQueue<>(CAPACITY);
+  private final List<PendingCommand> secondaries = new ArrayList<>();
+  private final Deque<PendingCommand> lines = new ArrayDeque<>();
   private final List<Answered> answered = new ArrayList<>();
   private int linesOfFrame;
   private ProgramsFolder folder;
@@ -63,7 +62,7 @@ final class CommandDesk {
   private long frame;
   private long turn;
 
-  private record Answered(Submitted command, Reply reply) {}
+  private record Answered(PendingCommand command, Reply reply) {}
 
   CommandDesk(
       ControlBox box,
@@ -88,13 +87,15 @@ final class CommandDesk {
   }
 
   /** Any thread: leaves a command for the next frame. */
-  CompletableFuture<Reply> submit(Command command) {
-    CompletableFuture<Reply> reply = new CompletableFuture<>();
-    if (!arrived.offer(new Submitted(command, reply))) {
-      reply.complete(
-          new Reply.Refused("more than " + CAPACITY + " commands in a frame, try again later"));
+  PendingCommand post(Command command) {
+    PendingCommand pending = new PendingCommand(command, arrived::remove);
+    if (!arrived.offer(pending)) {
+      pending
+          .reply()
+          .complete(
+              new Reply.Refused("more than " + CAPACITY + " commands in a frame, try again later"));
     }
-    return reply;
+    return pending;
   }
 
   /**
@@ -107,8 +108,14 @@ final class CommandDesk {
     frame = box.clock().frame();
     linesOfFrame = 0;
     interpretWaiting();
-    for (int left = CAPACITY; left > 0 && !arrived.isEmpty(); left--) {
-      Submitted next = arrived.remove();
+    for (int left = CAPACITY; left > 0; left--) {
+      PendingCommand next = arrived.poll();
+      if (next == null) {
+        return;
+      }
+      if (!next.begin()) {
+        continue;
+      }
       if (!(next.command() instanceof Command.Debug)) {
         // what a debugger is asked it says itself
         journal.note(frame, turn, next.command());
@@ -128,7 +135,7 @@ final class CommandDesk {
     }
   }
 
-  private void letWaitBeside(Submitted secondary) {
+  private void letWaitBeside(PendingCommand secondary) {
     if (secondaries.size() < MOST_SECONDARIES) {
       secondaries.add(secondary);
     } else {
@@ -146,7 +153,7 @@ final class CommandDesk {
     return linesOfFrame < MOST_LINES && !machine.interpreter().clearing();
   }
 
-  private void letWait(Submitted line) {
+  private void letWait(PendingCommand line) {
     if (lines.size() < Interpreter.MAX_QUEUED) {
       lines.add(line);
     } else {
@@ -161,14 +168,14 @@ final class CommandDesk {
 
   private void interpretWaiting() {
     while (!lines.isEmpty() && mayInterpret()) {
-      Submitted next = lines.remove();
+      PendingCommand next = lines.remove();
       answered.add(new Answered(next, carryOut(next.command())));
     }
   }
 
   /** Runs the secondary programs that have arrived. */
   void runSecondaries() {
-    for (Submitted next : secondaries) {
+    for (PendingCommand next : secondaries) {
       answered.add(new Answered(next, carryOut(next.command())));
     }
     secondaries.clear();
@@ -176,7 +183,7 @@ final class CommandDesk {
 
   /** Refuses the secondary programs that have arrived. */
   void refuseSecondaries(String why) {
-    for (Submitted next : secondaries) {
+    for (PendingCommand next : secondaries) {
       answered.add(new Answered(next, new Reply.Refused(why)));
     }
     secondaries.clear();

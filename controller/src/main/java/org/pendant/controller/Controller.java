@@ -102,7 +102,12 @@ public final class Controller {
    * executor runs in the frame loop and must be short.
    */
   public CompletableFuture<Reply> submit(Command command) {
-    return desk.submit(command);
+    return desk.post(command).reply();
+  }
+
+  /** As {@link #submit}, for who may want to take the command back; any thread. */
+  public PendingCommand post(Command command) {
+    return desk.post(command);
   }
 
   /**

@@ -1,31 +1,31 @@
 package org.pendant.protocols.eip;
 
 import java.nio.ByteBuffer;
+import java.util.Map;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
+import java.util.concurrent.ConcurrentHashMap;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
+import org.pendant.controller.PendingCommand;
 import org.pendant.controller.Reply;
 import org.pendant.controller.eip.AssemblyData;
 import org.pendant.controller.eip.AssemblyImage;
 import org.pendant.controller.eip.AssemblyPair;
+import org.pendant.protocols.serve.RetriedCommands;
 
 /** The assemblies of a controller, the built-in ones and those that were configured. Any thread. */
 final class AssemblyDesk {
-  /** A frame takes 2 ms: who gets no answer for this long speaks to a box that has stopped. */
-  private static final long PATIENCE_S = 5;
-
-  /** When to ask again, ms. */
-  private static final long AGAIN_MS = 2;
-
   private final Controller controller;
+  private final RetriedCommands commands;
+
+  /** What each scanner has written last, as long as no frame has taken it. */
+  private final Map<String, PendingCommand> newest = new ConcurrentHashMap<>();
 
   AssemblyDesk(Controller controller) {
     this.controller = controller;
+    commands = new RetriedCommands(controller);
   }
 
   /** The size of an assembly that the scanner writes. */
@@ -61,7 +61,8 @@ final class AssemblyDesk {
   }
 
   /**
-   * The scanner that has an assembly writes it.
+   * The scanner that has an assembly writes it. Data that no frame has taken are replaced by the
+   * next ones, so that a scanner has no more than one command waiting.
    *
    * @param data as many bytes as it has
    */
@@ -71,7 +72,14 @@ final class AssemblyDesk {
             ? new Command.WriteInputs(owner, ControlAssembly.decode(data))
             : new Command.ReceiveAssembly(instance, AssemblyData.of(data));
     // nobody waits: data that find no place among the commands of a frame are followed by others
-    var _ = controller.submit(command);
+    newest.compute(
+        owner,
+        (_, before) -> {
+          if (before != null) {
+            before.withdraw();
+          }
+          return controller.post(command);
+        });
   }
 
   /** Takes what an assembly writes; answers whether nobody else has some of it. */
@@ -80,14 +88,16 @@ final class AssemblyDesk {
       return true;
     }
     CompletableFuture<Set<String>> inUse = new CompletableFuture<>();
-    ask(new Command.ClaimInputs(owner, ControlAssembly.RECIPE, inUse::complete));
-    // a box that does not answer gives nothing away
-    return inUse.getNow(ControlAssembly.RECIPE.names()).isEmpty();
+    // a box that does not answer gives nothing away, now or later
+    return commands.inTimeOrNever(
+            new Command.ClaimInputs(owner, ControlAssembly.RECIPE, inUse::complete))
+        && inUse.getNow(ControlAssembly.RECIPE.names()).isEmpty();
   }
 
   /** Gives back what an owner has taken. */
   void release(String owner) throws InterruptedException {
-    ask(new Command.ReleaseSignals(owner));
+    newest.remove(owner);
+    commands.eventually(new Command.ReleaseSignals(owner));
   }
 
   /** The scanner that writes an assembly has gone; what follows is up to the installation. */
@@ -97,24 +107,7 @@ final class AssemblyDesk {
 
   /** Makes a pair of assemblies; answers whether they are there. */
   boolean configure(AssemblyPair pair) throws InterruptedException {
-    return answer(new Command.ConfigureAssemblies(pair)) instanceof Reply.Done;
-  }
-
-  /** Has a command carried out that is refused only while too many others wait. */
-  private void ask(Command command) throws InterruptedException {
-    long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
-    while (!(answer(command) instanceof Reply.Done) && System.nanoTime() < endNs) {
-      TimeUnit.MILLISECONDS.sleep(AGAIN_MS);
-    }
-  }
-
-  private Reply answer(Command command) throws InterruptedException {
-    try {
-      return controller.submit(command).get(PATIENCE_S, TimeUnit.SECONDS);
-    } catch (TimeoutException e) {
-      return new Reply.Refused("the controller does not answer");
-    } catch (ExecutionException e) {
-      throw new IllegalStateException(e);
-    }
+    return controller.post(new Command.ConfigureAssemblies(pair)).await(RetriedCommands.PATIENCE)
+        instanceof Reply.Done;
   }
 }

@@ -1,10 +1,7 @@
 package org.pendant.protocols.modbus;
 
+import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.Reply;
@@ -15,7 +12,7 @@ import org.pendant.protocols.modbus.RefusedRequest.Reason;
 /** A controller's signals for one client. */
 final class SignalDesk implements Answers.Box {
   /** A frame takes 2 ms: who gets no answer for this long speaks to a box that has stopped. */
-  private static final long PATIENCE_S = 5;
+  private static final Duration PATIENCE = Duration.ofSeconds(5);
 
   private final Controller controller;
   private final String client;
@@ -32,19 +29,14 @@ final class SignalDesk implements Answers.Box {
 
   @Override
   public void write(List<SignalWrite> writes) throws RefusedRequest {
-    Reply reply = await(controller.submit(new Command.WriteSignals(client, writes)));
-    if (!(reply instanceof Reply.Done)) {
+    if (!(answer(new Command.WriteSignals(client, writes)) instanceof Reply.Done)) {
       throw new RefusedRequest(Reason.FAILURE);
     }
   }
 
-  private static Reply await(Future<Reply> reply) throws RefusedRequest {
+  private Reply answer(Command command) throws RefusedRequest {
     try {
-      return reply.get(PATIENCE_S, TimeUnit.SECONDS);
-    } catch (TimeoutException e) {
-      throw new RefusedRequest(Reason.FAILURE);
-    } catch (ExecutionException e) {
-      throw new IllegalStateException(e);
+      return controller.post(command).await(PATIENCE);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new RefusedRequest(Reason.FAILURE);

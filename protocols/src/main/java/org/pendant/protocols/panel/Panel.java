@@ -1,5 +1,6 @@
 package org.pendant.protocols.panel;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
@@ -8,6 +9,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.ReentrantLock;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
+import org.pendant.controller.PendingCommand;
 import org.pendant.controller.Reply;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.file.LoadedInstallation;
@@ -25,7 +27,7 @@ import org.pendant.language.source.ByteText;
  */
 public final class Panel {
   /** A frame takes 2 ms: a box that has not answered by then stands still. */
-  private static final long PATIENCE_MS = 2000;
+  private static final Duration PATIENCE = Duration.ofSeconds(2);
 
   /** How long a pause may take to come about before it is called under way. */
   private static final long PAUSE_NS = TimeUnit.MILLISECONDS.toNanos(800);
@@ -259,22 +261,39 @@ public final class Panel {
     var _ = controller.submit(new Command.WriteLog(level, text));
   }
 
-  /** Has the controller carry out a command, and waits until it has. */
+  /**
+   * Has the controller carry out a command, and waits until it has. What it does not come to in
+   * time is taken back, unless it ends something: a late stop is better than none.
+   */
   public Optional<String> ask(Command command) {
+    PendingCommand pending = controller.post(command);
     try {
-      Reply reply = controller.submit(command).get(PATIENCE_MS, TimeUnit.MILLISECONDS);
+      Reply reply = ends(command) ? awaitEnd(pending) : pending.await(PATIENCE);
       return switch (reply) {
         case Reply.Refused refused -> Optional.of(refused.reason());
         case Reply.Failed failed -> Optional.of(failed.reason());
         case Reply.Done _, Reply.Interpreted _, Reply.InterpreterState _ -> Optional.empty();
       };
-    } catch (TimeoutException e) {
-      return Optional.of("the controller does not answer");
-    } catch (ExecutionException e) {
-      return Optional.of("the controller has failed: " + e.getCause());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return Optional.of("interrupted");
+    }
+  }
+
+  private static boolean ends(Command command) {
+    return command instanceof Command.StopProgram
+        || command instanceof Command.PauseProgram
+        || command instanceof Command.PowerOff
+        || command instanceof Command.ShutDown;
+  }
+
+  private static Reply awaitEnd(PendingCommand pending) throws InterruptedException {
+    try {
+      return pending.reply().get(PATIENCE.toNanos(), TimeUnit.NANOSECONDS);
+    } catch (TimeoutException e) {
+      return new Reply.Refused("the controller does not answer");
+    } catch (ExecutionException e) {
+      return new Reply.Refused("the controller has failed: " + e.getCause());
     }
   }
 }

@@ -7,15 +7,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
-import org.pendant.controller.Reply;
 import org.pendant.controller.rtde.InputRecipe;
 import org.pendant.controller.rtde.InputUpdate;
+import org.pendant.protocols.serve.RetriedCommands;
 
 /** The inputs that one client writes. For the client's own thread, which may wait. */
 final class InputDesk {
@@ -25,23 +23,29 @@ final class InputDesk {
   /** A client that writes more than so many packages a frame waits for the frame. */
   private static final int MOST_IN_A_FRAME = 8;
 
-  /** A frame takes 2 ms: who gets no answer for this long speaks to a box that has stopped. */
-  private static final long PATIENCE_S = 5;
-
-  /** When to ask again, ms. */
-  private static final long AGAIN_MS = 2;
+  /** What all clients together have waiting, so that others find places for their commands. */
+  static final int MOST_OF_ALL = 512;
 
   private final Controller controller;
   private final String client;
   private final List<InputRecipe> recipes = new ArrayList<>();
+  private final RetriedCommands commands;
+  private final Semaphore roomOfAll;
   private final Semaphore room = new Semaphore(MOST_IN_A_FRAME);
 
   /** What was wrong with the last package of each recipe. */
   private final Map<Integer, String> complaints = new HashMap<>();
 
-  InputDesk(Controller controller, String client) {
+  /**
+   * Nothing yet.
+   *
+   * @param roomOfAll what all clients share, {@link #MOST_OF_ALL} at first
+   */
+  InputDesk(Controller controller, String client, Semaphore roomOfAll) {
     this.controller = controller;
     this.client = client;
+    this.roomOfAll = roomOfAll;
+    commands = new RetriedCommands(controller);
   }
 
   /** Whether there may be another recipe. */
@@ -58,27 +62,10 @@ final class InputDesk {
   /** Takes all inputs of a recipe, unless somebody else has some of them, which are answered. */
   Set<String> claim(InputRecipe recipe) throws InterruptedException {
     CompletableFuture<Set<String>> inUse = new CompletableFuture<>();
-    ask(new Command.ClaimInputs(client, recipe, inUse::complete));
-    // a box that does not answer gives nothing away
-    return inUse.getNow(recipe.names());
-  }
-
-  /** Has a command carried out that is refused only while too many others wait. */
-  private void ask(Command command) throws InterruptedException {
-    long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
-    while (!(answer(command) instanceof Reply.Done) && System.nanoTime() < endNs) {
-      TimeUnit.MILLISECONDS.sleep(AGAIN_MS);
-    }
-  }
-
-  private Reply answer(Command command) throws InterruptedException {
-    try {
-      return controller.submit(command).get(PATIENCE_S, TimeUnit.SECONDS);
-    } catch (TimeoutException e) {
-      return new Reply.Refused("the controller does not answer");
-    } catch (ExecutionException e) {
-      throw new IllegalStateException(e);
-    }
+    boolean asked =
+        commands.inTimeOrNever(new Command.ClaimInputs(client, recipe, inUse::complete));
+    // a box that does not answer gives nothing away, now or later
+    return asked ? inUse.getNow(recipe.names()) : recipe.names();
   }
 
   /**
@@ -114,21 +101,36 @@ final class InputDesk {
               + recipe.bytes());
     }
     InputUpdate update = recipe.decode(data.values());
-    submit(update);
-    return update.ignored();
+    return submit(update)
+        ? update.ignored()
+        : List.of("inputs were not written: the controller does not answer");
   }
 
-  private void submit(InputUpdate update) throws InterruptedException {
-    if (room.tryAcquire(PATIENCE_S, TimeUnit.SECONDS)) {
-      var _ =
-          controller
-              .submit(new Command.WriteInputs(client, update))
-              .whenComplete((answer, failure) -> room.release());
+  private boolean submit(InputUpdate update) throws InterruptedException {
+    if (!taken(room)) {
+      return false;
     }
+    if (!taken(roomOfAll)) {
+      room.release();
+      return false;
+    }
+    var _ =
+        controller
+            .submit(new Command.WriteInputs(client, update))
+            .whenComplete(
+                (answer, failure) -> {
+                  room.release();
+                  roomOfAll.release();
+                });
+    return true;
+  }
+
+  private static boolean taken(Semaphore place) throws InterruptedException {
+    return place.tryAcquire(RetriedCommands.PATIENCE.toNanos(), TimeUnit.NANOSECONDS);
   }
 
   /** Gives all inputs back; their values stay. */
   void release() throws InterruptedException {
-    ask(new Command.ReleaseSignals(client));
+    commands.eventually(new Command.ReleaseSignals(client));
   }
 }

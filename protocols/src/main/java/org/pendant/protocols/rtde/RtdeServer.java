@@ -2,6 +2,7 @@ package org.pendant.protocols.rtde;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.concurrent.Semaphore;
 import org.pendant.protocols.net.IdleLimits;
 import org.pendant.protocols.net.Listening;
 import org.pendant.protocols.net.TcpPort;
@@ -30,8 +31,12 @@ public final class RtdeServer implements Server {
    */
   public static RtdeServer open(Outside outside, PortNumbers numbers) throws IOException {
     Listening listening = numbers.listening("RTDE", STANDARD_PORT).with(IdleLimits.peerBegins());
+    Semaphore inputRoom = new Semaphore(InputDesk.MOST_OF_ALL);
     return new RtdeServer(
-        TcpPort.open(listening, connection -> new RtdeSession(connection, outside), outside.log()));
+        TcpPort.open(
+            listening,
+            connection -> new RtdeSession(connection, outside, inputRoom),
+            outside.log()));
   }
 
   @Override

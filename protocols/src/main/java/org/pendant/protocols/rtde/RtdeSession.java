@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.Semaphore;
 import java.util.function.Consumer;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.rtde.InputField;
@@ -38,11 +39,16 @@ final class RtdeSession implements Session {
   private final Runnable leave;
   private int version = 1;
 
-  RtdeSession(Connection connection, Outside outside) {
+  /**
+   * A client that has just connected.
+   *
+   * @param inputRoom what all clients share, see {@link InputDesk}
+   */
+  RtdeSession(Connection connection, Outside outside, Semaphore inputRoom) {
     this.connection = connection;
     log = outside.log();
     flow = new DataFlow(connection::stream);
-    inputs = new InputDesk(outside.controller(), connection.name());
+    inputs = new InputDesk(outside.controller(), connection.name(), inputRoom);
     Consumer<ControllerState> frames = flow::frame;
     outside.frames().add(frames);
     leave = () -> outside.frames().remove(frames);

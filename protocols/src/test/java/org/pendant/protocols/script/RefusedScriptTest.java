@@ -1,0 +1,80 @@
+package org.pendant.protocols.script;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.debug.Breakpoint;
+import org.pendant.language.source.Source;
+import org.pendant.protocols.net.FrameFan;
+import org.pendant.protocols.net.PeerLog;
+import org.pendant.protocols.serve.Outside;
+import org.pendant.protocols.serve.RemoteControl;
+
+/** Whatever a secondary program is refused for, its client is told. */
+class RefusedScriptTest {
+  private static final ScriptItem SECONDARY =
+      new ScriptItem.Program("sec beside():\n  set_digital_out(1, True)\nend\n");
+
+  private final RunningBox box =
+      new RunningBox(ControllerOptions.headless(), RemoteControl.disabled());
+  private final List<ScriptTrouble> told = new ArrayList<>();
+
+  @AfterEach
+  void close() {
+    box.close();
+  }
+
+  private String refusal(Outside outside) {
+    ScriptDesk desk = new ScriptDesk(outside);
+    desk.onTrouble(told::add);
+    desk.accept(SECONDARY, "client");
+    return assertInstanceOf(ScriptTrouble.NotStarted.class, told.getFirst()).why();
+  }
+
+  private void ask(Command command) throws Exception {
+    box.controller().submit(command).get(RunningBox.GIVE_UP_MS, TimeUnit.MILLISECONDS);
+  }
+
+  @Test
+  void byABoxThatIsShutDown() throws Exception {
+    ask(new Command.ShutDown());
+    assertEquals("the controller has been shut down", refusal(box.outside()));
+    assertEquals(
+        "program beside of client was not started: the controller has been shut down",
+        box.nextLogged());
+  }
+
+  @Test
+  void whileADebuggerHoldsTheFrame() throws Exception {
+    ask(new Command.Debug(debugger -> debugger.set(Breakpoint.at(2))));
+    Source source = Source.of("p", "def p():\n  x = 1\n  sleep(9)\nend\n");
+    ask(new Command.ReplaceProgram(box.controller().load(source).program().orElseThrow()));
+    assertEquals("a debugger holds program p", refusal(box.outside()));
+    assertTrue(box.nextLogged().endsWith("a debugger holds program p"));
+  }
+
+  @Test
+  void whenTooManyCommandsWait() {
+    Controller still = new Controller(ControllerOptions.headless());
+    List<String> logged = new ArrayList<>();
+    PeerLog log = new PeerLog((level, text) -> logged.add(text));
+    for (int i = 0; i < 1024; i++) {
+      still.post(new Command.StopProgram());
+    }
+    try (FrameFan frames = new FrameFan(still.feed(), log)) {
+      assertTrue(
+          refusal(new Outside(still, frames, log, RemoteControl.disabled()))
+              .startsWith("more than 1024 commands in a frame"));
+    }
+    assertEquals(1, logged.size());
+  }
+}
