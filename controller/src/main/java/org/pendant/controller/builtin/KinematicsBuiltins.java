@@ -17,6 +17,8 @@ import org.pendant.models.pose.Pose;
 /** From joint positions to poses and back (manual 16.13 to 16.16). */
 final class KinematicsBuiltins {
   private static final String MODULE = "internals";
+  private static final int FORWARD_NS = 2000;
+  private static final int INVERSE_NS = 25_000;
   private static final String PRESENT_JOINTS = "current joint positions";
   private static final String ACTIVE_TCP = "active tcp";
 
@@ -31,6 +33,7 @@ final class KinematicsBuiltins {
         .mayTake("tcp", Type.POSE, Unit.NONE, ACTIVE_TCP)
         .returns(Type.POSE)
         .effect(Effect.ASKS)
+        .costs(FORWARD_NS)
         .does(KinematicsBuiltins::forward);
     withTolerances(
             builtins
@@ -43,6 +46,7 @@ final class KinematicsBuiltins {
                 .needs("x", Type.POSE))
         .returns(Type.JOINTS)
         .effect(Effect.ASKS)
+        .costs(INVERSE_NS)
         .does(KinematicsBuiltins::inverse);
     withTolerances(
             builtins
@@ -52,6 +56,7 @@ final class KinematicsBuiltins {
                 .needs("pose", Type.POSE))
         .returns(Type.BOOL)
         .effect(Effect.ASKS)
+        .costs(INVERSE_NS)
         .does(call -> call.answer(solve(call) instanceof InverseResult.Reached));
   }
 

@@ -19,6 +19,8 @@ import org.pendant.language.signature.Unit;
 
 /** Functions that make and measure lists (manual 17); their methods are {@link ListMethods}. */
 final class ListBuiltins {
+  private static final int OBJECT_NS = 4;
+
   private ListBuiltins() {}
 
   static void declareIn(Builtins builtins) {
@@ -105,7 +107,7 @@ final class ListBuiltins {
   private static Outcome length(Call call) throws ScriptError {
     return switch (call.value(0)) {
       case ListValue list -> call.answerInt(list.length());
-      case StringValue text -> call.answerInt(text.bytes().length());
+      case StringValue text -> call.answerInt(text.length());
       case StructValue struct -> call.answerInt(struct.length());
       default -> throw call.wrongKind(0, "a list, string or struct");
     };
@@ -114,7 +116,7 @@ final class ListBuiltins {
   private static Outcome size(Call call) throws ScriptError {
     return switch (call.value(0)) {
       case ListValue list -> call.answerInt(list.length());
-      case StringValue text -> call.answerInt(text.bytes().length());
+      case StringValue text -> call.answerInt(text.length());
       case MatrixValue matrix -> call.answer(MatrixBuiltins.shape(matrix));
       default -> throw call.wrongKind(0, "a list, string or matrix");
     };
@@ -126,6 +128,7 @@ final class ListBuiltins {
     Kind kind = call.kind(1);
     return switch (kind) {
       case BOOL, INT, FLOAT -> {
+        call.charge(capacity);
         double[] elements = new double[capacity];
         double initial = kind == Kind.BOOL ? (call.bool(1) ? 1 : 0) : call.number(1);
         Arrays.fill(elements, 0, length, initial);
@@ -133,9 +136,9 @@ final class ListBuiltins {
       }
       case STRING, POSE, STRUCT, HANDLE -> {
         Value[] elements = new Value[capacity];
-        for (int i = 0; i < length; i++) {
-          elements[i] = call.value(1).copy();
-        }
+        // whoever changes one of them takes a copy of it
+        Arrays.fill(elements, 0, length, call.value(1).copy());
+        call.charge(capacity + OBJECT_NS * (long) length);
         yield call.answer(ObjectList.owning(elements, length, call.value(1).copy()));
       }
       case NONE, LIST, MATRIX -> throw call.wrongKind(1, "a number, bool, string, pose or struct");

@@ -7,7 +7,9 @@ import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ListValue;
 import org.pendant.controller.value.NumberList;
+import org.pendant.controller.value.ObjectList;
 import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.StructValue;
 import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 
@@ -15,6 +17,9 @@ import org.pendant.language.signature.Type;
 final class ListMethods {
   private static final String MODULE = "core";
   private static final String SECTION = "4.3.1";
+
+  /** What an element takes that is an object. */
+  private static final int OBJECT_NS = 15;
 
   private ListMethods() {}
 
@@ -66,7 +71,7 @@ final class ListMethods {
   private static Outcome slice(Call call) throws ScriptError {
     int begin = call.integer(1);
     int end = call.integer(2);
-    call.charge(Math.max(0, Math.min(end - begin, ListValue.MAX_CAPACITY)));
+    call.charge(cost(call.list(0), Math.max(0, Math.min(end - begin, ListValue.MAX_CAPACITY))));
     return call.answer(call.list(0).slice(begin, end));
   }
 
@@ -132,8 +137,16 @@ final class ListMethods {
     return list;
   }
 
+  /** What it takes to copy {@code count} elements, or one whose type is looked at as well. */
+  private static long cost(ListValue list, int count) {
+    return list instanceof ObjectList objects
+        ? OBJECT_NS * (count + (objects.sample() instanceof StructValue s ? s.allMembers() : 0L))
+        : count;
+  }
+
   private static Outcome append(Call call) throws ScriptError {
     ListValue list = changed(call, 1);
+    call.charge(cost(list, 1));
     Kind kind = call.kind(1);
     if (list instanceof NumberList numbers && kind.isNumber()) {
       numbers.appendNumber(call.number(1), kind);
@@ -144,17 +157,20 @@ final class ListMethods {
   }
 
   private static Outcome clear(Call call) throws ScriptError {
+    call.charge(call.list(0) instanceof ObjectList list ? list.capacity() : 0);
     call.list(0).clear();
     return call.answer();
   }
 
   private static Outcome extend(Call call) throws ScriptError {
     ListValue source = call.list(1);
+    call.charge(cost(source, source.length()));
     changed(call, source.length()).extend(source);
     return call.answer();
   }
 
   private static Outcome insert(Call call) throws ScriptError {
+    call.charge(cost(call.list(0), 1));
     changed(call, call.list(0).length()).insert(call.integer(1), call.value(2).copy());
     return call.answer();
   }

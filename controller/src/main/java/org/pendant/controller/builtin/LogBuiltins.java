@@ -16,6 +16,12 @@ import org.pendant.language.signature.Type;
 /** Log lines and popups (manual 16.41, 16.63). */
 final class LogBuiltins {
   private static final String MODULE = "internals";
+
+  /** A line of the log, and all who are told of it. */
+  private static final int LINE_NS = 2000;
+
+  private static final int POPUP_NS = 10_000;
+  private static final int BYTES_A_NS = 4;
   private static final Optional<Value> DONE = Optional.of(NoneValue.NONE);
 
   private LogBuiltins() {}
@@ -30,6 +36,7 @@ final class LogBuiltins {
         .takes("warning", Type.BOOL, Value.of(false))
         .takes("error", Type.BOOL, Value.of(false))
         .takes("blocking", Type.BOOL, Value.of(false))
+        .costs(POPUP_NS)
         .does(LogBuiltins::popup);
     builtins
         .declare("textmsg")
@@ -38,10 +45,15 @@ final class LogBuiltins {
         .needs("s1", Type.ANY)
         .takes("s2", Type.ANY, Value.of(""))
         .effect(Effect.TELLS)
+        .costs(LINE_NS)
         .does(LogBuiltins::textmsg);
   }
 
   private static Outcome popup(Call call) throws ScriptError {
+    return call.withText(text -> popup(call, text), 0);
+  }
+
+  private static Outcome popup(Call call, String text) throws ScriptError {
     Popup.Severity severity = Popup.Severity.MESSAGE;
     if (call.bool(3)) {
       severity = Popup.Severity.ERROR;
@@ -50,9 +62,7 @@ final class LogBuiltins {
     }
     PopupBoard board = call.box().popups();
     boolean blocking = call.bool(4);
-    Popup popup =
-        board.show(
-            call.box().clock().timeS(), call.text(1), call.value(0).text(), severity, blocking);
+    Popup popup = board.show(call.box().clock().timeS(), call.text(1), text, severity, blocking);
     if (!blocking) {
       return call.answer();
     }
@@ -72,8 +82,14 @@ final class LogBuiltins {
     }
   }
 
-  private static Outcome textmsg(Call call) {
-    call.box().log().script(call.value(0).text() + call.value(1).text());
-    return call.answer();
+  private static Outcome textmsg(Call call) throws ScriptError {
+    return call.withText(
+        text -> {
+          call.charge(text.length() / BYTES_A_NS);
+          call.box().log().script(text);
+          return call.answer();
+        },
+        0,
+        1);
   }
 }

@@ -25,6 +25,13 @@ final class NumberText {
               + "|(?<decimal>(?:[0-9]+(?<point>\\.[0-9]*)?|(?<bare>\\.[0-9]+))"
               + "(?:[eE][+-]?[0-9]+)?))");
 
+  private static final String INT = "an int, -2147483648 to 2147483647";
+
+  /** Hexadecimal digits of the largest int. */
+  private static final int MOST_DIGITS = 8;
+
+  private static final int NS_A_BYTE = 10;
+
   /** Characters of the string that a message shows. */
   private static final int LONGEST_SHOWN = 80;
 
@@ -32,6 +39,7 @@ final class NumberText {
 
   /** The number that argument 0 of {@code call} spells. */
   static Value parse(Call call) throws ScriptError {
+    call.charge(NS_A_BYTE * (long) call.text(0).length());
     Matcher text = NUMBER.matcher(call.text(0));
     if (!text.matches()) {
       throw notANumber(call);
@@ -56,7 +64,12 @@ final class NumberText {
   }
 
   private static Value hexadecimal(Call call, boolean negative, String digits) throws ScriptError {
-    BigInteger magnitude = new BigInteger(digits, 16);
+    String significant = digits.replaceFirst("^0+(?=.)", "");
+    if (significant.length() > MOST_DIGITS) {
+      // reading them would take time that grows with their square
+      throw outOfRange(call, INT);
+    }
+    BigInteger magnitude = new BigInteger(significant, 16);
     return integer(call, (negative ? magnitude.negate() : magnitude).doubleValue());
   }
 
@@ -71,7 +84,7 @@ final class NumberText {
 
   private static Value integer(Call call, double number) throws ScriptError {
     if (number != (int) number) {
-      throw outOfRange(call, "an int, -2147483648 to 2147483647");
+      throw outOfRange(call, INT);
     }
     return Value.of((int) number);
   }

@@ -86,7 +86,7 @@ final class SocketBuiltins {
         .needs("str", Type.ANY)
         .takes(SocketArguments.NAME, Type.STRING, SocketArguments.DEFAULT_NAME)
         .returns(Type.BOOL)
-        .does(call -> send(call, "socket_send_line", 1, bytes(call.value(0).text() + "\n")));
+        .does(call -> sendText(call, "socket_send_line", "\n"));
     builtins
         .declare("socket_send_string")
         .manual(SocketArguments.MODULE, "18.65")
@@ -97,7 +97,11 @@ final class SocketBuiltins {
         .needs("str", Type.ANY)
         .takes(SocketArguments.NAME, Type.STRING, SocketArguments.DEFAULT_NAME)
         .returns(Type.BOOL)
-        .does(call -> send(call, "socket_send_string", 1, bytes(call.value(0).text())));
+        .does(call -> sendText(call, "socket_send_string", ""));
+  }
+
+  private static Outcome sendText(Call call, String function, String end) throws ScriptError {
+    return call.withText(text -> send(call, function, 1, bytes(text + end)), 0);
   }
 
   private static Outcome open(Call call) throws ScriptError {
@@ -142,6 +146,7 @@ final class SocketBuiltins {
   private static Outcome send(Call call, String function, int index, byte... bytes)
       throws ScriptError {
     call.program().reachesOutside();
+    call.charge(bytes.length);
     return call.answer(
         SocketArguments.socket(call, function, index).filter(each -> each.send(bytes)).isPresent());
   }

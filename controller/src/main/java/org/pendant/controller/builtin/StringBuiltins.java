@@ -7,7 +7,6 @@ import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ListValue;
 import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.StringValue;
 import org.pendant.controller.value.Value;
 import org.pendant.controller.value.ValueText;
 import org.pendant.language.signature.Type;
@@ -18,6 +17,13 @@ final class StringBuiltins {
   /** Most characters of a string that these functions make (manual 16.57). */
   static final int MAX_LENGTH = 1023;
 
+  /** Characters that are made to tell how long a text would be. */
+  private static final int MOST_CONVERTED = 65_536;
+
+  private static final int CONVERTED_NS = 10;
+  private static final int NUMBER_NS = 300;
+  private static final int SEARCHED_NS = 6;
+  private static final int TEXT_NS = 10_000;
   private static final String MODULE = "internals";
 
   private StringBuiltins() {}
@@ -96,6 +102,7 @@ final class StringBuiltins {
         .needs("str", Type.STRING)
         .returns(Type.NUMBER)
         .effect(Effect.COMPUTES)
+        .costs(NUMBER_NS)
         .does(call -> call.answer(NumberText.parse(call)));
     builtins
         .declare("to_str")
@@ -111,6 +118,7 @@ final class StringBuiltins {
 
   /** {@code to_string} of a list, matrix or struct: never an error, shortened when too long. */
   static Outcome toStringMethod(Call call) {
+    call.charge(TEXT_NS);
     return call.answer(ValueText.shortened(call.value(0), MAX_LENGTH));
   }
 
@@ -126,7 +134,9 @@ final class StringBuiltins {
   private static Outcome find(Call call) throws ScriptError {
     int start = inBounds(call, 2, Integer.MAX_VALUE);
     String src = call.text(0);
-    return call.answerInt(start > src.length() ? -1 : src.indexOf(call.text(1), start));
+    String target = call.text(1);
+    call.charge(SEARCHED_NS * ((long) src.length() + target.length()));
+    return call.answerInt(start > src.length() ? -1 : StringSearch.find(src, target, start));
   }
 
   private static Outcome sub(Call call) throws ScriptError {
@@ -134,6 +144,7 @@ final class StringBuiltins {
     int index = inBounds(call, 1, src.length());
     int rest = src.length() - index;
     int length = call.given(2) ? Math.min(inBounds(call, 2, Integer.MAX_VALUE), rest) : rest;
+    call.charge(length / 8);
     return call.answer(src.substring(index, index + length));
   }
 
@@ -166,14 +177,19 @@ final class StringBuiltins {
       throw call.wrongKind(
           argument, "a string, bool, number, pose or a list of bools, numbers or poses");
     }
-    return value instanceof StringValue text ? text.bytes() : value.text();
+    String text = ValueText.start(value, MOST_CONVERTED);
+    call.charge(text.length() * (long) CONVERTED_NS);
+    return text;
   }
 
   private static Outcome answerLimited(Call call, String text) throws ScriptError {
     if (text.length() > MAX_LENGTH) {
       throw call.failure(
           "string-too-long",
-          "the result has " + text.length() + " characters, must have at most " + MAX_LENGTH);
+          "the result has "
+              + (text.length() > MOST_CONVERTED ? "more than " + MOST_CONVERTED : text.length())
+              + " characters, must have at most "
+              + MAX_LENGTH);
     }
     return call.answer(text);
   }

@@ -1,8 +1,10 @@
 package org.pendant.controller.call;
 
+import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ListValue;
+import org.pendant.controller.value.LongOperation;
 import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.NumberList;
 import org.pendant.controller.value.PoseValue;
@@ -28,6 +30,12 @@ public final class Call {
   /** Characters of a value that a message shows. */
   private static final int LONGEST_SHOWN = 80;
 
+  /** Most bytes of a text that is made of values for the log or the outside. */
+  public static final int LONGEST_TEXT = 4 << 20;
+
+  /** Bytes that are copied in a nanosecond, roughly. */
+  private static final int BYTES_A_NS = 8;
+
   private final ControlBox box;
   private final ProgramControl program;
   private final Registers registers;
@@ -35,6 +43,7 @@ public final class Call {
   private Builtin builtin;
   private int firstArgument;
   private int resultSlot;
+  private Optional<Value> prepared = Optional.empty();
 
   /** For the machine: calls whose values stand in {@code registers}. */
   public Call(ControlBox box, ProgramControl program, Registers registers, Work work) {
@@ -51,6 +60,40 @@ public final class Call {
     this.resultSlot = resultSlot;
     work.charge(builtin.costNs());
     return builtin.code().run(this);
+  }
+
+  /** For the machine: goes on with a call whose {@link Outcome.Begun operation} is done. */
+  public Outcome resume(Builtin builtin, int firstArgument, int resultSlot, Value result)
+      throws ScriptError {
+    prepared = Optional.of(result);
+    try {
+      return run(builtin, firstArgument, resultSlot);
+    } finally {
+      prepared = Optional.empty();
+    }
+  }
+
+  /** What is done with a text. */
+  public interface TextUse {
+    Outcome use(String bytes) throws ScriptError;
+  }
+
+  /**
+   * Answers what {@code use} does with the texts of arguments, one behind the other. Long ones take
+   * several frames; of more than {@link #LONGEST_TEXT} bytes only the beginning is made, a little
+   * longer than that.
+   */
+  public Outcome withText(TextUse use, int... arguments) throws ScriptError {
+    if (prepared.isPresent()) {
+      return use.use(prepared.get().text());
+    }
+    Value[] values = new Value[arguments.length];
+    for (int i = 0; i < values.length; i++) {
+      values[i] = value(arguments[i]);
+    }
+    LongOperation conversion = ValueText.begin(LONGEST_TEXT, values);
+    charge(conversion.advance());
+    return conversion.done() ? use.use(conversion.result().text()) : new Outcome.Begun(conversion);
   }
 
   public ControlBox box() {
@@ -131,6 +174,7 @@ public final class Call {
   /** A string, one {@code char} a byte. */
   public String text(int index) throws ScriptError {
     if (value(index) instanceof StringValue text) {
+      charge(text.readCost() / BYTES_A_NS);
       return text.bytes();
     }
     throw wrongKind(index, "a string");
@@ -171,6 +215,7 @@ public final class Call {
     if (value(index) instanceof NumberList list
         && list.elementKind().isNumber()
         && (length < 0 || list.length() == length)) {
+      charge(list.length());
       double[] numbers = new double[list.length()];
       for (int i = 0; i < numbers.length; i++) {
         numbers[i] = list.numberAt(i);
@@ -256,6 +301,16 @@ public final class Call {
 
   public Outcome answer(Joints joints) {
     return answer(NumberList.of(joints.toArray()));
+  }
+
+  /** Begins something that may take several frames. */
+  public interface Beginning {
+    LongOperation begin() throws ScriptError;
+  }
+
+  /** Answers with what comes out of something that may take several frames. */
+  public Outcome answerLater(Beginning beginning) throws ScriptError {
+    return prepared.isPresent() ? answer(prepared.get()) : new Outcome.Begun(beginning.begin());
   }
 
   /** Answers with {@code value}, which the caller then owns. */

@@ -3,6 +3,7 @@ package org.pendant.controller.call;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.pendant.controller.value.FloatValue;
 import org.pendant.controller.value.StringValue;
 import org.pendant.controller.value.Value;
@@ -25,7 +26,7 @@ public final class Declaration {
   private Type result = Type.NONE;
   private Unit resultUnit = Unit.NONE;
   private Effect effect = Effect.CHANGES;
-  private int costNs;
+  private OptionalInt costNs = OptionalInt.empty();
   private boolean changesReceiver;
   private boolean physicalTime;
   private boolean allowedInSecondary = true;
@@ -110,7 +111,7 @@ public final class Declaration {
    * @param ns of each call, on a usual computer, roughly
    */
   public Declaration costs(int ns) {
-    costNs = ns;
+    costNs = OptionalInt.of(ns);
     return this;
   }
 
@@ -156,9 +157,20 @@ public final class Declaration {
             documentation),
         defaults,
         effect,
-        costNs,
+        costNs.orElse(usualNs(effect)),
         changesReceiver,
         code);
+  }
+
+  /** What a builtin takes beside its call that does not say so itself. */
+  private static int usualNs(Effect effect) {
+    return switch (effect) {
+      case COMPUTES -> 20;
+      case ASKS -> 100;
+      case ASKS_GOAL, TELLS -> 1000;
+      case CHANGES -> 500;
+      case MOVES -> 3000;
+    };
   }
 
   private Declaration add(Parameter parameter, Optional<Value> defaultValue) {

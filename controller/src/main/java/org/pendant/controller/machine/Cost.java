@@ -40,6 +40,7 @@ final class Cost {
 
   private static final int ELEMENT_NS = 1;
   private static final int OBJECT_NS = 10;
+  private static final int MEMBER_NS = 40;
 
   private Cost() {}
 
@@ -73,9 +74,14 @@ final class Cost {
       case ListValue list
           when current instanceof ListValue old && old.capacity() != list.capacity() ->
           ELEMENT_NS * (old.capacity() + list.length());
-      case StructValue struct -> OBJECT_NS * struct.allMembers();
+      case StructValue struct -> MEMBER_NS * struct.allMembers();
       default -> 0;
     };
+  }
+
+  /** Looking whether {@code element} has the type that a part of a container must have. */
+  static int type(Value element) {
+    return element instanceof StructValue struct ? MEMBER_NS * struct.allMembers() : 0;
   }
 
   /** Computing that many elements. */

@@ -7,13 +7,8 @@ import org.pendant.controller.call.Builtin;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.call.ProgramControl;
 import org.pendant.controller.motion.Move;
-import org.pendant.controller.value.ListValue;
-import org.pendant.controller.value.MatrixValue;
-import org.pendant.controller.value.ObjectList;
 import org.pendant.controller.value.Registers;
 import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.StructValue;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 
 /**
@@ -27,7 +22,7 @@ import org.pendant.language.signature.Type;
  */
 final class Foresight {
   /** Computing time of a copy, in nanoseconds as {@link Cost} counts them. */
-  private static final int BUDGET = 20_000;
+  private static final int BUDGET_NS = 150_000;
 
   /** Moves that are foreseen at most. */
   private static final int MOST_MOVES = 24;
@@ -36,10 +31,13 @@ final class Foresight {
   private static final int MOST_LINES = 12;
 
   /** Registers of a program that is too large to copy for each blend. */
-  private static final int MOST_REGISTERS = 20_000;
+  private static final int MOST_REGISTERS = 8000;
 
-  /** Elements of lists and the like of a program that has too much data to copy for each blend. */
-  private static final int MOST_ELEMENTS = 20_000;
+  /**
+   * Bytes of the lists and the like of a program that has too much data for each blend: what the
+   * copy or the program changes later is copied in full.
+   */
+  private static final int MOST_BYTES = 400_000;
 
   private final ControlBox box;
   private ProgramRun known;
@@ -117,7 +115,7 @@ final class Foresight {
       Processor.Stop stop = side.processor().execute(worker);
       for (int i = 0; i < MOST_LINES && stop == Processor.Stop.INTERPRETED; i++) {
         boolean more = lines.next(side, worker);
-        worker.budget = BUDGET;
+        worker.budget = BUDGET_NS;
         stop = more ? side.processor().execute(worker) : Processor.Stop.ENDED;
       }
     } catch (ScriptError e) {
@@ -126,33 +124,14 @@ final class Foresight {
     return ahead.next;
   }
 
-  private static boolean tooMuchData(Registers registers) throws ScriptError {
-    int left = MOST_ELEMENTS;
-    for (int slot = 0; slot < registers.size() && left > 0; slot++) {
+  private static boolean tooMuchData(Registers registers) {
+    long bytes = 0;
+    for (int slot = 0; slot < registers.size() && bytes <= MOST_BYTES; slot++) {
       if (registers.tags()[slot] == Registers.OBJECT) {
-        left = less(left, registers.objects()[slot]);
+        bytes += registers.objects()[slot].sizeBytes();
       }
     }
-    return left <= 0;
-  }
-
-  /** What is left of a number of elements after those of {@code value}; below 0 ends early. */
-  private static int less(int left, Value value) throws ScriptError {
-    int rest = left - 1;
-    if (value instanceof MatrixValue matrix) {
-      rest -= matrix.rows() * matrix.columns();
-    } else if (value instanceof ListValue list) {
-      rest -= list.length();
-      boolean nested = list instanceof ObjectList;
-      for (int i = 0; nested && i < list.length() && rest > 0; i++) {
-        rest = less(rest, list.get(i));
-      }
-    } else if (value instanceof StructValue struct) {
-      for (int i = 0; i < struct.length() && rest > 0; i++) {
-        rest = less(rest, struct.memberAt(i));
-      }
-    }
-    return rest;
+    return bytes > MOST_BYTES;
   }
 
   private static ScriptThread copy(ScriptThread thread, Registers registers) {
@@ -163,7 +142,7 @@ final class Foresight {
     }
     copy.segmentStart = thread.segmentStart;
     copy.segmentEnd = thread.segmentEnd;
-    copy.budget = BUDGET;
+    copy.budget = BUDGET_NS;
     registers.tags()[thread.base() + thread.waitResult] = Registers.NONE;
     for (int slot = 0; slot < registers.size(); slot++) {
       if (registers.tags()[slot] == Registers.OBJECT) {

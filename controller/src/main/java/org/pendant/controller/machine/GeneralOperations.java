@@ -10,6 +10,7 @@ import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.LongOperation;
 import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.NoneValue;
+import org.pendant.controller.value.ObjectList;
 import org.pendant.controller.value.Operators;
 import org.pendant.controller.value.PoseValue;
 import org.pendant.controller.value.Registers;
@@ -216,11 +217,30 @@ final class GeneralOperations {
       work.take(result.sizeBytes());
       return Optional.of(result);
     }
+    suspend(thread, operation);
+    return Optional.empty();
+  }
+
+  private void suspend(ScriptThread thread, LongOperation operation) {
     if (thread.operation.isEmpty()) {
       operation.keep();
       thread.operation = Optional.of(operation);
     }
-    return Optional.empty();
+    work.take(operation.sizeBytes());
+  }
+
+  /** Goes on with an operation of a built-in while the slice lasts; whether it is done. */
+  boolean finish(ScriptThread thread, LongOperation operation) throws ScriptError {
+    thread.budget -= work.settleNs();
+    while (!operation.done() && thread.budget >= 0) {
+      thread.budget -= operation.advance();
+    }
+    if (operation.done()) {
+      thread.operation = Optional.empty();
+      return true;
+    }
+    suspend(thread, operation);
+    return false;
   }
 
   Stop negate(ScriptThread thread, long w, int base) throws ScriptError {
@@ -333,6 +353,7 @@ final class GeneralOperations {
     Value index = read(function, Instruction.b(w), base);
     Value element = read(function, Instruction.c(w), base);
     chargeChange(receiver);
+    work.charge(Cost.type(element));
     registers.set(
         Instruction.slot(Instruction.a(w), base), Operators.setIndex(receiver, index, element));
   }
@@ -379,6 +400,7 @@ final class GeneralOperations {
     String name = run.name(Instruction.index(Instruction.b(w)));
     Value value = read(function, Instruction.c(w), base);
     chargeChange(receiver);
+    work.charge(Cost.type(value));
     registers.set(
         Instruction.slot(Instruction.a(w), base), Operators.setMember(receiver, name, value));
   }
@@ -402,6 +424,9 @@ final class GeneralOperations {
     } else {
       list = Operators.listLiteral(values(first, count));
       work.take(list.sizeBytes());
+      if (list instanceof ObjectList objects) {
+        work.charge(count * (long) Cost.type(objects.sample()));
+      }
     }
     work.charge(count * (long) Cost.GENERAL_NS);
     registers.set(target, list);

@@ -1,21 +1,37 @@
 package org.pendant.controller.machine;
 
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 
 /**
  * Finds the functions of one run that are worth a translation, and has them translated without
- * holding up the frame.
+ * holding up the frame. A function that cannot be translated is interpreted.
  */
 final class HotFunctions {
   /** Calls and turns after which a function is translated: a fraction of a millisecond's work. */
   private static final int HOT = 5000;
 
+  /** Makes the translated form of a function. */
+  interface Translating {
+    Optional<TranslatedCode> translate(ScriptFunction function, Program.Tables tables);
+  }
+
   private final Translation when;
   private final Program.Tables tables;
+  private final Translating translator;
+
+  /** A fault of the translator that nobody was told of. */
+  private final AtomicReference<Throwable> fault = new AtomicReference<>();
 
   HotFunctions(Translation when, Program.Tables tables) {
+    this(when, tables, Translator::translate);
+  }
+
+  /** With another translator, for tests. */
+  HotFunctions(Translation when, Program.Tables tables, Translating translator) {
     this.when = when;
     this.tables = tables;
+    this.translator = translator;
   }
 
   /** The code to run {@code function} with; null when it has to be interpreted. */
@@ -42,11 +58,23 @@ final class HotFunctions {
     return translated(function);
   }
 
+  /** A fault that a translation ended with since the last call of this. */
+  Optional<Throwable> takeFault() {
+    // looked at in every frame: reading alone is cheap
+    return fault.get() == null ? Optional.empty() : Optional.of(fault.getAndSet(null));
+  }
+
   private void translate(ScriptFunction function) {
-    if (!function.untranslatable) {
-      Optional<TranslatedCode> code = Translator.translate(function, tables);
+    if (function.untranslatable) {
+      return;
+    }
+    try {
+      Optional<TranslatedCode> code = translator.translate(function, tables);
       function.untranslatable = code.isEmpty();
       code.ifPresent(function::install);
+    } catch (RuntimeException | LinkageError | StackOverflowError e) {
+      function.untranslatable = true;
+      fault.set(e);
     }
   }
 }

@@ -10,6 +10,7 @@ import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.call.ProgramControl;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.motion.Move;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 import org.pendant.language.source.Source;
@@ -39,6 +40,10 @@ public final class Machine {
   private String programName = "";
   private Sentry sentry = Sentry.NONE;
   private boolean held;
+
+  /** A fault of ours that the program went on after is in the log. */
+  private boolean faultTold;
+
   private Optional<ScriptFailure> failure = Optional.empty();
   private Optional<LogEntry.Place> failurePlace = Optional.empty();
   private Optional<ProgramRun> underWayBeside = Optional.empty();
@@ -89,6 +94,7 @@ public final class Machine {
     ending = Optional.empty();
     pausing = false;
     arriving = false;
+    faultTold = false;
     state = ProgramState.RUNNING;
     events.add(new ProgramEvent.Started(programName, program.labels()));
     sentry.programStarted();
@@ -168,6 +174,7 @@ public final class Machine {
     } catch (ThreadFailure thrown) {
       fail(thrown.thread(), ProgramFailure.of(thrown.thread(), thrown.error()));
     }
+    running.takeFault().ifPresent(fault -> tellOnce("translating a function", fault));
     if (!held && state == ProgramState.RUNNING) {
       lookAhead(running);
       pauseWhenPossible();
@@ -298,8 +305,27 @@ public final class Machine {
     }
     for (ScriptThread thread : running.threads()) {
       if (thread.state == ScriptThread.State.WAITING && thread.wait.wantsOutlook()) {
-        thread.wait.outlook(foresight.after(running, thread, interpreter));
+        thread.wait.outlook(ahead(running, thread));
       }
+    }
+  }
+
+  /** The moves that are known to come; none when looking for them fails, which does no harm. */
+  private List<Move> ahead(ProgramRun running, ScriptThread thread) {
+    try {
+      return foresight.after(running, thread, interpreter);
+    } catch (RuntimeException | StackOverflowError e) {
+      tellOnce("looking ahead for moves", e);
+      return List.of();
+    }
+  }
+
+  /** Logs our own mistake, once a program: what failed only makes it faster or smoother. */
+  private void tellOnce(String during, Throwable fault) {
+    if (!faultTold) {
+      faultTold = true;
+      box.log().warning("the program goes on after an internal error while " + during + ":");
+      box.log().internalError(fault);
     }
   }
 

@@ -3,6 +3,7 @@ package org.pendant.controller.machine;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.Set;
+import org.pendant.controller.value.LongOperation;
 import org.pendant.controller.value.Registers;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
@@ -42,16 +43,16 @@ final class ProgramMemory {
   /**
    * There are values of {@code bytes} more.
    *
-   * @param registers where all values of the program are
+   * @param run where all values of the program are
    * @return how many registers were looked at
    * @throws ScriptError when all values together take more than the limit
    */
-  int took(long bytes, Registers registers) throws ScriptError {
+  int took(long bytes, ProgramRun run) throws ScriptError {
     untilCount -= bytes;
     if (untilCount > 0) {
       return 0;
     }
-    long live = count(registers);
+    long live = count(run);
     if (live > limitBytes) {
       throw new ScriptError(
           "out-of-memory",
@@ -62,14 +63,15 @@ final class ProgramMemory {
               + " MB");
     }
     untilCount = Math.max(limitBytes - live, limitBytes / SHARE_BETWEEN_COUNTS);
-    return registers.size();
+    return run.registers().size();
   }
 
   private static String megabytes(long bytes) {
     return Long.toString((long) Math.ceil(bytes / BYTES_A_MB));
   }
 
-  private static long count(Registers registers) {
+  private static long count(ProgramRun run) {
+    Registers registers = run.registers();
     long bytes = (long) REGISTER_BYTES * registers.size();
     // a temporary and a variable may hold the same value
     Set<Value> large = Collections.newSetFromMap(new IdentityHashMap<>());
@@ -80,6 +82,9 @@ final class ProgramMemory {
         long size = object.sizeBytes();
         bytes += size < LARGE_BYTES || large.add(object) ? size : 0;
       }
+    }
+    for (ScriptThread thread : run.threads()) {
+      bytes += thread.operation.map(LongOperation::sizeBytes).orElse(0L);
     }
     return bytes;
   }

@@ -41,6 +41,7 @@ final class ProgramRun {
   private final Methods methods;
   private final Work work = new Work();
   private final ProgramMemory memory;
+  private final HotFunctions hot;
   private final Processor processor;
   private final Scheduler scheduler;
   private final Sentry sentry;
@@ -74,11 +75,8 @@ final class ProgramRun {
     methods = new Methods(builtins);
     link(program.tables());
     fill(0, tables.staticNames(), tables.staticValues(), 0);
-    processor =
-        new Processor(
-            this,
-            new Call(box, control, registers, work),
-            new HotFunctions(translation, program.tables()));
+    hot = new HotFunctions(translation, program.tables());
+    processor = new Processor(this, new Call(box, control, registers, work), hot);
     scheduler = new Scheduler(this, processor, nextLine, sentry, limits.slices());
     startFunction(-1, functions[0]);
   }
@@ -94,11 +92,8 @@ final class ProgramRun {
     segments = new RegisterSegments(registers, registers.size());
     methods = original.methods;
     link(linked);
-    processor =
-        new Processor(
-            this,
-            new Call(box, control, registers, work),
-            new HotFunctions(Translation.NEVER, linked));
+    hot = new HotFunctions(Translation.NEVER, linked);
+    processor = new Processor(this, new Call(box, control, registers, work), hot);
     scheduler = new Scheduler(this, processor, thread -> false, sentry, Slices.NONE);
   }
 
@@ -165,6 +160,11 @@ final class ProgramRun {
 
   Processor processor() {
     return processor;
+  }
+
+  /** A fault that a translation ended with since the last call of this; it does no harm. */
+  Optional<Throwable> takeFault() {
+    return hot.takeFault();
   }
 
   /** What counts the work that is done. */

@@ -178,7 +178,8 @@ final class Scheduler {
       wakingLeftNs -= before - thread.budget;
     }
     FrameResult result = followed(thread, stop);
-    if (thread.budget < 0) {
+    // what is held goes on as if nothing had been
+    if (thread.budget < 0 && result != FrameResult.HELD) {
       usedUp |= thread.budget < -OVERDRAFT_NS;
       thread.debtNs = -thread.budget;
       thread.budget = 0;

@@ -1,11 +1,13 @@
 package org.pendant.controller.machine;
 
+import java.util.Optional;
 import org.pendant.controller.call.Builtin;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.call.Wait;
 import org.pendant.controller.call.Work;
 import org.pendant.controller.machine.Processor.Stop;
+import org.pendant.controller.value.LongOperation;
 import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.Registers;
 import org.pendant.controller.value.ScriptError;
@@ -98,7 +100,7 @@ final class SlowPath {
   /** Takes what has been done off the thread's slice and counts the values that are new. */
   private void settle(ScriptThread thread) throws ScriptError {
     if (work.tookBytes()) {
-      work.charge(run.memory().took(work.settleBytes(), registers));
+      work.charge(run.memory().took(work.settleBytes(), run));
     }
     thread.budget -= work.settleNs();
   }
@@ -237,7 +239,21 @@ final class SlowPath {
     int base = thread.bases[thread.depth - 1];
     int slot = Instruction.index(result);
     work.charge(Cost.BUILTIN_NS);
-    Outcome outcome = call.run(builtin, first, base + slot);
+    Optional<LongOperation> begun = thread.operation;
+    Outcome outcome = Outcome.Answered.ANSWERED;
+    if (begun.isEmpty()) {
+      outcome = call.run(builtin, first, base + slot);
+      begun =
+          outcome instanceof Outcome.Begun something
+              ? Optional.of(something.operation())
+              : Optional.empty();
+    }
+    if (begun.isPresent()) {
+      if (!general.finish(thread, begun.get())) {
+        return Stop.EXHAUSTED;
+      }
+      outcome = call.resume(builtin, first, base + slot, begun.get().result());
+    }
     if (outcome instanceof Wait wait) {
       thread.wait = wait;
       thread.waitResult = slot;

@@ -115,4 +115,9 @@ final class Combination implements LongOperation {
     a = elements(left.copy());
     b = elements(right.copy());
   }
+
+  @Override
+  public long sizeBytes() {
+    return left.sizeBytes() + right.sizeBytes() + (long) Double.BYTES * result.length;
+  }
 }

@@ -165,4 +165,9 @@ final class Comparison implements LongOperation {
     left.copy();
     right.copy();
   }
+
+  @Override
+  public long sizeBytes() {
+    return left.sizeBytes() + right.sizeBytes();
+  }
 }

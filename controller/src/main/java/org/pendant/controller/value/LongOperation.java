@@ -12,7 +12,7 @@ public interface LongOperation {
   /**
    * Computes the next piece.
    *
-   * @return how many elements it had
+   * @return how many elements it had, or how many it would have had that take as long
    * @throws ScriptError when the elements cannot be combined
    */
   int advance() throws ScriptError;
@@ -25,6 +25,9 @@ public interface LongOperation {
 
   /** Has what it works on copied before somebody changes it. */
   void keep();
+
+  /** What it works on and has made so far, see {@link Value#sizeBytes}. */
+  long sizeBytes();
 
   /** Computes all pieces at once. */
   static Value finish(LongOperation operation) throws ScriptError {

@@ -89,4 +89,9 @@ final class MatrixProduct implements LongOperation {
           default -> b;
         };
   }
+
+  @Override
+  public long sizeBytes() {
+    return left.sizeBytes() + right.sizeBytes() + (long) Double.BYTES * result.length;
+  }
 }

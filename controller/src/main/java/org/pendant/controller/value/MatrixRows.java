@@ -46,4 +46,9 @@ final class MatrixRows implements LongOperation {
       rows[i] = rows[i].copy();
     }
   }
+
+  @Override
+  public long sizeBytes() {
+    return 2L * Double.BYTES * elements.length;
+  }
 }

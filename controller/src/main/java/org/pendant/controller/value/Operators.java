@@ -208,6 +208,16 @@ public final class Operators {
     return Assignment.assign(current, incoming);
   }
 
+  /** Begins the inverse of a square matrix, whose result fails if there is none. */
+  public static LongOperation beginInverse(MatrixValue matrix) {
+    return new MatrixInverse(matrix);
+  }
+
+  /** Begins the matrix whose rows are the columns of {@code matrix}. */
+  public static LongOperation beginTranspose(MatrixValue matrix) {
+    return new MatrixTranspose(matrix);
+  }
+
   private static boolean logical(BinaryOperator operator, Value left, Value right)
       throws ScriptError {
     boolean a = truth(operator.text(), left);

@@ -40,6 +40,11 @@ public final class StringValue implements Value {
     return bytes;
   }
 
+  /** How many bytes have to be copied before they can be looked at. */
+  public int readCost() {
+    return bytes.length() == length ? 0 : length;
+  }
+
   /** How many bytes it has. */
   public int length() {
     return length;

@@ -16,6 +16,9 @@ public final class ValueText {
   private static final int DECIMALS = 6;
   private static final double SCALE = 1e6;
   private static final long SCALE_LONG = 1_000_000;
+  private static final int WHOLE_NS = 12;
+  private static final int FRACTION_NS = 35;
+  private static final int EXACT_NS = 1500;
 
   /** Below this magnitude a scaled value is so precise that most roundings can be decided on it. */
   private static final double FAST_LIMIT = 1e9;
@@ -40,9 +43,28 @@ public final class ValueText {
     if (value == NoneValue.NONE) {
       return "None";
     }
-    StringBuilder text = new StringBuilder();
-    append(text, value);
-    return text.toString();
+    return start(value, Integer.MAX_VALUE - 1);
+  }
+
+  /**
+   * The beginning of the text of {@code value}: all of it, or a few more than {@code limit}
+   * characters.
+   */
+  public static String start(Value value, int limit) {
+    TextConversion conversion = new TextConversion(limit, value);
+    while (!conversion.done()) {
+      conversion.advance();
+    }
+    return conversion.result().bytes();
+  }
+
+  /**
+   * Begins the texts of {@code values}, one behind the other; the result is a string.
+   *
+   * @param limit how many characters are enough; there may be a few more
+   */
+  public static LongOperation begin(int limit, Value... values) {
+    return new TextConversion(limit, values.clone());
   }
 
   /**
@@ -50,11 +72,21 @@ public final class ValueText {
    * {@code ...} before the closing bracket (manual 4.3).
    */
   public static String shortened(Value value, int limit) {
-    String text = of(value);
-    if (text.length() <= limit) {
-      return text;
-    }
-    return text.substring(0, limit - 4) + "..." + text.charAt(text.length() - 1);
+    String text = start(value, limit);
+    return text.length() <= limit ? text : text.substring(0, limit - 4) + "..." + last(value, text);
+  }
+
+  /** The last character of the text of {@code value}, which begins as {@code start} does. */
+  private static char last(Value value, String start) {
+    return switch (value.kind()) {
+      case LIST, MATRIX, POSE -> ']';
+      case STRUCT -> '}';
+      case STRING -> {
+        String bytes = ((StringValue) value).bytes();
+        yield bytes.charAt(bytes.length() - 1);
+      }
+      case NONE, BOOL, INT, FLOAT, HANDLE -> start.charAt(start.length() - 1);
+    };
   }
 
   /** The text of a float. */
@@ -64,91 +96,19 @@ public final class ValueText {
     return text.toString();
   }
 
-  private static String bool(boolean value) {
+  static String bool(boolean value) {
     return value ? "True" : "False";
   }
 
-  private static void append(StringBuilder text, Value value) {
-    switch (value) {
-      case IntValue i -> text.append(i.value());
-      case FloatValue f -> appendNumber(text, f.value());
-      case BoolValue b -> text.append(bool(b.value()));
-      case StringValue s -> text.append('"').append(s.bytes()).append('"');
-      case NoneValue none -> text.append("None");
-      case PoseValue pose -> {
-        text.append('p');
-        appendNumbers(text, pose.pose().toArray(), 0, 6, Kind.FLOAT);
-      }
-      case NumberList list ->
-          appendNumbers(text, list.elements(), 0, list.length(), list.elementKind());
-      case ObjectList list -> appendObjects(text, list);
-      case MatrixValue matrix -> appendMatrix(text, matrix);
-      case StructValue struct -> appendStruct(text, struct);
-      case HandleValue handle -> {
-        text.append(handle.type().text()).append(' ').append(handle.id());
-        if (!handle.path().isEmpty()) {
-          text.append('.').append(handle.path());
-        }
-      }
-    }
-  }
-
-  private static void appendNumbers(
-      StringBuilder text, double[] numbers, int from, int to, Kind kind) {
-    text.append('[');
-    for (int i = from; i < to; i++) {
-      if (i > from) {
-        text.append(", ");
-      }
-      if (kind == Kind.BOOL) {
-        text.append(bool(numbers[i] != 0));
-      } else {
-        appendNumber(text, numbers[i]);
-      }
-    }
-    text.append(']');
-  }
-
-  private static void appendObjects(StringBuilder text, ObjectList list) {
-    text.append('[');
-    for (int i = 0; i < list.length(); i++) {
-      if (i > 0) {
-        text.append(", ");
-      }
-      append(text, list.objectAt(i));
-    }
-    text.append(']');
-  }
-
-  private static void appendMatrix(StringBuilder text, MatrixValue matrix) {
-    text.append('[');
-    int columns = matrix.columns();
-    for (int row = 0; row < matrix.rows(); row++) {
-      if (row > 0) {
-        text.append(", ");
-      }
-      appendNumbers(
-          text, matrix.elements(), row * columns, (row + 1) * columns, matrix.elementKind());
-    }
-    text.append(']');
-  }
-
-  private static void appendStruct(StringBuilder text, StructValue struct) {
-    text.append('{');
-    for (int i = 0; i < struct.length(); i++) {
-      if (i > 0) {
-        text.append(", ");
-      }
-      text.append(struct.names().get(i)).append(" = ");
-      append(text, struct.memberAt(i));
-    }
-    text.append('}');
-  }
-
-  private static void appendNumber(StringBuilder text, double number) {
+  /**
+   * Adds the text of a float.
+   *
+   * @return how long that takes, in nanoseconds, roughly
+   */
+  static int appendNumber(StringBuilder text, double number) {
     if (number == (long) number && Math.abs(number) < FAST_LIMIT) {
       text.append((long) number);
-      return;
+      return WHOLE_NS;
     }
     double scaled = Math.abs(number) * SCALE;
     double fraction = scaled - Math.floor(scaled);
@@ -156,13 +116,16 @@ public final class ValueText {
     // that can the exact value round the other way
     if (Math.abs(number) < FAST_LIMIT && Math.abs(fraction - 0.5) > Math.ulp(scaled)) {
       appendScaled(text, number < 0, (long) Math.rint(scaled));
-    } else if (Double.isNaN(number)) {
+      return FRACTION_NS;
+    }
+    if (Double.isNaN(number)) {
       text.append("nan");
     } else if (Double.isInfinite(number)) {
       text.append(number < 0 ? "-inf" : "inf");
     } else {
       appendExact(text, number);
     }
+    return EXACT_NS;
   }
 
   private static void appendScaled(StringBuilder text, boolean negative, long scaled) {

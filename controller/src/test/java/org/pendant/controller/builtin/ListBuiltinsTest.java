@@ -77,7 +77,7 @@ class ListBuiltinsTest {
   void everyElementOfAMadeListIsItsOwn() throws ScriptError {
     StructValue initial = struct("n", 1);
     ListValue list = listOf("make_list", 2, initial, 3);
-    ((StructValue) list.get(0)).set("n", Value.of(9));
+    ((StructValue) list.open(0)).set("n", Value.of(9));
     assertEquals("[{n = 9}, {n = 1}]", list.text());
     assertEquals(struct("n", 1), initial);
   }
