@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 
 /** A translation that fails does no harm, and is told of. */
 class HotFunctionsTest {
-  private static final IllegalStateException FAULT = new IllegalStateException("no such tag");
+  private final IllegalStateException fault = new IllegalStateException("no such tag");
 
   private final Program program = new MachineFixture().compile("def prog():", "  x = 1", "end");
   private final ScriptFunction function = program.tables().functions().getFirst();
@@ -21,10 +21,10 @@ class HotFunctionsTest {
             Translation.ALWAYS,
             program.tables(),
             (function, tables) -> {
-              throw FAULT;
+              throw fault;
             });
     assertFalse(hot.translated(function));
-    assertEquals(Optional.of(FAULT), hot.takeFault());
+    assertEquals(Optional.of(fault), hot.takeFault());
     assertFalse(hot.translated(function));
     assertEquals(Optional.empty(), hot.takeFault(), "it is tried once, and told once");
   }

@@ -17,6 +17,7 @@ import java.util.TreeSet;
 import java.util.UUID;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
+import org.pendant.controller.disk.AtomicFile;
 
 /**
  * Which files the windows of a user have open: each window says so in a file of its own, in a
