@@ -27,9 +27,12 @@ import org.pendant.controller.program.text.ProgramText;
 import org.pendant.controller.program.text.ReadProgram;
 import org.pendant.gui.session.RecoveryFolder;
 
-/** Processes that are killed while somebody edits program trees in them. */
+/**
+ * Processes that are killed while somebody edits program trees in them; {@code -Dtest.kills=47} or
+ * more for a thorough run.
+ */
 final class KilledWhileEditingTest {
-  private static final int KILLS = 47;
+  private static final int KILLS = Integer.getInteger("test.kills", 16);
   private static final int AT_ONCE = 8;
   private static final long SEED = 20_261_122;
   private static final long LONGEST_MS = 6_500;
