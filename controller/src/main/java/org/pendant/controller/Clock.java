@@ -21,4 +21,13 @@ public sealed interface Clock permits SteerableClock, VirtualClock, WallClock {
    * @throws InterruptedException if the thread is interrupted meanwhile
    */
   void awaitFrame(BooleanSupplier waitsForOutside) throws InterruptedException;
+
+  /** Time has stood still on purpose: the next frame is due whenever it comes. */
+  void startAfresh();
+
+  /**
+   * By how much robot time has fallen behind the wall since the start, as frames came too late to
+   * be caught up, ns; 0 for a clock that does not follow the wall.
+   */
+  long lostNs();
 }

@@ -227,6 +227,13 @@ public sealed interface Command {
   /** Ends the move that the main thread waits for early (manual 13.5). */
   record AbortMove() implements Command {}
 
+  /**
+   * The computer could not keep up: robot time has fallen behind the wall clock.
+   *
+   * @param behindS by how much since the controller was switched on, s
+   */
+  record NoteLostTime(double behindS) implements Command {}
+
   /** Asks what interpreter mode is at; the answer is a {@link Reply.InterpreterState}. */
   record AskInterpreter() implements Command {}
 

@@ -281,6 +281,7 @@ final class CommandDesk {
             granted(
                 hand.declarePayload(
                     declare.massKg(), declare.cogInFlangeM(), declare.inertiaKgM2()));
+        case Command.NoteLostTime lost -> done(() -> box.noteLostTime(lost.behindS()));
         case Command.WriteLog write -> done(() -> box.log().protocol(write.level(), write.text()));
       };
     } catch (IllegalArgumentException e) {

@@ -3,21 +3,27 @@ package org.pendant.controller;
 import java.util.concurrent.TimeUnit;
 
 /**
- * When frames are due, and how late they were. A late frame does not delay those after it, unless
- * it is so late (a computer that slept) that the deadlines start afresh.
+ * When frames are due, and how late they were. Frames after a late one follow each other twice as
+ * fast until the delay is caught up, unless it is so long (a computer that slept) that it is
+ * dropped: robot time has lost it then.
  */
 final class Deadlines {
   /** Delay in ns beyond which the deadlines start afresh. */
   private static final long GIVE_UP_NS = TimeUnit.MILLISECONDS.toNanos(200);
+
+  /** How much faster frames follow each other while a delay is caught up. */
+  private static final int CATCHING_UP = 2;
 
   /** A frame that starts at most this much (ns) after its deadline is on time. */
   private static final long ON_TIME_NS = TimeUnit.MILLISECONDS.toNanos(1);
 
   private boolean started;
   private long dueNs;
+  private long earliestNs;
   private long frames;
   private long lateFrames;
   private long worstNs;
+  private volatile long lostNs;
   private volatile WallClock.Lateness lateness = new WallClock.Lateness(0, 0, 0);
 
   /** The next frame is due whenever it comes. */
@@ -30,8 +36,9 @@ final class Deadlines {
     if (!started) {
       started = true;
       dueNs = nowNs;
+      earliestNs = nowNs;
     }
-    return dueNs - nowNs;
+    return Math.max(dueNs, earliestNs) - nowNs;
   }
 
   /** A frame that lasts {@code frameNs} begins. */
@@ -43,7 +50,18 @@ final class Deadlines {
     }
     worstNs = Math.max(worstNs, lateNs);
     lateness = new WallClock.Lateness(frames, lateFrames, worstNs);
-    dueNs = lateNs > GIVE_UP_NS ? nowNs + frameNs : dueNs + frameNs;
+    earliestNs = nowNs + frameNs / CATCHING_UP;
+    if (lateNs > GIVE_UP_NS) {
+      lostNs += lateNs;
+      dueNs = nowNs + frameNs;
+    } else {
+      dueNs += frameNs;
+    }
+  }
+
+  /** What was dropped so far, ns; any thread. */
+  long lostNs() {
+    return lostNs;
   }
 
   /** How punctual the frames were so far; any thread. */

@@ -438,6 +438,7 @@ final class Frame {
         box.clock().frame(),
         box.clock().timeS(),
         box.clock().inRealTime() ? NS * (System.nanoTime() - beganNs) : 0,
+        box.clock().behindS(),
         arm,
         readings,
         new ArmGeometry(arm, readings),

@@ -7,10 +7,13 @@ public final class FrameLoop implements AutoCloseable {
   /** How often a held frame looks for commands, ms. */
   private static final long HELD_MS = 2;
 
+  private static final double NS = 1e-9;
+
   private final Controller controller;
   private final Clock clock;
   private final Runnable afterEach;
   private final Thread thread;
+  private long toldLostNs;
   private volatile boolean closing;
   private volatile Optional<Throwable> failure = Optional.empty();
 
@@ -41,11 +44,13 @@ public final class FrameLoop implements AutoCloseable {
     try {
       while (!closing) {
         clock.awaitFrame(controller::waitsForOutside);
+        tellLost();
         controller.advance();
         afterEach.run();
         if (controller.state().debug().held()) {
           // time stands still; only commands are waited for
           Thread.sleep(HELD_MS);
+          clock.startAfresh();
         }
       }
     } catch (InterruptedException e) {
@@ -53,6 +58,14 @@ public final class FrameLoop implements AutoCloseable {
       Thread.currentThread().interrupt();
     } catch (RuntimeException | Error e) {
       failure = Optional.of(e);
+    }
+  }
+
+  /** As a command, so that a run that is repeated hears of it at the same place. */
+  private void tellLost() {
+    if (clock.lostNs() != toldLostNs) {
+      toldLostNs = clock.lostNs();
+      var _ = controller.submit(new Command.NoteLostTime(NS * toldLostNs));
     }
   }
 

@@ -122,6 +122,16 @@ public final class SteerableClock implements Clock {
     return true;
   }
 
+  @Override
+  public void startAfresh() {
+    deadlines.startAfresh();
+  }
+
+  @Override
+  public long lostNs() {
+    return deadlines.lostNs();
+  }
+
   /** How punctual the frames were at paces that are a multiple of real time; any thread. */
   public WallClock.Lateness lateness() {
     return deadlines.lateness();

@@ -40,6 +40,16 @@ public final class VirtualClock implements Clock {
     }
   }
 
+  @Override
+  public void startAfresh() {
+    deadlines.startAfresh();
+  }
+
+  @Override
+  public long lostNs() {
+    return 0;
+  }
+
   private void awaitDeadline() throws InterruptedException {
     long nowNs = nanoTime.getAsLong();
     for (long waitNs = deadlines.waitNs(nowNs); waitNs > 0; waitNs = deadlines.waitNs(nowNs)) {

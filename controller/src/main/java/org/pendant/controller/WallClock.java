@@ -6,8 +6,8 @@ import java.util.function.LongSupplier;
 import org.pendant.controller.motion.FrameTime;
 
 /**
- * A frame every 2 ms of real time, or faster or slower by a factor. Frames that come late are
- * caught up without a wait, unless the delay is so long (a computer that slept) that it is dropped.
+ * A frame every 2 ms of real time, or faster or slower by a factor. A delay is caught up at twice
+ * the pace, unless it is so long (a computer that slept) that it is dropped.
  */
 public final class WallClock implements Clock {
   private static final long REAL_FRAME_NS = Math.round(FrameTime.FRAME_S * 1e9);
@@ -56,6 +56,16 @@ public final class WallClock implements Clock {
     }
     boolean slowed = frameNs < REAL_FRAME_NS && waitsForOutside.getAsBoolean();
     deadlines.begin(nowNs, slowed ? REAL_FRAME_NS : frameNs);
+  }
+
+  @Override
+  public void startAfresh() {
+    deadlines.startAfresh();
+  }
+
+  @Override
+  public long lostNs() {
+    return deadlines.lostNs();
   }
 
   /** How punctual the frames were so far; any thread. */

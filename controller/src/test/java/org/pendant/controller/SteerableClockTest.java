@@ -40,6 +40,19 @@ final class SteerableClockTest {
   }
 
   @Test
+  void aDelayIsCaughtUpAtTwiceThePace() throws InterruptedException {
+    SteerableClock clock = clock(Pace.REAL_TIME);
+    await(clock, 1);
+    nowNs += 50 * FRAME_NS;
+    long backNs = nowNs;
+    await(clock, 49);
+    assertEquals(48 * FRAME_NS / 2, nowNs - backNs);
+    await(clock, 51);
+    assertEquals(1_000 + 100 * FRAME_NS, nowNs);
+    assertEquals(0, clock.lostNs());
+  }
+
+  @Test
   void aFactorShortensTheFrames() throws InterruptedException {
     SteerableClock clock = clock(new Pace.Times(4));
     await(clock, 401);

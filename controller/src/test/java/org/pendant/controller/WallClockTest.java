@@ -14,9 +14,12 @@ final class WallClockTest {
     clock.awaitFrame();
     nowNs += 7_000_000;
     clock.awaitFrame(); // was due at 2 ms
+    nowNs += 1_000_000;
     clock.awaitFrame(); // was due at 4 ms
+    nowNs += 1_000_000;
     clock.awaitFrame(); // was due at 6 ms
-    assertEquals(new WallClock.Lateness(4, 2, 5_000_000), clock.lateness());
+    assertEquals(new WallClock.Lateness(4, 3, 5_000_000), clock.lateness());
+    assertEquals(0, clock.lostNs());
   }
 
   @Test
@@ -28,6 +31,7 @@ final class WallClockTest {
     nowNs += 2_000_000;
     clock.awaitFrame(); // on time again
     assertEquals(new WallClock.Lateness(3, 1, 4_998_000_000L), clock.lateness());
+    assertEquals(4_998_000_000L, clock.lostNs());
   }
 
   @Test

@@ -15,6 +15,8 @@ public final class BoxClock {
   private final Optional<InstantSource> wall;
   private final Repeatability repeatability = new Repeatability(this);
   private long frame;
+  private double behindS;
+  private double nextToldS;
 
   /** A clock whose date comes from {@code wall}, or without one from the frames. */
   BoxClock(Optional<InstantSource> wall) {
@@ -44,6 +46,26 @@ public final class BoxClock {
   public Instant systemTime() {
     repeatability.loseInRealTime("a program asked for the date");
     return wall.isPresent() ? wall.get().instant() : VIRTUAL_START.plusNanos(timeNs());
+  }
+
+  /** By how much robot time has fallen behind the wall clock, s; 0 in virtual time. */
+  public double behindS() {
+    return behindS;
+  }
+
+  /**
+   * Robot time has fallen behind the wall clock.
+   *
+   * @param behindS by how much since the box was switched on, s
+   * @return whether that is worth a word: at first, and when it has doubled or grown by a second
+   */
+  boolean fellBehind(double behindS) {
+    this.behindS = behindS;
+    boolean told = behindS >= nextToldS;
+    if (told) {
+      nextToldS = Math.max(2 * behindS, behindS + 1);
+    }
+    return told;
   }
 
   /** Whether the frames up to now can run once more with the same outcome. */

@@ -1,5 +1,6 @@
 package org.pendant.controller.box;
 
+import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import org.pendant.controller.arm.ArmSupply;
@@ -288,6 +289,21 @@ public final class ControlBox {
   /** Motions that a program queues, and toolpaths. */
   public Toolpaths toolpaths() {
     return toolpaths;
+  }
+
+  /**
+   * The computer could not keep up.
+   *
+   * @param behindS by how much robot time has fallen behind the wall clock, s
+   */
+  public void noteLostTime(double behindS) {
+    if (clock.fellBehind(behindS)) {
+      log.warning(
+          String.format(
+              Locale.ROOT,
+              "robot time is %.2f s behind the wall clock: this computer could not keep up",
+              behindS));
+    }
   }
 
   /** Where the program that runs, or ran last, may read files. */

@@ -55,6 +55,7 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
         frame,
         frame / (double) FrameTime.FRAMES_PER_SECOND,
         at.number(NumberGroup.AMBIENT, 10),
+        0,
         armState,
         readings,
         new ArmGeometry(armState, readings),

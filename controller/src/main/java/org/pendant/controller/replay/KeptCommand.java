@@ -55,6 +55,7 @@ record KeptCommand(Command command, int bytes) {
           Command.RunEncoder _,
           Command.SetSpeedFraction _,
           Command.AnswerPopup _,
+          Command.NoteLostTime _,
           Command.AnswerQuestion _,
           Command.CancelQuestion _,
           Command.SkipInterpreted _,

@@ -25,6 +25,8 @@ import org.pendant.controller.variables.VariableSamples;
  * @param frame number of the frame, 0 before the first
  * @param timeS controller time at its end, s
  * @param executionTimeS how long the computer worked at this frame, s; 0 in virtual time
+ * @param behindS by how much robot time has fallen behind the wall clock since the controller was
+ *     switched on, s: delays that the computer was too slow to catch up; not part of recordings
  * @param geometry what follows from the joints, worked out when somebody asks
  * @param debug whether a debugger holds the frame, and where its threads are then; snapshots of a
  *     held frame repeat its number
@@ -48,6 +50,7 @@ public record ControllerState(
     long frame,
     double timeS,
     double executionTimeS,
+    double behindS,
     ArmState arm,
     ArmReadings readings,
     ArmGeometry geometry,

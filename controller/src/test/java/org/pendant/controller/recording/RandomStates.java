@@ -128,6 +128,7 @@ final class RandomStates {
             frame,
             frame / 500.0,
             some(last.map(ControllerState::executionTimeS), this::number),
+            0,
             arm,
             readings,
             new ArmGeometry(arm, readings),

@@ -177,6 +177,7 @@ final class RecordingRingTest {
         frame,
         frame / 500.0,
         0,
+        0,
         state.arm(),
         new ArmReadings(
             readings.accelerationRadPerS2(),

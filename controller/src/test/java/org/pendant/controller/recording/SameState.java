@@ -14,7 +14,7 @@ import org.pendant.controller.variables.VariableSamples;
 /** Whether two snapshots say the same, with every bit. */
 final class SameState {
   /** What follows from others, or never changes and has no equality. */
-  private static final Set<String> LEFT_OUT = Set.of("geometry", "kinematics");
+  private static final Set<String> LEFT_OUT = Set.of("geometry", "kinematics", "behindS");
 
   /** What never rests, and is kept once a second only while nothing else changes. */
   private static final Set<String> AMBIENT =

@@ -44,6 +44,7 @@ final class HeadlessRun {
   private boolean pendingOutput;
   private Optional<SafetyStop> heldBy = Optional.empty();
   private int lastLine;
+  private long toldLostNs;
 
   HeadlessRun(
       RunnableFile file,
@@ -207,8 +208,16 @@ final class HeadlessRun {
     } catch (InterruptedException e) {
       throw new IllegalStateException("nobody interrupts the thread that runs the frames", e);
     }
+    tellLost();
     controller.advance();
     show(controller.state());
+  }
+
+  private void tellLost() {
+    if (clock.lostNs() != toldLostNs) {
+      toldLostNs = clock.lostNs();
+      var _ = controller.submit(new Command.NoteLostTime(toldLostNs * 1e-9));
+    }
   }
 
   /** What a frame has brought. */

@@ -284,7 +284,7 @@ final class DesktopWindow {
     ControllerState state = session.state();
     Faults.guard(() -> header.refresh(state));
     Faults.guard(() -> footer.refresh(state));
-    Faults.guard(() -> status.refresh(session.lateness(), state.debug().held()));
+    Faults.guard(() -> status.refresh(session.lateness(), state.behindS(), state.debug().held()));
     Faults.guard(() -> prompts.refresh(state));
     Faults.guard(() -> stopNotice.refresh(state));
     Faults.guard(() -> views.follow(state));

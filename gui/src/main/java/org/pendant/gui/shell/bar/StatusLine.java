@@ -82,9 +82,10 @@ public final class StatusLine extends JPanel {
   /**
    * Shows how punctual the frames are; called 30 times a second.
    *
+   * @param behindS by how much robot time has fallen behind the wall clock, s
    * @param held whether a debugger holds the frame
    */
-  public void refresh(Lateness lateness, boolean held) {
+  public void refresh(Lateness lateness, double behindS, boolean held) {
     calls++;
     if (calls % 60 != 1) {
       return;
@@ -96,14 +97,19 @@ public final class StatusLine extends JPanel {
     }
     punctual.setForeground(Palette.quiet());
     punctual.setText(text(lateness, frames, late));
-    punctual.setToolTipText(
-        String.format(
-            Locale.ROOT,
-            "Frames of robot time that began more than 1 ms late in the last two seconds; the"
-                + " latest so far was %.1f ms late",
-            lateness.worstNs() / 1e6));
+    punctual.setToolTipText(explanation(lateness, behindS));
     frames = lateness.frames();
     late = lateness.lateFrames();
+  }
+
+  /** What the numbers mean, and what there is beside them. */
+  static String explanation(Lateness lateness, double behindS) {
+    return String.format(
+        Locale.ROOT,
+        "Frames of robot time that began more than 1 ms late in the last two seconds; the"
+            + " latest so far was %.1f ms late, and robot time is %.2f s behind the wall clock",
+        lateness.worstNs() / 1e6,
+        behindS);
   }
 
   /** How punctual the frames were since there were {@code frames}, {@code late} of them late. */

@@ -1,6 +1,7 @@
 package org.pendant.gui.shell.bar;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -31,5 +32,7 @@ final class PaceChoiceTest {
     Lateness now = new Lateness(2000, 405, 90_000_000);
     assertEquals("500 Hz, 0.5 % late", StatusLine.text(now, before.frames(), before.lateFrames()));
     assertEquals(" ", StatusLine.text(now, 2000, 405));
+    String explained = StatusLine.explanation(now, 0.25);
+    assertTrue(explained.endsWith("90.0 ms late, and robot time is 0.25 s behind the wall clock"));
   }
 }
