@@ -27,7 +27,7 @@ public sealed interface Clock permits SteerableClock, VirtualClock, WallClock {
 
   /**
    * By how much robot time has fallen behind the wall since the start, as frames came too late to
-   * be caught up, ns; 0 for a clock that does not follow the wall.
+   * be caught up, ns; 0 for a clock that does not follow the wall. For the thread that waits.
    */
   long lostNs();
 }

@@ -23,7 +23,7 @@ final class Deadlines {
   private long frames;
   private long lateFrames;
   private long worstNs;
-  private volatile long lostNs;
+  private long lostNs;
   private volatile WallClock.Lateness lateness = new WallClock.Lateness(0, 0, 0);
 
   /** The next frame is due whenever it comes. */
@@ -59,7 +59,7 @@ final class Deadlines {
     }
   }
 
-  /** What was dropped so far, ns; any thread. */
+  /** What was dropped so far, ns; for the thread that waits. */
   long lostNs() {
     return lostNs;
   }
