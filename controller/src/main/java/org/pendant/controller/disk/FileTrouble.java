@@ -17,6 +17,7 @@ public final class FileTrouble {
   /** The reason, without the name of the file, such as {@code there is no such file}. */
   public static String reason(IOException trouble) {
     return switch (trouble) {
+      case OfFile e -> reason(e.trouble);
       case NoSuchFileException e -> "there is no such file";
       case AccessDeniedException e -> "access is denied";
       case FileAlreadyExistsException e -> e.getFile() + " is in the way";
@@ -33,7 +34,17 @@ public final class FileTrouble {
 
   /** An exception whose message is the file and the reason in words. */
   public static IOException of(Path file, IOException trouble) {
-    return new IOException(file + ": " + reason(trouble), trouble);
+    return new OfFile(file, trouble);
+  }
+
+  private static final class OfFile extends IOException {
+    private static final long serialVersionUID = 1L;
+    private final IOException trouble;
+
+    OfFile(Path file, IOException trouble) {
+      super(file + ": " + reason(trouble), trouble);
+      this.trouble = trouble;
+    }
   }
 
   private static String lower(String sentence) {

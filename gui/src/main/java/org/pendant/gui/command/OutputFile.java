@@ -97,13 +97,7 @@ record OutputFile(String name, Path path, boolean force) {
         AtomicFile.create(path, content);
       }
     } catch (IOException e) {
-      throw new UsageException(name + ": cannot be written, " + reason(e));
+      throw new UsageException(name + ": cannot be written, " + FileTrouble.reason(e));
     }
-  }
-
-  private static String reason(IOException e) {
-    return e.getCause() instanceof IOException cause
-        ? FileTrouble.reason(cause)
-        : FileTrouble.reason(e);
   }
 }

@@ -6,6 +6,6 @@ import java.nio.file.Path;
 /** Writes something to a file; runs outside of the dispatch thread. */
 @FunctionalInterface
 public interface Export {
-  /** Creates or empties the file and fills it. */
+  /** Creates the file, or replaces it when all of the new one is there. */
   void writeTo(Path file) throws IOException;
 }

@@ -25,54 +25,38 @@ public final class SaveDialog {
   private final JDialog dialog;
   private final JFileChooser chooser;
 
-  private SaveDialog(Component parent, String title) {
-    dialog = new JDialog(SwingUtilities.getWindowAncestor(parent), title, ModalityType.MODELESS);
-    chooser = new AskingTwice(dialog, title);
+  private SaveDialog(Component parent, SaveRequest request) {
+    dialog =
+        new JDialog(
+            SwingUtilities.getWindowAncestor(parent), request.title(), ModalityType.MODELESS);
+    chooser = new AskingTwice(dialog, request);
   }
 
   /**
    * Opens the dialog.
    *
    * @param parent something in the window that it belongs to
-   * @param fileName what the file is called unless people want otherwise
-   * @param endings file name endings that {@code export} knows, such as {@code csv}; the first is
-   *     added where there is none
    * @param export writes the file
    * @param told hears in a sentence how it went, on the dispatch thread
    */
   public static void open(
-      Component parent,
-      String title,
-      String fileName,
-      String[] endings,
-      Export export,
-      Consumer<String> told) {
-    ask(
-        parent,
-        title,
-        Path.of(fileName),
-        endings,
-        chosen -> chosen.ifPresent(file -> write(file, export, told)));
+      Component parent, SaveRequest request, Export export, Consumer<String> told) {
+    ask(parent, request, chosen -> chosen.ifPresent(file -> write(file, export, told)));
   }
 
   /**
    * Asks for a file and leaves the writing to others.
    *
    * @param parent something in the window that it belongs to
-   * @param suggestion the file unless people want otherwise; its folder is the first that is shown
-   * @param endings file name endings, such as {@code csv}; the first is added where there is none
    * @param chosen takes the file, or nothing if people do not want to any more
    */
-  public static void ask(
-      Component parent,
-      String title,
-      Path suggestion,
-      String[] endings,
-      Consumer<Optional<Path>> chosen) {
-    SaveDialog save = new SaveDialog(parent, title);
+  public static void ask(Component parent, SaveRequest request, Consumer<Optional<Path>> chosen) {
+    SaveDialog save = new SaveDialog(parent, request);
     JFileChooser chooser = save.chooser;
+    String[] endings = request.endings().toArray(String[]::new);
     chooser.setFileFilter(
         new FileNameExtensionFilter("*." + String.join(", *.", endings), endings));
+    Path suggestion = request.suggestion();
     if (suggestion.getParent() != null) {
       chooser.setCurrentDirectory(suggestion.getParent().toFile());
     }
@@ -120,41 +104,40 @@ public final class SaveDialog {
     }
   }
 
-  /** A chooser that wants to hear twice that a file shall be replaced. */
+  /**
+   * A chooser that wants to hear twice that a file shall be replaced, and knows some that never.
+   */
   @SuppressWarnings("serial") // never written to a stream
   private static final class AskingTwice extends JFileChooser {
     private final JDialog dialog;
-    private final String title;
+    private final SaveRequest request;
     private File warned = new File("");
 
-    AskingTwice(JDialog dialog, String title) {
+    AskingTwice(JDialog dialog, SaveRequest request) {
       this.dialog = dialog;
-      this.title = title;
+      this.request = request;
       setName("save-dialog");
       setDialogType(SAVE_DIALOG);
-      getAccessibleContext().setAccessibleName(title);
+      getAccessibleContext().setAccessibleName(request.title());
     }
 
     @Override
     public void approveSelection() {
-      File file = withEnding(getSelectedFile());
+      File file = request.file(getSelectedFile().toPath()).toFile();
       setSelectedFile(file);
+      Optional<String> refusal = request.refusal(file.toPath());
+      if (refusal.isPresent()) {
+        dialog.setTitle(request.title() + ": " + refusal.get());
+        return;
+      }
       if (file.exists() && !file.equals(warned)) {
         warned = file;
-        dialog.setTitle(title + ": " + file.getName() + " exists already");
+        dialog.setTitle(request.title() + ": " + file.getName() + " exists already");
         setApproveButtonText("Replace");
         setApproveButtonToolTipText("Replace " + file.getName() + " by the new file");
         return;
       }
       super.approveSelection();
-    }
-
-    private File withEnding(File file) {
-      if (file.getName().contains(".")
-          || !(getFileFilter() instanceof FileNameExtensionFilter known)) {
-        return file;
-      }
-      return new File(file.getParentFile(), file.getName() + "." + known.getExtensions()[0]);
     }
   }
 }

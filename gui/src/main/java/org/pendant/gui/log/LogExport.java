@@ -1,12 +1,14 @@
 package org.pendant.gui.log;
 
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import org.pendant.controller.disk.AtomicFile;
 
 /** Messages as text. */
 enum LogExport {
@@ -65,9 +67,13 @@ enum LogExport {
     return file.toString().toLowerCase(Locale.ROOT).endsWith(".csv") ? CSV : TEXT;
   }
 
-  /** Writes messages to a file, which is created or emptied; not for the dispatch thread. */
+  /** Writes messages to a file, created or replaced as a whole; not for the dispatch thread. */
   void write(List<LogLine> lines, Path file) throws IOException {
-    try (Writer out = Files.newBufferedWriter(file, StandardCharsets.UTF_8)) {
+    AtomicFile.write(file, out -> write(lines, out));
+  }
+
+  private void write(List<LogLine> lines, OutputStream file) throws IOException {
+    try (Writer out = new OutputStreamWriter(file, StandardCharsets.UTF_8)) {
       out.write(header());
       for (LogLine line : lines) {
         out.write(row(line));

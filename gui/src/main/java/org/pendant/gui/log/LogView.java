@@ -3,6 +3,7 @@ package org.pendant.gui.log;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.event.ActionEvent;
+import java.nio.file.Path;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -18,6 +19,7 @@ import javax.swing.KeyStroke;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.export.SaveDialog;
+import org.pendant.gui.export.SaveRequest;
 import org.pendant.gui.session.Session;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.View;
@@ -265,9 +267,11 @@ public final class LogView implements View {
     }
     SaveDialog.open(
         content,
-        "Export " + lines.size() + " messages",
-        "log.csv",
-        new String[] {"csv", "txt"},
+        new SaveRequest(
+            "Export " + lines.size() + " messages",
+            Path.of("log.csv"),
+            List.of("csv", "txt"),
+            workbench.openFiles()),
         file -> LogExport.forFile(file).write(lines, file),
         workbench::notify);
   }

@@ -1,13 +1,16 @@
 package org.pendant.gui.plot;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.io.Writer;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
+import org.pendant.controller.disk.AtomicFile;
 
 /**
  * Samples as comma-separated values: a header with ids and units, then one row a sample. Numbers
@@ -83,10 +86,14 @@ final class PlotCsv {
     }
   }
 
-  /** Writes all of it to a file, which is created or emptied; not for the dispatch thread. */
+  /** Writes all of it to a file, created or replaced as a whole; not for the dispatch thread. */
   void write(Path file) throws IOException {
-    try (Writer out = Files.newBufferedWriter(file, StandardCharsets.UTF_8)) {
-      write(out);
-    }
+    AtomicFile.write(
+        file,
+        out -> {
+          try (Writer text = new BufferedWriter(new OutputStreamWriter(out, UTF_8))) {
+            write(text);
+          }
+        });
   }
 }

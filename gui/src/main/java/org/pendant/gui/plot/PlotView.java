@@ -2,6 +2,7 @@ package org.pendant.gui.plot;
 
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
@@ -10,6 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.export.SaveDialog;
+import org.pendant.gui.export.SaveRequest;
 import org.pendant.gui.io.SignalLabels;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.View;
@@ -157,9 +159,11 @@ public final class PlotView implements View {
     PlotCsv csv = PlotCsv.of(presenter.history(), drawn, presenter.window());
     SaveDialog.open(
         content,
-        "Export " + csv.rows() + " samples",
-        "plot.csv",
-        new String[] {"csv"},
+        new SaveRequest(
+            "Export " + csv.rows() + " samples",
+            Path.of("plot.csv"),
+            List.of("csv"),
+            workbench.openFiles()),
         csv::write,
         workbench::notify);
   }

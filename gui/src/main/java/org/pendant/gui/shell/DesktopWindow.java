@@ -100,6 +100,7 @@ final class DesktopWindow {
     programActions.addProgram();
     programActions.addRobot();
     views = new Views(workbench, programs, runner);
+    workbench.openFilesAre(() -> EditedFiles.of(programs, views.installation()));
     status.alsoTell(views::told);
     var _ =
         new InstallationLink(

@@ -18,6 +18,7 @@ import org.pendant.controller.installation.file.LoadedInstallation;
 import org.pendant.controller.installation.text.InstallationText;
 import org.pendant.controller.program.text.ProgramText;
 import org.pendant.gui.export.SaveDialog;
+import org.pendant.gui.export.SaveRequest;
 import org.pendant.gui.session.ActiveInstallation;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
@@ -300,14 +301,17 @@ final class InstallationFiles {
     Path here = document.file().orElse(Path.of(document.name()));
     SaveDialog.ask(
         parent,
-        "Save " + document.name() + " as",
-        document.file().isPresent() ? here.toAbsolutePath() : home().resolve(here),
-        new String[] {InstallationText.ENDING.substring(1)},
+        new SaveRequest(
+            "Save " + document.name() + " as",
+            document.file().isPresent() ? here.toAbsolutePath() : home().resolve(here),
+            List.of(InstallationText.ENDING.substring(1)),
+            InstallationFiles::fitting,
+            List.of()),
         chosen ->
             chosen.ifPresentOrElse(
                 path ->
                     saver.saveAs(
-                        document, document.toSaveAs(fitting(path)), remembering(document, then)),
+                        document, document.toSaveAs(path), remembering(document, then)),
                 () -> then.accept(false)));
   }
 

@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.text.ProgramText;
 import org.pendant.gui.export.SaveDialog;
+import org.pendant.gui.export.SaveRequest;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
 import org.pendant.gui.session.Programs;
@@ -145,9 +146,11 @@ final class ProgramFiles {
     ProgramDocument script = document.script();
     SaveDialog.ask(
         parent,
-        "Save the script of " + document.name() + " as",
-        folder().orElse(home()).resolve(script.name()),
-        new String[] {"script"},
+        new SaveRequest(
+            "Save the script of " + document.name() + " as",
+            folder().orElse(home()).resolve(script.name()),
+            List.of("script"),
+            EditedFiles.besides(script, programs)),
         chosen -> chosen.ifPresent(path -> saver.export(ProgramFile.create(path, script.text()))));
   }
 
@@ -178,15 +181,20 @@ final class ProgramFiles {
     Path here = document.file().orElse(Path.of(document.name()));
     SaveDialog.ask(
         parent,
-        "Save " + document.name() + " as",
-        document.file().isPresent() ? here.toAbsolutePath() : folder().orElse(home()).resolve(here),
-        new String[] {document.isTree() ? "pendant" : "script"},
+        new SaveRequest(
+            "Save " + document.name() + " as",
+            document.file().isPresent()
+                ? here.toAbsolutePath()
+                : folder().orElse(home()).resolve(here),
+            List.of(document.isTree() ? "pendant" : "script"),
+            path -> fitting(document, path),
+            EditedFiles.besides(document, programs)),
         chosen ->
             chosen.ifPresentOrElse(
                 path ->
                     saver.saveAs(
                         document,
-                        document.toSaveAs(fitting(document, path)),
+                        document.toSaveAs(path),
                         remembering(document, then)),
                 () -> then.accept(false)));
   }

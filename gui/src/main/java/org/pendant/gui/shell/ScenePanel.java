@@ -4,8 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.OutputStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,12 +15,14 @@ import javax.imageio.ImageIO;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.Timer;
+import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Scene;
 import org.pendant.gui.export.SaveDialog;
+import org.pendant.gui.export.SaveRequest;
 import org.pendant.gui.fault.Faults;
 import org.pendant.gui.move.ArmPull;
 import org.pendant.gui.move.GhostArm;
@@ -281,9 +281,11 @@ final class ScenePanel implements View, GhostArm {
     CompletableFuture<Optional<BufferedImage>> photo = picture.photo();
     SaveDialog.open(
         panel,
-        "Save the picture",
-        workbench.session().options().robotId() + ".png",
-        new String[] {"png"},
+        new SaveRequest(
+            "Save the picture",
+            Path.of(workbench.session().options().robotId() + ".png"),
+            List.of("png"),
+            workbench.openFiles()),
         file -> write(photo, file),
         workbench::notify);
   }
@@ -292,8 +294,6 @@ final class ScenePanel implements View, GhostArm {
       throws IOException {
     BufferedImage image =
         photo.join().orElseThrow(() -> new IOException("there is no picture on this machine"));
-    try (OutputStream out = Files.newOutputStream(file)) {
-      ImageIO.write(image, "png", out);
-    }
+    AtomicFile.write(file, out -> ImageIO.write(image, "png", out));
   }
 }

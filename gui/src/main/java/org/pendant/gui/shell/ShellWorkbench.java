@@ -1,5 +1,7 @@
 package org.pendant.gui.shell;
 
+import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -19,6 +21,7 @@ final class ShellWorkbench implements Workbench {
   private DockFrame docks;
   private final Typing typing;
   private Optional<Supplier<View>> sourceView = Optional.empty();
+  private Supplier<List<Path>> openFiles = List::of;
   private SourcePlace source = (line, column) -> {};
 
   ShellWorkbench(
@@ -86,6 +89,16 @@ final class ShellWorkbench implements Workbench {
       docks.show(view.id());
     }
     source.show(line, column);
+  }
+
+  /** {@code files} says which files are open. */
+  void openFilesAre(Supplier<List<Path>> files) {
+    openFiles = files;
+  }
+
+  @Override
+  public List<Path> openFiles() {
+    return openFiles.get();
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.pendant.gui.timeline;
 
 import java.io.UncheckedIOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -36,7 +37,7 @@ public final class LookBack {
   private boolean following = true;
 
   /** A recording of a file. */
-  private record Opened(Recording recording, String name, List<LogEntry> log) {}
+  private record Opened(Recording recording, Path path, List<LogEntry> log) {}
 
   /**
    * Looks at now.
@@ -96,6 +97,11 @@ public final class LookBack {
     return file.isPresent();
   }
 
+  /** The file that is looked at. */
+  Optional<Path> path() {
+    return file.map(Opened::path);
+  }
+
   /** The log of the file that is looked at; empty for none. */
   public Optional<List<LogEntry>> log() {
     return file.map(Opened::log);
@@ -134,7 +140,7 @@ public final class LookBack {
       return "";
     }
     String at = text(seconds(frame.getAsLong()));
-    return file.map(opened -> "Looking at " + at + " of the recording " + opened.name)
+    return file.map(opened -> "Looking at " + at + " of the recording " + opened.path.getFileName())
             .orElseGet(() -> "Looking at " + at)
         + " \u2013 the robot is at "
         + text(liveS);
@@ -236,8 +242,8 @@ public final class LookBack {
    *
    * @param log all of its log
    */
-  public void open(Recording opened, String name, List<LogEntry> log) {
-    file = Optional.of(new Opened(opened, name, log));
+  public void open(Recording opened, Path path, List<LogEntry> log) {
+    file = Optional.of(new Opened(opened, path, log));
     recording = opened;
     past = Optional.empty();
     following = false;

@@ -6,6 +6,7 @@ import java.awt.EventQueue;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -25,6 +26,7 @@ import org.pendant.controller.recording.RecordingFile;
 import org.pendant.controller.replay.RerunRefused;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.export.SaveDialog;
+import org.pendant.gui.export.SaveRequest;
 import org.pendant.gui.layout.WrappingRow;
 import org.pendant.gui.session.Branching;
 import org.pendant.gui.session.Session;
@@ -198,7 +200,7 @@ public final class TimelineView implements View {
                 EventQueue.invokeLater(
                     () -> {
                       opened.warning().ifPresent(trouble);
-                      lookBack.open(recording, file.getFileName().toString(), log);
+                      lookBack.open(recording, file, log);
                       workbench.show(ID);
                     });
               } catch (UncheckedIOException e) {
@@ -218,14 +220,18 @@ public final class TimelineView implements View {
 
   private void export() {
     Recording recording = lookBack.recording();
+    List<Path> inUse = new ArrayList<>(workbench.openFiles());
+    lookBack.path().ifPresent(inUse::add);
     TimeRange range = lookBack.range();
     double fromS = Math.max(range.fromS(), recording.firstS());
     double toS = Math.min(range.toS(), recording.lastS());
     SaveDialog.open(
         content,
-        "Export " + LookBack.text(fromS) + " to " + LookBack.text(toS),
-        "run.rec",
-        new String[] {"rec", "csv"},
+        new SaveRequest(
+            "Export " + LookBack.text(fromS) + " to " + LookBack.text(toS),
+            Path.of("run.rec"),
+            List.of("rec", "csv"),
+            inUse),
         file -> {
           if (isRecording(file)) {
             RecordingExport.toRec(recording, fromS, toS, file);

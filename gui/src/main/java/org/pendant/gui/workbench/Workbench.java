@@ -1,5 +1,7 @@
 package org.pendant.gui.workbench;
 
+import java.nio.file.Path;
+import java.util.List;
 import org.pendant.gui.session.Session;
 
 /** What views may use of the window around them. Only the dispatch thread calls it. */
@@ -19,6 +21,9 @@ public interface Workbench {
 
   /** Shows a place of the open program; lines count from 1. */
   void showSource(int line, int column);
+
+  /** The files of the programs and the installation that are open; nothing is exported to them. */
+  List<Path> openFiles();
 
   /** Tells something at the edge of the window, without stopping anybody. */
   void notify(String text);

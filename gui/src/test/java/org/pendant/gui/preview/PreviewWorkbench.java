@@ -1,5 +1,6 @@
 package org.pendant.gui.preview;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -71,6 +72,11 @@ public class PreviewWorkbench implements Workbench {
   @Override
   public void showSource(int line, int column) {
     told.add("source " + line + ":" + column);
+  }
+
+  @Override
+  public List<Path> openFiles() {
+    return List.of();
   }
 
   @Override

@@ -106,7 +106,7 @@ final class LookBackTest {
   void looksAtAFileUntilPeopleGoBackToTheRobot(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("run.rec");
     RecordingExport.toRec(run.ring.recording(), 0.2, 0.6, file);
-    lookBack.open(RecordingFile.open(file).recording(), "run.rec", List.of());
+    lookBack.open(RecordingFile.open(file).recording(), Path.of("run.rec"), List.of());
     run.frames(10);
     lookBack.take(run.state());
 

@@ -18,6 +18,7 @@ import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.pendant.controller.Controller;
+import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.SoftwareVersion;
@@ -48,8 +49,7 @@ public final class Reports {
 
   /** Writes the log of the controller to {@code log_history.txt} in the folder for logs. */
   public synchronized void saveLog() throws IOException {
-    Files.createDirectories(setup.logs());
-    Files.write(setup.logs().resolve("log_history.txt"), log());
+    AtomicFile.write(setup.logs().resolve("log_history.txt"), log());
   }
 
   /** Writes a flight report into the folder for logs; answers its id. */
@@ -126,8 +126,11 @@ public final class Reports {
   }
 
   private void write(Path file) throws IOException {
-    try (OutputStream out = Files.newOutputStream(file);
-        ZipOutputStream zip = new ZipOutputStream(out)) {
+    AtomicFile.write(file, this::write);
+  }
+
+  private void write(OutputStream out) throws IOException {
+    try (ZipOutputStream zip = new ZipOutputStream(out)) {
       put(zip, "version.txt", SoftwareVersion.REPORTED.text().getBytes(StandardCharsets.UTF_8));
       put(zip, "log_history.txt", log());
       put(zip, "state.txt", controller.state().toString().getBytes(StandardCharsets.UTF_8));
