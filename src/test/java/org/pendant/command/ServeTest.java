@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,10 +25,36 @@ final class ServeTest {
   private static final int DASHBOARD = 29_999;
   private static final int GIVE_UP_MS = 60_000;
 
+  /** What a box cannot do without, by the standard numbers. */
+  private static final List<Integer> PORTS =
+      List.of(
+          DASHBOARD, 30_001, 30_002, 30_003, 30_004, 30_011, 30_012, 30_013, 30_020, 40_000, 44_818,
+          54_321);
+
+  /** With a larger one, these ports are among those that the system lends to any client. */
+  private static final int OFFSETS = 1_700;
+
   /** Tests that run at the same time on one machine get ports of their own. */
-  private static final int OFFSET = 1000 + (int) (ProcessHandle.current().pid() % 10_000);
+  private static final int OFFSET = freeOffset();
 
   @TempDir Path folder;
+
+  private static int freeOffset() {
+    int first = (int) (ProcessHandle.current().pid() % OFFSETS);
+    return IntStream.range(0, OFFSETS)
+        .map(i -> 1000 + (first + i) % OFFSETS)
+        .filter(offset -> PORTS.stream().allMatch(port -> isFree(port + offset)))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private static boolean isFree(int port) {
+    try (ServerSocket probe = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
+      return probe.isBound();
+    } catch (IOException e) {
+      return false;
+    }
+  }
 
   private Process serve(String... options) {
     List<String> words =
