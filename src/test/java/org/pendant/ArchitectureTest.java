@@ -17,7 +17,9 @@ import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.library.dependencies.SliceAssignment;
 import com.tngtech.archunit.library.dependencies.SliceIdentifier;
+import java.awt.event.ActionListener;
 import java.nio.channels.FileChannel;
+import javax.swing.Timer;
 
 /** The shape that docs/architecture.md describes, held by the build. */
 @AnalyzeClasses(packages = "org.pendant", importOptions = ImportOption.DoNotIncludeTests.class)
@@ -102,6 +104,15 @@ final class ArchitectureTest {
           .should()
           .dependOnClassesThat()
           .resideInAnyPackage("java.awt..", "javax.swing..");
+
+  @ArchTest
+  static final ArchRule timersGoOnAfterAFault =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage("org.pendant.gui.fault..")
+          .should()
+          .callConstructor(Timer.class, int.class, ActionListener.class)
+          .because("Swing never fires a timer again whose listener has thrown");
 
   @ArchTest
   static final ArchRule onlyProtocolsAndGuiKnowSockets =

@@ -128,8 +128,18 @@ final class DiskWatch {
     }
   }
 
+  /** Name of the question what becomes of a file that has changed here and on disk. */
+  static String question(ProgramDocument document) {
+    return "disk-change-" + System.identityHashCode(document);
+  }
+
   private void ask(ProgramDocument document, ProgramFile now) {
-    String name = DocumentSaver.question(document);
+    if (notices.shows(DocumentSaver.question(document))) {
+      // One question at a time: the next look begins anew.
+      watched.remove(document);
+      return;
+    }
+    String name = question(document);
     notices.ask(
         name,
         document.name() + " has changed on disk, and here too. Saving would replace what is there.",

@@ -42,9 +42,9 @@ final class DocumentSaver {
     this.warn = warn;
   }
 
-  /** Name of the question what becomes of a file that has changed on disk. */
+  /** Name of the question whether to save over what others have written. */
   static String question(ProgramDocument document) {
-    return "disk-change-" + System.identityHashCode(document);
+    return "save-over-" + System.identityHashCode(document);
   }
 
   /**
@@ -125,6 +125,7 @@ final class DocumentSaver {
   }
 
   private void ask(ProgramDocument document, ProgramFile now, Consumer<Boolean> then) {
+    notices.close(DiskWatch.question(document));
     notices.ask(
         question(document),
         document.name()

@@ -85,12 +85,12 @@ final class GuardedView implements View {
 
   private void tell() {
     if (undrawn) {
-      strip.say(view.title() + " cannot be drawn, an internal error. Everything else goes on.");
+      strip.say("Internal error: " + view.title() + " cannot be drawn. Everything else goes on.");
     } else if (old) {
       strip.say(
-          view.title()
-              + " shows an old state, an internal error. It is tried again every second;"
-              + " everything else goes on.");
+          "Internal error: "
+              + view.title()
+              + " shows an old state. It is tried again every second; everything else goes on.");
     }
     strip.setVisible(undrawn || old);
   }

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -49,6 +50,13 @@ final class OtherWindowsTest {
     ProgramFile read = ProgramFile.read(file);
     first = new Window(ProgramDocument.of(read), folder.resolve("state"));
     second = new Window(ProgramDocument.of(read), folder.resolve("state"));
+  }
+
+  /** Nothing is written any more then. */
+  @AfterEach
+  void closeTheWindows() throws Exception {
+    DispatchThread.run(first.others::end);
+    DispatchThread.run(second.others::end);
   }
 
   @Test
