@@ -50,7 +50,7 @@ final class CheckCommand implements Subcommand {
   private static boolean compiles(RunnableFile file, Builtins builtins, Console console) {
     Source source = file.source().orElseThrow();
     Loaded loaded = ProgramLoader.load(source, builtins);
-    Report.diagnostics(source, loaded.diagnostics()).forEach(console::complain);
+    Report.diagnostics(source, loaded.diagnostics()).forEach(console::complainInLines);
     return loaded.program().isPresent();
   }
 }

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import org.pendant.language.source.VisibleText;
 
 /**
  * Standard output and standard error of the process.
@@ -40,9 +41,9 @@ final class Console {
     write(bytes.getBytes(StandardCharsets.ISO_8859_1));
   }
 
-  /** Writes {@code text} and a line end to standard output, as UTF-8. */
+  /** Writes {@code text} and a line end to standard output, as UTF-8 that only shows. */
   void print(String text) {
-    write(text.getBytes(StandardCharsets.UTF_8));
+    write(VisibleText.of(text).getBytes(StandardCharsets.UTF_8));
   }
 
   private void write(byte[] line) {
@@ -58,10 +59,20 @@ final class Console {
   }
 
   /**
-   * Writes {@code text} and a line end to standard error. Pending output goes first, so that both
+   * Writes one message and a line end to standard error, whoever its text comes from: it cannot act
+   * on a terminal and cannot look like two messages. Pending output goes first, so that both
    * streams on one terminal read in the order of writing.
    */
   void complain(String text) {
+    writeError(VisibleText.message(text));
+  }
+
+  /** The same with a text of lines that are laid out already, such as a {@link Report}. */
+  void complainInLines(String text) {
+    writeError(VisibleText.of(text));
+  }
+
+  private void writeError(String text) {
     flush();
     errors.print(text);
     errors.print('\n');

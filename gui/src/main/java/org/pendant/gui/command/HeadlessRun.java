@@ -172,7 +172,7 @@ final class HeadlessRun {
       case Ending.Finished finished -> ExitCode.DONE;
       case Ending.Halted halted -> ExitCode.DONE;
       case Ending.Failed failed -> {
-        Report.failure(source, failed.failure()).forEach(console::complain);
+        Report.failure(source, failed.failure()).forEach(console::complainInLines);
         file.nodeAt(failed.failure().line())
             .ifPresent(
                 node -> console.complain(node + ByteText.decoded(failed.failure().message())));

@@ -155,7 +155,7 @@ public final class Pendant {
     console.complain(
         "This is a fault in Pendant. Please report it with the program and the lines below, as"
             + " CONTRIBUTING.md describes.");
-    console.complain(details.toString().stripTrailing());
+    console.complainInLines(details.toString().stripTrailing());
     return ExitCode.INTERNAL_ERROR;
   }
 }

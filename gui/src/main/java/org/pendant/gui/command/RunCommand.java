@@ -130,7 +130,7 @@ final class RunCommand implements Subcommand {
     }
     Source source = file.source().get();
     Loaded loaded = controller.load(source);
-    Report.diagnostics(source, loaded.diagnostics()).forEach(console::complain);
+    Report.diagnostics(source, loaded.diagnostics()).forEach(console::complainInLines);
     if (loaded.program().isEmpty()) {
       return ExitCode.DOES_NOT_COMPILE;
     }

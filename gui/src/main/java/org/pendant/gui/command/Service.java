@@ -177,7 +177,7 @@ final class Service {
     StringWriter details = new StringWriter();
     fault.printStackTrace(new PrintWriter(details, true));
     console.complain("pendant serve: internal error: " + fault);
-    console.complain(details.toString().stripTrailing());
+    console.complainInLines(details.toString().stripTrailing());
     return ExitCode.INTERNAL_ERROR;
   }
 }

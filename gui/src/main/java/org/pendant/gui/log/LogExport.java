@@ -9,8 +9,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import org.pendant.controller.disk.AtomicFile;
+import org.pendant.language.source.VisibleText;
 
-/** Messages as text. */
+/** Messages as text, which may be shown on a terminal: control characters are written out. */
 enum LogExport {
   /** A line a message; further lines of its text are indented. */
   TEXT {
@@ -31,7 +32,9 @@ enum LogExport {
               line.severity(),
               line.source().title(),
               place);
-      return head + line.text().replace("\n", "\n" + " ".repeat(head.length())) + "\n";
+      return head
+          + VisibleText.of(line.text()).replace("\n", "\n" + " ".repeat(head.length()))
+          + "\n";
     }
   },
   /** Comma-separated values (RFC 4180). */
@@ -52,7 +55,7 @@ enum LogExport {
               quoted(line.code()),
               quoted(line.thread()),
               line.lineText(),
-              quoted(line.text()))
+              quoted(VisibleText.of(line.text())))
           + "\n";
     }
   };

@@ -54,4 +54,29 @@ final class ConsoleTest {
 
     assertTrue(console.outputClosed());
   }
+
+  @Test
+  void complaintsCannotActOnATerminalNorLookLikeTwo() {
+    ByteArrayOutputStream errors = new ByteArrayOutputStream();
+    Console console = new Console(new ByteArrayOutputStream(), errors);
+
+    console.complain("popup: \u001b]0;owned\u0007\rerror\u009b2J\nt.script:1: error: fake");
+
+    assertEquals(
+        "popup: \\x1b]0;owned\\x07\\x0derror\\x9b2J\n    t.script:1: error: fake\n",
+        errors.toString(StandardCharsets.UTF_8));
+  }
+
+  @Test
+  void layoutOfOurOwnStays() {
+    ByteArrayOutputStream both = new ByteArrayOutputStream();
+    Console console = new Console(both, both);
+
+    console.complainInLines("a.script:1:1: error: \u0007\nx\n^");
+    console.print("port\u001b\t1");
+    console.flush();
+
+    assertEquals(
+        "a.script:1:1: error: \\x07\nx\n^\nport\\x1b\t1\n", both.toString(StandardCharsets.UTF_8));
+  }
 }

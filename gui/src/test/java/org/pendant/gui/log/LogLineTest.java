@@ -1,6 +1,7 @@
 package org.pendant.gui.log;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Instant;
 import java.util.Optional;
@@ -79,5 +80,15 @@ final class LogLineTest {
     String[] lines = row.split("\n", -1);
     assertEquals(lines[0].indexOf("one"), lines[1].indexOf("two"));
     assertEquals("two", lines[1].strip());
+  }
+
+  @Test
+  void savedMessagesCannotActOnATerminal() {
+    LogLine line = said("\u001b]0;owned\u0007");
+    for (LogExport form : LogExport.values()) {
+      String row = form.row(line);
+      assertTrue(row.contains("\\x1b]0;owned\\x07"), row);
+      assertEquals(1, row.chars().filter(Character::isISOControl).count(), "its line end");
+    }
   }
 }

@@ -31,7 +31,7 @@ public final class DiagnosticFormat {
     String after = decoded(text.substring(Math.max(from, Math.min(to, shownTo)), shownTo));
     return String.format(
         "%s:%d:%d: %s: %s%n%s%n%s",
-        source.name(),
+        printable(source.name()),
         line,
         column,
         diagnostic.isError() ? "error" : "warning",

@@ -61,11 +61,13 @@ class DiagnosticFormatTest {
 
   @Test
   void keepsControlBytesFromTheTerminal() {
-    Source source = Source.of("a", "x = \u001B[2J \u0007");
+    Source source = Source.of("a\u001B[1m\n\u009B", "x = \u001B[2J \u0007");
     String text =
         DiagnosticFormat.format(source, Diagnostic.error("x", new SourceRange(4, 5), "m", ""));
     assertFalse(text.contains("\u001B"));
     assertFalse(text.contains("\u0007"));
+    assertFalse(text.contains("\u009B"));
+    assertEquals(3, text.lines().count(), text);
   }
 
   @Test
