@@ -1,0 +1,135 @@
+package org.pendant.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The launcher's lock, in a folder with a JDK and a Maven that only say that they were called. */
+@DisabledOnOs(OS.WINDOWS)
+final class BuildLockTest {
+  private static final int PATIENCE_S = 60;
+
+  @TempDir Path folder;
+
+  @BeforeEach
+  void aFolderWithNothingBuilt() throws IOException {
+    Files.copy(Launcher.home().resolve("pendant"), folder.resolve("pendant"));
+    Files.createDirectories(folder.resolve("jdk/bin"));
+    Files.writeString(folder.resolve("jdk/release"), "JAVA_VERSION=\"25\"\n");
+    program("jdk/bin/java", "echo ran");
+    Files.createDirectories(folder.resolve("maven"));
+    program(
+        "maven/mvn",
+        "echo built >>builds; mkdir -p gui/target/lib; touch gui/target/lib/stamp"
+            + " gui/target/pendant.jar");
+    Files.writeString(folder.resolve("pom.xml"), "");
+  }
+
+  private void program(String name, String line) throws IOException {
+    Path file = Files.writeString(folder.resolve(name), "#!/bin/sh\n" + line + "\n");
+    Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwx------"));
+  }
+
+  private Path lock() throws IOException {
+    return Files.createDirectories(folder.resolve("gui/target/build.lock"));
+  }
+
+  private Process start() throws IOException {
+    ProcessBuilder builder =
+        new ProcessBuilder(folder.resolve("pendant").toString(), "--version")
+            .directory(folder.toFile())
+            .redirectErrorStream(true);
+    builder.environment().remove("PENDANT_CLASSPATH");
+    builder.environment().put("PENDANT_JAVA_HOME", folder.resolve("jdk").toString());
+    builder.environment().merge("PATH", "", (path, _) -> folder.resolve("maven") + ":" + path);
+    return builder.start();
+  }
+
+  private void assertBuilds() throws IOException, InterruptedException {
+    Process process = start();
+    try {
+      assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "it waits for the lock");
+      String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      assertEquals(0, process.exitValue(), said);
+      assertTrue(said.endsWith("ran\n"), said);
+      assertTrue(Files.exists(folder.resolve("builds")), said);
+      assertFalse(Files.exists(folder.resolve("gui/target/build.lock")), said);
+    } finally {
+      process.destroyForcibly();
+    }
+  }
+
+  @Test
+  void itBuildsAndDropsTheLock() throws Exception {
+    assertBuilds();
+  }
+
+  @Test
+  void aLockWithoutAnOwnerIsTakenOver() throws Exception {
+    lock();
+    assertBuilds();
+  }
+
+  @Test
+  void aLockWhoseOwnerFoundTheDiskFullIsTakenOver() throws Exception {
+    Files.writeString(lock().resolve("owner"), "");
+    assertBuilds();
+  }
+
+  @Test
+  void aLockWhoseOwnerIsGoneIsTakenOver() throws Exception {
+    Process gone = new ProcessBuilder("true").start();
+    gone.waitFor();
+    Files.writeString(lock().resolve("owner"), gone.pid() + "\n12345\n");
+    assertBuilds();
+  }
+
+  @Test
+  void aLockWhoseOwnersNumberIsAnotherProcessNowIsTakenOver() throws Exception {
+    Files.writeString(lock().resolve("owner"), ProcessHandle.current().pid() + "\n12345\n");
+    assertBuilds();
+  }
+
+  @Test
+  void theLockOfALiveOwnerIsWaitedFor() throws Exception {
+    program(
+        "maven/mvn",
+        "read go <"
+            + folder.resolve("go")
+            + "; mkdir -p gui/target/lib; touch gui/target/lib/stamp gui/target/pendant.jar; echo"
+            + " built >>builds");
+    assertEquals(
+        0, new ProcessBuilder("mkfifo", folder.resolve("go").toString()).start().waitFor());
+    Process builder = start();
+    Process waiting = null;
+    try {
+      Path owner = folder.resolve("gui/target/build.lock/owner");
+      builder.inputReader().readLine(); // it says that it builds, and so has the lock
+      assertTrue(Files.readString(owner).startsWith(builder.pid() + "\n"));
+      waiting = start();
+      assertTrue(waiting.inputReader().readLine().contains("waiting for another build"));
+      Files.writeString(folder.resolve("go"), "go\n");
+      assertTrue(builder.waitFor(PATIENCE_S, TimeUnit.SECONDS));
+      assertTrue(waiting.waitFor(PATIENCE_S, TimeUnit.SECONDS));
+      assertEquals(0, waiting.exitValue());
+      assertEquals("built\n", Files.readString(folder.resolve("builds")), "built once");
+    } finally {
+      builder.destroyForcibly();
+      if (waiting != null) {
+        waiting.destroyForcibly();
+      }
+    }
+  }
+}
