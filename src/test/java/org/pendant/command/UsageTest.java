@@ -40,6 +40,8 @@ final class UsageTest {
         Arguments.of("run missing.script", "missing.script: no such file"),
         Arguments.of("run .", "is a directory"),
         Arguments.of("check good.script missing.script", "missing.script: no such file"),
+        Arguments.of("serve --host=", "--host is empty, must be an address of this machine"),
+        Arguments.of("serve --logs=good.script/x", "good.script/x, which cannot be made a folder"),
         Arguments.of("functions movje", "did you mean movej?"));
   }
 

@@ -66,6 +66,10 @@ final class PortOptions {
 
   private static InetAddress host(Arguments arguments) throws UsageException {
     String name = arguments.value(HOST).orElse(PortWishes.STANDARD_HOST);
+    if (name.isBlank()) {
+      // for Java that would be the loopback address
+      throw new UsageException("--host is empty, must be an address of this machine");
+    }
     try {
       return InetAddress.getByName(name);
     } catch (UnknownHostException e) {

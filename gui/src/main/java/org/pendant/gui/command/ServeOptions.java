@@ -1,5 +1,7 @@
 package org.pendant.gui.command;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.InstantSource;
 import java.util.List;
@@ -88,10 +90,25 @@ record ServeOptions(
   private static Path logs(Arguments arguments, PortNumbers numbers) throws UsageException {
     Optional<String> chosen = arguments.value(LOGS);
     if (chosen.isPresent()) {
-      return PortOptions.path(LOGS, chosen.get());
+      return made(PortOptions.path(LOGS, chosen.get()));
     }
     String box = numbers.host().getHostAddress().replace(':', '_') + "-" + numbers.offset();
     return StateFolder.of(System.getenv()).resolve("serve").resolve(box);
+  }
+
+  /**
+   * The folder, which somebody has chosen: that it cannot be is said now, not when it is needed.
+   */
+  private static Path made(Path folder) throws UsageException {
+    try {
+      Files.createDirectories(folder);
+    } catch (IOException e) {
+      throw new UsageException(LOGS.name() + " is " + folder + ", which cannot be made a folder");
+    }
+    if (!Files.isWritable(folder)) {
+      throw new UsageException(LOGS.name() + " is " + folder + ", which cannot be written");
+    }
+    return folder;
   }
 
   private static PowerTimes powerTimes(Arguments arguments) throws UsageException {

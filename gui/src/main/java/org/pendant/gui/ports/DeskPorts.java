@@ -122,6 +122,9 @@ public final class DeskPorts implements SwitchListener {
   }
 
   private static Optional<InetAddress> local(String name) {
+    if (name.isBlank()) {
+      return Optional.empty();
+    }
     try {
       InetAddress host = InetAddress.getByName(name);
       boolean here =

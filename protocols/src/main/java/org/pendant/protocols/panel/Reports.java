@@ -22,6 +22,8 @@ import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.SoftwareVersion;
+import org.pendant.language.source.ByteText;
+import org.pendant.language.source.VisibleText;
 
 /**
  * Files with what there is to know about a box: its log, its state, the loaded program, the log
@@ -170,9 +172,9 @@ public final class Reports {
           .append(' ')
           .append(each.code().isEmpty() ? "-" : each.code())
           .append(' ')
-          .append(each.text())
+          .append(VisibleText.message(ByteText.decoded(each.text())))
           .append('\n');
     }
-    return text.toString().getBytes(StandardCharsets.ISO_8859_1);
+    return text.toString().getBytes(StandardCharsets.UTF_8);
   }
 }
