@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import java.util.zip.GZIPOutputStream;
 import java.util.zip.ZipFile;
@@ -24,6 +25,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.machine.Program;
+import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.PowerTimes;
 import org.pendant.controller.safety.SafetyInput;
@@ -401,6 +403,15 @@ class DashboardServerTest {
     assertTrue(client.ask("generate flight report all").startsWith("Error: "));
     assertAnswers("Log saved to disk", "saveLog");
     assertTrue(Files.exists(folder.resolve("logs/log_history.txt")));
+  }
+
+  @Test
+  void theSavedLogCannotActOnATerminal() throws Exception {
+    Command line = new Command.WriteLog(Level.INFO, "\u001b]0;owned\u0007\rfake");
+    var _ = box.controller().submit(line).get(RunningBox.GIVE_UP_MS, TimeUnit.MILLISECONDS);
+    assertAnswers("Log saved to disk", "saveLog");
+    String log = Files.readString(folder.resolve("logs/log_history.txt"));
+    assertTrue(log.contains("\\x1b]0;owned\\x07\\x0dfake\n"), log);
   }
 
   @Test
