@@ -23,6 +23,7 @@ final class Receiver implements AutoCloseable {
           + "standard_analog_input0,standard_analog_input1,standard_analog_output0,"
           + "standard_analog_output1,output_int_register_0,output_double_register_0";
 
+  private static final double FRAME_S = 0.002;
   private static final int RTDE_HEADER = 3;
   private static final int DATA = 'U';
 
@@ -38,7 +39,9 @@ final class Receiver implements AutoCloseable {
   private final Thread thread;
   private volatile Stopwatch stopwatch = new Stopwatch(0);
   private volatile boolean ended;
-  private int gaps;
+  private volatile int gaps;
+  private volatile long missed;
+  private volatile long received;
 
   private Receiver(Socket socket, Framing framing) throws IOException {
     this.socket = socket;
@@ -107,15 +110,23 @@ final class Receiver implements AutoCloseable {
         double timeS = framing.read(input);
         if (!Double.isNaN(timeS)) {
           stopwatch.arrived();
-          if (timeS - beforeS > 0.003) {
-            gaps++;
-          }
+          count(timeS - beforeS);
           beforeS = timeS;
         }
       }
     } catch (IOException e) {
       // closed by either side
       ended = true;
+    }
+  }
+
+  /** Only this thread writes what is counted. */
+  @SuppressWarnings("NonAtomicVolatileUpdate")
+  private void count(double intervalS) {
+    received++;
+    if (intervalS > 1.5 * FRAME_S) {
+      gaps++;
+      missed += Math.round(intervalS / FRAME_S) - 1;
     }
   }
 
@@ -132,6 +143,16 @@ final class Receiver implements AutoCloseable {
   /** How often a message was missing, since the begin. */
   int gaps() {
     return gaps;
+  }
+
+  /** How many messages were missing, since the begin. */
+  long missed() {
+    return missed;
+  }
+
+  /** How many messages have come, since the begin. */
+  long received() {
+    return received;
   }
 
   /** Whether the connection has ended. */
