@@ -24,6 +24,8 @@ final class ScriptSocket implements OutsideSocket {
   /** Most bytes that wait to be sent. */
   static final int MOST_UNSENT = 1 << 20;
 
+  private static final int OBJECT_BYTES = 48;
+
   /** How long the last bytes have to go out. */
   private static final long LAST_BYTES_MS = 2_000;
 
@@ -131,7 +133,7 @@ final class ScriptSocket implements OutsideSocket {
       OutputStream out = socket.getOutputStream();
       for (byte[] bytes = unsent.take(); bytes.length > 0; bytes = unsent.take()) {
         out.write(bytes);
-        unsentBytes.addAndGet(-bytes.length);
+        unsentBytes.addAndGet(-size(bytes));
       }
       socket.shutdownOutput();
     } catch (IOException e) {
@@ -158,11 +160,16 @@ final class ScriptSocket implements OutsideSocket {
     if (stage != Stage.OPEN || bytes.length == 0) {
       return stage == Stage.OPEN;
     }
-    if (unsentBytes.addAndGet(bytes.length) > MOST_UNSENT) {
-      unsentBytes.addAndGet(-bytes.length);
+    if (unsentBytes.addAndGet(size(bytes)) > MOST_UNSENT) {
+      unsentBytes.addAndGet(-size(bytes));
       return false;
     }
     return unsent.add(bytes);
+  }
+
+  /** What waiting bytes take: of short ones the object is the larger part. */
+  private static int size(byte[] bytes) {
+    return OBJECT_BYTES + bytes.length;
   }
 
   @Override

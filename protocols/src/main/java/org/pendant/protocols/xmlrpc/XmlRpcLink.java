@@ -108,9 +108,10 @@ final class XmlRpcLink implements RpcLink {
 
   @Override
   public void disconnect() {
-    // whichever turn comes next: that of a later call, or this one
-    closingFirst.set(true);
-    var _ = begin(() -> NoneValue.NONE);
+    // whichever turn comes next: that of a later call, or this one; one is enough for all that ask
+    if (!closingFirst.getAndSet(true)) {
+      var _ = begin(() -> NoneValue.NONE);
+    }
   }
 
   @Override
