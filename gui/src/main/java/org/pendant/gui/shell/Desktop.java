@@ -209,8 +209,8 @@ public final class Desktop {
   }
 
   private void close(Session session) {
-    session.close();
-    settings.close();
+    Faults.guard(session::close);
+    Faults.guard(settings::close);
     closed.complete(true);
   }
 

@@ -317,8 +317,9 @@ final class DesktopWindow {
     refresh.stop();
     keep.stop();
     typing.stop();
-    keeper.end();
-    others.end();
+    // Whatever these throw, the window closes.
+    Faults.guard(keeper::end);
+    Faults.guard(others::end);
     window.end();
     closed.run();
   }

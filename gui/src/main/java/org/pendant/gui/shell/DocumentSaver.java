@@ -57,7 +57,8 @@ final class DocumentSaver {
     queue.add(
         file.path(),
         () -> {
-          Optional<ProgramFile> known = document.onDisk();
+          Optional<ProgramFile> known =
+              document.onDisk().filter(each -> each.path().equals(file.path()));
           return () -> write(file, known);
         },
         outcome -> finished(document, outcome, then),
