@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Assumptions;
 import org.pendant.command.Launcher;
 
 /** {@code ./pendant serve} at an address of its own. */
-final class Served implements AutoCloseable {
+public final class Served implements AutoCloseable {
   /** Far longer than it takes. */
   private static final int PATIENCE_S = 90;
 
@@ -31,7 +31,7 @@ final class Served implements AutoCloseable {
    * @param number of the address, 1 to 250: another one for each box of the tests
    * @param folder where it works
    */
-  static Served start(int number, Path folder, List<String> options) {
+  public static Served start(int number, Path folder, List<String> options) {
     String host = host(number);
     List<String> words =
         new ArrayList<>(
@@ -64,22 +64,22 @@ final class Served implements AutoCloseable {
   }
 
   /** Where it listens. */
-  String host() {
+  public String host() {
     return host;
   }
 
   /** What it has written. */
-  String said() {
+  public String said() {
     return process.said();
   }
 
   /** The number of its process. */
-  long pid() {
+  public long pid() {
     return process.pid();
   }
 
   /** Asks it to end as a system does, and answers its exit code. */
-  int stop() {
+  public int stop() {
     process.terminate();
     return process
         .awaitEnd(PATIENCE_S)
