@@ -52,6 +52,7 @@ final class ProgramMemory {
     if (untilCount > 0) {
       return 0;
     }
+    forgetOld(run);
     long live = count(run);
     if (live > limitBytes) {
       throw new ScriptError(
@@ -68,6 +69,27 @@ final class ProgramMemory {
 
   private static String megabytes(long bytes) {
     return Long.toString((long) Math.ceil(bytes / BYTES_A_MB));
+  }
+
+  /** Drops what calls that are over have left in their registers. */
+  private static void forgetOld(ProgramRun run) {
+    Registers registers = run.registers();
+    for (ScriptThread thread : run.threads()) {
+      int end = thread.segmentStart;
+      for (int i = 0; i < thread.depth; i++) {
+        end = Math.max(end, thread.bases[i] + thread.functions[i].slotCount());
+      }
+      for (int slot = end; slot < thread.segmentEnd; slot++) {
+        registers.clear(slot);
+      }
+    }
+    Value[] objects = registers.objects();
+    byte[] tags = registers.tags();
+    for (int slot = 0; slot < objects.length; slot++) {
+      if (tags[slot] != Registers.OBJECT) {
+        objects[slot] = null;
+      }
+    }
   }
 
   private static long count(ProgramRun run) {
