@@ -28,16 +28,8 @@ class PrimaryServerTest {
   private final RemoteControl remote = new RemoteControl(true, true);
   private final RunningBox box =
       new RunningBox(ControllerOptions.headless().withOperator(Operator.present()), remote);
-  private final PrimaryServer server = open();
-
-  private PrimaryServer open() {
-    try {
-      return PrimaryServer.open(
-          box.outside(), PortNumbers.anyFree(), new ScriptDesk(box.outside()));
-    } catch (IOException e) {
-      throw new AssertionError(e);
-    }
-  }
+  private final PrimaryServer server =
+      PrimaryServer.open(box.outside(), PortNumbers.anyFree(), new ScriptDesk(box.outside()));
 
   private PrimaryClient client(int port) throws IOException {
     return new PrimaryClient(server.ports().get(port));

@@ -26,16 +26,8 @@ class RealtimeServerTest {
 
   private final RemoteControl remote = new RemoteControl(true, true);
   private final RunningBox box = new RunningBox(ControllerOptions.headless(), remote);
-  private final RealtimeServer server = open();
-
-  private RealtimeServer open() {
-    try {
-      return RealtimeServer.open(
-          box.outside(), PortNumbers.anyFree(), new ScriptDesk(box.outside()));
-    } catch (IOException e) {
-      throw new AssertionError(e);
-    }
-  }
+  private final RealtimeServer server =
+      RealtimeServer.open(box.outside(), PortNumbers.anyFree(), new ScriptDesk(box.outside()));
 
   private Socket connect(int port) throws IOException {
     Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.ports().get(port).number());
