@@ -33,7 +33,7 @@ import org.pendant.gui.session.RecoveryFolder;
  */
 final class KilledWhileEditingTest {
   private static final int KILLS = Integer.getInteger("test.kills", 16);
-  private static final int AT_ONCE = 8;
+  private static final int AT_ONCE = 4;
   private static final long SEED = 20_261_122;
   private static final long LONGEST_MS = 6_500;
   private static final long MOST_LOST_MS = 5_000;
