@@ -37,6 +37,7 @@ final class UsageTest {
         Arguments.of("run --wall-timeout 0 good.script", "--wall-timeout is 0"),
         Arguments.of("run --memory lots good.script", "such as 256MB"),
         Arguments.of("run --record missing/out.csv good.script", "missing/out.csv"),
+        Arguments.of("run --force good.script", "--force goes with --record, which is missing"),
         Arguments.of("run missing.script", "missing.script: no such file"),
         Arguments.of("run .", "is a directory"),
         Arguments.of("check good.script missing.script", "missing.script: no such file"),

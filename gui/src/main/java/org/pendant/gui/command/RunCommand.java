@@ -53,6 +53,9 @@ final class RunCommand implements Subcommand {
     if (arguments.operands().isEmpty()) {
       throw new UsageException("no file given");
     }
+    if (options.record().isEmpty() && arguments.has(OutputFile.FORCE)) {
+      throw new UsageException("--force goes with --record, which is missing");
+    }
     if (options.record().isPresent() && arguments.operands().size() > 1) {
       throw new UsageException("--record goes with one program, there are several");
     }
