@@ -77,6 +77,16 @@ final class BuildLockTest {
   }
 
   @Test
+  void theBuildUsesTheJdkThatWasFoundWhateverJavaIsOnThePath() throws Exception {
+    program("maven/java", "echo older");
+    program(
+        "maven/mvn",
+        "java >builds; mkdir -p gui/target/lib; touch gui/target/lib/stamp gui/target/pendant.jar");
+    assertBuilds();
+    assertEquals("ran\n", Files.readString(folder.resolve("builds")));
+  }
+
+  @Test
   void aLockWithoutAnOwnerIsTakenOver() throws Exception {
     lock();
     assertBuilds();
