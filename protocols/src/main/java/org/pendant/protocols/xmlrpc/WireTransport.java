@@ -4,6 +4,7 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UnsupportedEncodingException;
 import org.apache.xmlrpc.XmlRpcException;
 import org.apache.xmlrpc.client.XmlRpcClient;
 import org.apache.xmlrpc.client.XmlRpcStreamTransport;
@@ -60,6 +61,11 @@ final class WireTransport extends XmlRpcStreamTransport {
     reader.setContentHandler(parser);
     try {
       reader.parse(new InputSource(in));
+    } catch (UnsupportedEncodingException e) {
+      // Not as an IOException: of those the caller tells the cause, here a mere name.
+      throw new XmlRpcException(
+          "the answer is in the encoding " + e.getMessage() + ", which is not known: use UTF-8",
+          new SAXException(e));
     } catch (IOException | SAXException e) {
       throw new XmlRpcException("the answer is not XML-RPC: " + e.getMessage(), e);
     }

@@ -3,6 +3,7 @@ package org.pendant.protocols.xmlrpc;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.Socket;
@@ -12,6 +13,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.UnaryOperator;
+import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.pendant.protocols.Peer;
@@ -232,6 +234,43 @@ class XmlRpcProgramTest {
       assertTrue(failure.startsWith("look: the answer is not XML-RPC: DOCTYPE"), failure);
       assertEquals(0, other.clients());
     }
+  }
+
+  /** CVE-2016-5003: the library's extension would make an object of it. */
+  @Test
+  void aSerialisedObjectIsRefused() throws Exception {
+    for (String answer :
+        List.of(
+            Xml.value(
+                "<ex:serializable xmlns:ex=\"http://ws.apache.org/xmlrpc/namespaces/extensions\">"
+                    + "rO0ABXNyABFqYXZhLmxhbmcuQm9vbGVhbg==</ex:serializable>"),
+            Xml.value("<serializable>rO0ABXNyABFqYXZhLmxhbmcuQm9vbGVhbg==</serializable>"))) {
+      refuses("look: the answer is not XML-RPC: ", Xml.http(answer));
+    }
+  }
+
+  /** Nothing is unpacked, so nothing can grow. */
+  @Test
+  void aPackedAnswerIsRefused() throws Exception {
+    ByteArrayOutputStream packed = new ByteArrayOutputStream();
+    try (OutputStream out = new GZIPOutputStream(packed)) {
+      out.write(Xml.value(" ".repeat(1_000_000)).getBytes(StandardCharsets.ISO_8859_1));
+    }
+    refuses(
+        "look: the answer is not XML-RPC: ",
+        "HTTP/1.1 200 OK\r\nContent-Encoding: gzip\r\nContent-Length: "
+            + packed.size()
+            + "\r\n\r\n"
+            + packed.toString(StandardCharsets.ISO_8859_1));
+  }
+
+  @Test
+  void anUnknownEncodingIsNamed() throws Exception {
+    refuses(
+        "look: the answer is in the encoding utf-7, which is not known: use UTF-8",
+        Xml.http(
+            Xml.value("1")
+                .replaceFirst("^(<\\?xml[^>]*>)?", "<?xml version=\"1.0\" encoding=\"utf-7\"?>")));
   }
 
   @Test
