@@ -70,7 +70,7 @@ final class FrameWatch {
     }
     int beats = controller.globals().get("beats") instanceof IntValue count ? count.value() : 0;
     String ending = controller.state().program().ending().map(FrameWatch::code).orElse("");
-    submit(new Command.StopProgram());
+    var _ = controller.submit(new Command.StopProgram());
     long stopNs = frameNs();
     boolean stopped = !running();
     start(FRIENDLY);
@@ -109,18 +109,10 @@ final class FrameWatch {
     if (loaded.program().isEmpty()) {
       throw new IllegalStateException(loaded.diagnostics() + "\n" + text);
     }
-    submit(new Command.StartProgram(loaded.program().get()));
+    var reply = controller.submit(new Command.StartProgram(loaded.program().get()));
     controller.advance();
-  }
-
-  private void submit(Command command) {
-    controller
-        .submit(command)
-        .thenAccept(
-            reply -> {
-              if (!(reply instanceof Reply.Done)) {
-                throw new IllegalStateException(reply.toString());
-              }
-            });
+    if (!(reply.join() instanceof Reply.Done)) {
+      throw new IllegalStateException(reply.join() + "\n" + text);
+    }
   }
 }

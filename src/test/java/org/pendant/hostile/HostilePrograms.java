@@ -1,6 +1,7 @@
 package org.pendant.hostile;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /** Small programs that ask for as much computing time or memory as they can. */
@@ -130,7 +131,7 @@ final class HostilePrograms {
   private static String chain() {
     StringBuilder text = new StringBuilder();
     text.append("thread last():\n  x = 1\nend\n");
-    for (String name : "third second first".split(" ")) {
+    for (String name : List.of("third", "second", "first")) {
       String next = name.equals("third") ? "last" : name.equals("second") ? "third" : "second";
       text.append("thread %s():\n  h = run %s()\n  join h\nend\n".formatted(name, next));
     }

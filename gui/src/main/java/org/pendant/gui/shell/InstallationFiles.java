@@ -310,8 +310,7 @@ final class InstallationFiles {
         chosen ->
             chosen.ifPresentOrElse(
                 path ->
-                    saver.saveAs(
-                        document, document.toSaveAs(path), remembering(document, then)),
+                    saver.saveAs(document, document.toSaveAs(path), remembering(document, then)),
                 () -> then.accept(false)));
   }
 

@@ -192,10 +192,7 @@ final class ProgramFiles {
         chosen ->
             chosen.ifPresentOrElse(
                 path ->
-                    saver.saveAs(
-                        document,
-                        document.toSaveAs(path),
-                        remembering(document, then)),
+                    saver.saveAs(document, document.toSaveAs(path), remembering(document, then)),
                 () -> then.accept(false)));
   }
 
