@@ -2,6 +2,7 @@ package org.pendant.controller.call;
 
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ListValue;
 import org.pendant.controller.value.LongOperation;
@@ -31,7 +32,7 @@ public final class Call {
   private static final int LONGEST_SHOWN = 80;
 
   /** Most bytes of a text that is made of values for the log or the outside. */
-  public static final int LONGEST_TEXT = 4 << 20;
+  public static final int LONGEST_TEXT = MessageLog.LONGEST_TEXT;
 
   /** Bytes that are copied in a nanosecond, roughly. */
   private static final int BYTES_A_NS = 8;
