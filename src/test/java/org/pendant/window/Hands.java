@@ -8,6 +8,7 @@ import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
+import java.time.Duration;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.KeyStroke;
@@ -18,10 +19,17 @@ final class Hands {
   private static final int STEPS = 10;
   private static final String PLAIN = "`1234567890-=[]\\;',./";
 
+  /** A view that moves all the time may keep a window busy for ever. */
+  private static final Duration MOST_WAITED = Duration.ofMillis(500);
+
   private final Robot robot;
+
+  /** One of its own, since a robot that waits does nothing else. */
+  private final Robot waiting;
 
   Hands() throws AWTException {
     robot = new Robot();
+    waiting = new Robot();
   }
 
   /** Presses the left button at the middle of {@code place} and keeps it down. */
@@ -81,7 +89,7 @@ final class Hands {
    * Types ASCII text; a line feed is Enter. Behind that the keys may belong to another component,
    * and Java cannot tell keys of one millisecond apart.
    */
-  void type(String text) {
+  void type(String text) throws InterruptedException {
     for (int i = 0; i < text.length(); i++) {
       type(text.charAt(i));
       if (text.charAt(i) == '\n') {
@@ -106,11 +114,14 @@ final class Hands {
   }
 
   /**
-   * Waits until the display has handed over all that these hands did, and the window has nothing to
-   * do any more: until then it shows, and gives the keys to, what was there before.
+   * Waits until the display has handed over all that these hands did, and the window has dealt with
+   * it: until then it shows, and gives the keys to, what was there before.
    */
-  void settle() {
-    robot.waitForIdle();
+  void settle() throws InterruptedException {
+    Thread idle = Thread.ofPlatform().daemon().start(waiting::waitForIdle);
+    if (!idle.join(MOST_WAITED)) {
+      Places.dispatched(() -> true);
+    }
   }
 
   /** What the display shows at {@code place}. */
