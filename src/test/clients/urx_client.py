@@ -41,6 +41,14 @@ def near(one, other, tolerance):
     return all(abs(a - b) <= tolerance for a, b in zip(one, other, strict=True))
 
 
+def same_pose(one, other, tolerance):
+    """A rotation by half a turn is the same one about the opposite axis."""
+    opposite = [-component for component in other[3:]]
+    return near(one[:3], other[:3], tolerance) and (
+        near(one[3:], other[3:], tolerance) or near(one[3:], opposite, tolerance)
+    )
+
+
 def awaited(what, condition):
     """Waits for something that the next packages show."""
     end = time.monotonic() + 20
@@ -67,7 +75,8 @@ try:
     check("joints of the other port", near(turned, monitor.q_actual(wait=True), 0.002), turned)
 
     pose = robot.getl(wait=True)
-    check("pose of the other port", near(pose, monitor.tcf_pose(wait=True), 0.002), pose)
+    realtime = monitor.tcf_pose(wait=True)
+    check("pose of the other port", same_pose(pose, realtime, 0.002), (pose, realtime))
     raised = list(pose)
     raised[2] += 0.05
     robot.movel(raised, acc=1.0, vel=0.25)
