@@ -101,7 +101,7 @@ class LongOperationProgramTest {
             """
             h = run changer()
             i = 0
-            while i < 5:
+            while i < 20:
               b = a + c
               i = i + 1
             end

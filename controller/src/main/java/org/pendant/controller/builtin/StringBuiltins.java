@@ -163,6 +163,16 @@ final class StringBuiltins {
 
   /** The text of an argument of a kind that the manual lists for conversion. */
   private static String convertible(Call call, int argument) throws ScriptError {
+    // without a value object for the most usual case
+    String text =
+        call.kind(argument) == Kind.INT
+            ? Integer.toString(call.integer(argument))
+            : start(call, argument);
+    call.charge(text.length() * (long) CONVERTED_NS);
+    return text;
+  }
+
+  private static String start(Call call, int argument) throws ScriptError {
     Value value = call.value(argument);
     boolean allowed =
         switch (value.kind()) {
@@ -177,9 +187,7 @@ final class StringBuiltins {
       throw call.wrongKind(
           argument, "a string, bool, number, pose or a list of bools, numbers or poses");
     }
-    String text = ValueText.start(value, MOST_CONVERTED);
-    call.charge(text.length() * (long) CONVERTED_NS);
-    return text;
+    return ValueText.start(value, MOST_CONVERTED);
   }
 
   private static Outcome answerLimited(Call call, String text) throws ScriptError {

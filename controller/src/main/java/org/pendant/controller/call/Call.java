@@ -293,7 +293,10 @@ public final class Call {
   }
 
   public Outcome answer(String bytes) {
-    return answer(new StringValue(bytes));
+    StringValue text = new StringValue(bytes);
+    work.take(text.sizeBytes());
+    registers.setObject(resultSlot, text);
+    return Outcome.Answered.ANSWERED;
   }
 
   public Outcome answer(Pose pose) {

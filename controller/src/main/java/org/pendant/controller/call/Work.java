@@ -5,6 +5,11 @@ package org.pendant.controller.call;
  * machine settles it with the thread that they ran in.
  */
 public final class Work {
+  /** Less than this is not worth to be settled at once. */
+  private static final int DUE_NS = 1000;
+
+  private static final int DUE_BYTES = 8192;
+
   private long ns;
   private long bytes;
 
@@ -24,6 +29,11 @@ public final class Work {
    */
   public void take(long more) {
     bytes += more;
+  }
+
+  /** Whether so much was counted that it has to be settled before anything else is done. */
+  public boolean due() {
+    return ns > DUE_NS || bytes > DUE_BYTES;
   }
 
   /** The computing time since the last call of this. */

@@ -16,12 +16,12 @@ final class Cost {
   /** Instructions that may follow each other without being counted. */
   static final int LONGEST_STRETCH = 256;
 
-  private static final int TURN_NS = 4;
-  private static final int CALL_NS = 12;
-  private static final int INSTRUCTION_NS = 2;
+  private static final int TURN_NS = 2;
+  private static final int CALL_NS = 6;
+  private static final int INSTRUCTION_NS = 1;
 
   /** A call of a built-in, beside what the built-in itself says that it takes. */
-  static final int BUILTIN_NS = 40;
+  static final int BUILTIN_NS = 120;
 
   /** Starting a thread. */
   static final int THREAD_NS = 1000;

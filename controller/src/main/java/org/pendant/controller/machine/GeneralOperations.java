@@ -144,8 +144,12 @@ final class GeneralOperations {
     return value.copy();
   }
 
-  /** Addition; strings, which programs build piece by piece, without a detour. */
   Stop add(ScriptThread thread, long w, int base) throws ScriptError {
+    return join(w, base) ? Stop.GOES_ON : arithmetic(BinaryOperator.ADD, thread, w, base);
+  }
+
+  /** Adds two strings where another string was; whether that is what had to be done. */
+  boolean join(long w, int base) throws ScriptError {
     Value[] objects = registers.objects();
     byte[] tags = registers.tags();
     int x = Instruction.slot(Instruction.b(w), base);
@@ -158,16 +162,17 @@ final class GeneralOperations {
         && objects[y] instanceof StringValue tail
         && objects[target] instanceof StringValue) {
       objects[target] = joined(head, tail);
-      return Stop.GOES_ON;
+      return true;
     }
-    return arithmetic(BinaryOperator.ADD, thread, w, base);
+    return false;
   }
 
-  private Value joined(StringValue head, StringValue tail) throws ScriptError {
-    int copied = head.joinCost(tail);
+  private StringValue joined(StringValue head, StringValue tail) throws ScriptError {
+    StringValue joined = Operators.concatenated(head, tail);
+    int copied = joined.copiedFor(head);
     work.charge(Cost.GENERAL_NS + (long) Cost.bytes(copied));
     work.take(copied);
-    return Operators.concatenated(head, tail);
+    return joined;
   }
 
   /** Any operator; {@link Stop#EXHAUSTED} if it is not done with. */

@@ -125,11 +125,16 @@ final class InstructionTranslator {
 
   /** The place of instruction {@code pc} in full generality; it changes {@code target}, if any. */
   private Label slow(int pc, int... target) {
+    return rare(pc, () -> registers.slow(pc), target);
+  }
+
+  /** The place where {@code call} executes instruction {@code pc}, before the next one goes on. */
+  private Label rare(int pc, Runnable call, int... target) {
     Label label = code.newLabel();
     tail.add(
         () -> {
           code.labelBinding(label);
-          registers.slow(pc);
+          call.run();
           stopUnlessGoesOn();
           for (int operand : target) {
             registers.reload(operand);
@@ -148,7 +153,11 @@ final class InstructionTranslator {
 
   /** Operations that are always done in full generality. */
   private void general(int pc, int operation, int a) {
-    registers.slow(pc);
+    if (operation == Op.CALL_BUILTIN) {
+      registers.slowCall(pc);
+    } else {
+      registers.slow(pc);
+    }
     switch (operation) {
       case Op.CALL_BUILTIN, Op.CALL_METHOD, Op.CALL_PART_METHOD, Op.RUN -> {
         stopUnlessGoesOn();
@@ -230,7 +239,8 @@ final class InstructionTranslator {
   }
 
   private void arithmetic(int pc, int operation, int target, int x, int y) {
-    Label slow = slow(pc, target);
+    Label slow =
+        operation == Op.ADD ? rare(pc, () -> registers.slowAdd(pc), target) : slow(pc, target);
     boolean isFloat =
         registers.knownTag(x) == Registers.FLOAT || registers.knownTag(y) == Registers.FLOAT;
     tags(x, y);

@@ -282,6 +282,16 @@ final class JvmCode {
     step("run", pc, STEP);
   }
 
+  /** {@link #slow} of an addition. */
+  void slowAdd(int pc) {
+    step("add", pc, STEP);
+  }
+
+  /** {@link #slow} of a call of a built-in function. */
+  void slowCall(int pc) {
+    step("callBuiltin", pc, STEP);
+  }
+
   /** Pushes whether what instruction {@code pc} compares is equal, or {@link SlowPath#STOPPED}. */
   void slowEqual(int pc) {
     step("equal", pc, STEP.changeReturnType(INT));

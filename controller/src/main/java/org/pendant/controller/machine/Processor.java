@@ -71,6 +71,7 @@ final class Processor {
               ? code.run(this, thread, thread.bases[top], thread.pcs[top])
               : loop.run(thread);
       if (stop.compareTo(Stop.CALLED) > 0) {
+        slow.settle(thread);
         return stop;
       }
     }

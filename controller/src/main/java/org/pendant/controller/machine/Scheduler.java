@@ -125,15 +125,27 @@ final class Scheduler {
       ScriptThread thread = order.get(i);
       thread.deferred = false;
       thread.waking = thread.state != ScriptThread.State.RUNNABLE;
-      thread.debtNs = Math.max(0, thread.debtNs - slices.threadNs());
-      if (thread.state == ScriptThread.State.RUNNABLE && thread.debtNs == 0) {
+      if (!thread.waking || thread.debtNs > 0) {
         computing++;
       }
     }
+    payDebts(slices.computing(computing));
     wakingLeftNs = slices.wakingNs();
     usedUp = false;
     next = 0;
     progress = false;
+  }
+
+  /** Whoever owes {@code shareNs} or more has no turn in this frame. */
+  private void payDebts(int shareNs) {
+    for (int i = 0; i < order.size(); i++) {
+      ScriptThread thread = order.get(i);
+      if (thread.debtNs >= shareNs) {
+        thread.debtNs -= shareNs;
+        thread.budget = 0;
+        thread.slicedFrame = frame;
+      }
+    }
   }
 
   /** Goes round the threads until none can do more in this frame. */
@@ -270,12 +282,14 @@ final class Scheduler {
 
   /** Gives {@code thread} its slice when it can run for the first time in this frame. */
   private void slice(ScriptThread thread) {
-    if (thread.slicedFrame == frame || thread.debtNs > 0) {
+    if (thread.slicedFrame == frame) {
       return;
     }
     thread.slicedFrame = frame;
-    thread.budget = thread.waking ? slices.waking(wakingLeftNs) : slices.computing(computing);
-    thread.deferred = thread.budget == 0;
+    int sliceNs = thread.waking ? slices.waking(wakingLeftNs) : slices.computing(computing);
+    thread.deferred = sliceNs == 0;
+    thread.budget = Math.max(0, sliceNs - thread.debtNs);
+    thread.debtNs = Math.max(0, thread.debtNs - sliceNs);
   }
 
   private static boolean released(ScriptThread thread) {

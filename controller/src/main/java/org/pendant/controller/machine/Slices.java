@@ -4,19 +4,18 @@ package org.pendant.controller.machine;
  * How the computing time of a frame is shared out among threads, in nanoseconds as {@link Cost}
  * counts them.
  *
- * @param threadNs what a thread gets at most
  * @param computingNs what the threads share that had not come to an end in the frame before
  * @param wakingNs what the threads share that waited, one after the other a quarter of the rest
  */
-record Slices(int threadNs, int computingNs, int wakingNs) {
+record Slices(int computingNs, int wakingNs) {
   /** So that a primary program leaves most of the 2 ms of a frame to everything else. */
-  static final Slices PRIMARY = new Slices(80_000, 240_000, 320_000);
+  static final Slices PRIMARY = new Slices(320_000, 320_000);
 
   /** A secondary program runs for one frame only, a single thread. */
-  static final Slices SECONDARY = new Slices(1_000_000, 1_000_000, 4_000_000);
+  static final Slices SECONDARY = new Slices(1_000_000, 4_000_000);
 
   /** For a run whose code is executed without its scheduler. */
-  static final Slices NONE = new Slices(0, 0, 0);
+  static final Slices NONE = new Slices(0, 0);
 
   /** What threads that waited get when their share is used up. */
   private static final int LEAST_NS = 1000;
@@ -28,7 +27,7 @@ record Slices(int threadNs, int computingNs, int wakingNs) {
 
   /** The slice of one of {@code count} threads that go on computing. */
   int computing(int count) {
-    return Math.min(threadNs, computingNs / Math.max(1, count));
+    return computingNs / Math.max(1, count);
   }
 
   /**
@@ -39,6 +38,6 @@ record Slices(int threadNs, int computingNs, int wakingNs) {
     if (leftNs < -LEAST_NS * MOST_WITH_LEAST) {
       return 0;
     }
-    return Math.min(threadNs, Math.max(LEAST_NS, leftNs / SHARE));
+    return Math.max(LEAST_NS, leftNs / SHARE);
   }
 }

@@ -1,6 +1,5 @@
 package org.pendant.controller.machine;
 
-import java.util.Optional;
 import org.pendant.controller.call.Builtin;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.Outcome;
@@ -27,6 +26,7 @@ final class SlowPath {
   private final GeneralOperations general;
   private final Call call;
   private final Work work;
+  private final ProgramMemory memory;
 
   SlowPath(ProgramRun run, GeneralOperations general, Call call) {
     this.run = run;
@@ -34,6 +34,7 @@ final class SlowPath {
     this.general = general;
     this.call = call;
     work = run.work();
+    memory = run.memory();
   }
 
   /**
@@ -46,14 +47,129 @@ final class SlowPath {
    *     why it stops behind the instruction
    */
   Stop run(ScriptThread thread, int base, int pc) throws ScriptError {
-    int depth = thread.depth;
-    long w = thread.functions[depth - 1].instructions()[pc - 1];
-    if (thread.budget < 0 && takesTime(thread.functions[depth - 1], w, base)) {
+    int top = thread.depth - 1;
+    ScriptFunction function = thread.functions[top];
+    long w = function.instructions()[pc - 1];
+    if (thread.budget < 0 && takesTime(function, w, base)) {
       return interrupt(thread, pc);
     }
-    thread.pcs[depth - 1] = pc;
-    Stop stop = execute(thread, base, w);
-    settle(thread);
+    thread.pcs[top] = pc;
+    int a = Instruction.a(w);
+    int operation = Instruction.operation(w);
+    Stop stop = Stop.GOES_ON;
+    switch (operation) {
+      case Op.MOVE -> move(function, w, base, false);
+      case Op.COPY -> move(function, w, base, true);
+      case Op.ASSIGN, Op.ASSIGN_COPY -> {
+        int source = Instruction.slot(Instruction.b(w), base);
+        int slot = Instruction.slot(a, base);
+        general.assign(function, a, slot, Instruction.b(w), source, operation == Op.ASSIGN_COPY);
+      }
+      case Op.UNSET -> registers.tags()[Instruction.slot(a, base)] = Registers.UNASSIGNED;
+      case Op.ADD -> stop = general.add(thread, w, base);
+      case Op.SUBTRACT -> stop = general.arithmetic(BinaryOperator.SUBTRACT, thread, w, base);
+      case Op.MULTIPLY -> stop = general.arithmetic(BinaryOperator.MULTIPLY, thread, w, base);
+      case Op.DIVIDE -> stop = general.arithmetic(BinaryOperator.DIVIDE, thread, w, base);
+      case Op.MODULO -> stop = general.arithmetic(BinaryOperator.MODULO, thread, w, base);
+      case Op.NEGATE -> stop = general.negate(thread, w, base);
+      case Op.XOR -> xor(function, w, base);
+      case Op.NOT -> throw general.notTruth(function, Instruction.slot(Instruction.b(w), base));
+      case Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE ->
+          throw general.notTruth(function, Instruction.slot(a, base));
+      case Op.LESS, Op.LESS_OR_EQUAL ->
+          throw general.notOrdered(
+              function,
+              Instruction.slot(Instruction.b(w), base),
+              Instruction.slot(Instruction.c(w), base));
+      case Op.JUMP_IF_LESS,
+          Op.JUMP_IF_LESS_OR_EQUAL,
+          Op.JUMP_IF_NOT_LESS,
+          Op.JUMP_IF_NOT_LESS_OR_EQUAL,
+          Op.LOOP_IF_LESS,
+          Op.LOOP_IF_LESS_OR_EQUAL ->
+          throw general.notOrdered(
+              function, Instruction.slot(a, base), Instruction.slot(Instruction.b(w), base));
+      case Op.RETURN -> throw general.unassigned(function, a);
+      case Op.CALL_BUILTIN ->
+          stop =
+              callBuiltin(
+                  thread,
+                  run.builtin(Instruction.b(w)),
+                  base + Instruction.index(Instruction.c(w)),
+                  a);
+      case Op.CALL_METHOD, Op.CALL_PART_METHOD -> {
+        int first = base + Instruction.index(Instruction.c(w));
+        stop = callBuiltin(thread, general.method(Instruction.b(w), first), first, a);
+      }
+      case Op.GET_INDEX -> general.getIndex(function, w, base);
+      case Op.SET_INDEX -> general.setIndex(function, w, base);
+      case Op.GET_INDEX_2 -> general.getIndex2(function, w, base);
+      case Op.SET_INDEX_2 -> general.setIndex2(function, w, base);
+      case Op.OPEN_INDEX -> general.openIndex(function, w, base);
+      case Op.OPEN_MEMBER -> general.openMember(function, w, base);
+      case Op.GET_MEMBER -> general.getMember(function, w, base);
+      case Op.SET_MEMBER -> general.setMember(function, w, base);
+      case Op.LIST -> stop = general.list(thread, w, base);
+      case Op.POSE -> general.pose(w, base);
+      case Op.STRUCT -> general.struct(w, base);
+      case Op.RUN -> {
+        work.charge(Cost.THREAD_NS);
+        run.startThread(thread.id(), Instruction.b(w));
+        registers.setInt(Instruction.slot(a, base), run.newestThread());
+      }
+      case Op.JOIN -> {
+        work.charge(Cost.HANDLE_NS);
+        if (run.join(thread, general.handle("join", Instruction.slot(a, base)))) {
+          stop = Stop.JOINING;
+        }
+      }
+      case Op.KILL -> {
+        work.charge(Cost.HANDLE_NS);
+        run.kill(general.handle("kill", Instruction.slot(a, base)));
+        stop = thread.ended() ? Stop.ENDED : Stop.GOES_ON;
+      }
+      case Op.ENTER_CRITICAL -> thread.critical = true;
+      case Op.EXIT_CRITICAL -> thread.critical = false;
+      case Op.HALT -> stop = Stop.HALTED;
+      case Op.PAUSE -> stop = Stop.PAUSED;
+      case Op.INTERPRETED -> {
+        thread.depth--;
+        stop = Stop.INTERPRETED;
+      }
+      default -> throw new IllegalStateException("operation " + operation);
+    }
+    settleDue(thread);
+    return stop == Stop.EXHAUSTED ? interrupt(thread, pc) : stop;
+  }
+
+  /**
+   * {@link #run} of an addition: of strings, which programs build piece by piece, on a short way.
+   */
+  Stop add(ScriptThread thread, int base, int pc) throws ScriptError {
+    int top = thread.depth - 1;
+    thread.pcs[top] = pc;
+    if (thread.budget < 0 || !general.join(thread.functions[top].instructions()[pc - 1], base)) {
+      return run(thread, base, pc);
+    }
+    settleDue(thread);
+    return Stop.GOES_ON;
+  }
+
+  /** {@link #run} of a call of a built-in function, on a short way. */
+  Stop callBuiltin(ScriptThread thread, int base, int pc) throws ScriptError {
+    if (thread.budget < 0) {
+      return interrupt(thread, pc);
+    }
+    int top = thread.depth - 1;
+    thread.pcs[top] = pc;
+    long w = thread.functions[top].instructions()[pc - 1];
+    Stop stop =
+        callBuiltin(
+            thread,
+            run.builtin(Instruction.b(w)),
+            base + Instruction.index(Instruction.c(w)),
+            Instruction.a(w));
+    settleDue(thread);
     return stop == Stop.EXHAUSTED ? interrupt(thread, pc) : stop;
   }
 
@@ -97,115 +213,18 @@ final class SlowPath {
     return Processor.stop(thread, pc - 1, Stop.EXHAUSTED);
   }
 
-  /** Takes what has been done off the thread's slice and counts the values that are new. */
-  private void settle(ScriptThread thread) throws ScriptError {
-    if (work.tookBytes()) {
-      work.charge(run.memory().took(work.settleBytes(), run));
+  private void settleDue(ScriptThread thread) throws ScriptError {
+    if (work.due()) {
+      settle(thread);
     }
-    thread.budget -= work.settleNs();
   }
 
-  private Stop execute(ScriptThread thread, int base, long w) throws ScriptError {
-    ScriptFunction function = thread.functions[thread.depth - 1];
-    int a = Instruction.a(w);
-    int operation = Instruction.operation(w);
-    switch (operation) {
-      case Op.MOVE -> move(function, w, base, false);
-      case Op.COPY -> move(function, w, base, true);
-      case Op.ASSIGN, Op.ASSIGN_COPY -> {
-        int source = Instruction.slot(Instruction.b(w), base);
-        int slot = Instruction.slot(a, base);
-        general.assign(function, a, slot, Instruction.b(w), source, operation == Op.ASSIGN_COPY);
-      }
-      case Op.UNSET -> registers.tags()[Instruction.slot(a, base)] = Registers.UNASSIGNED;
-      case Op.ADD -> {
-        return general.add(thread, w, base);
-      }
-      case Op.SUBTRACT -> {
-        return general.arithmetic(BinaryOperator.SUBTRACT, thread, w, base);
-      }
-      case Op.MULTIPLY -> {
-        return general.arithmetic(BinaryOperator.MULTIPLY, thread, w, base);
-      }
-      case Op.DIVIDE -> {
-        return general.arithmetic(BinaryOperator.DIVIDE, thread, w, base);
-      }
-      case Op.MODULO -> {
-        return general.arithmetic(BinaryOperator.MODULO, thread, w, base);
-      }
-      case Op.NEGATE -> {
-        return general.negate(thread, w, base);
-      }
-      case Op.XOR -> xor(function, w, base);
-      case Op.NOT -> throw general.notTruth(function, Instruction.slot(Instruction.b(w), base));
-      case Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE ->
-          throw general.notTruth(function, Instruction.slot(a, base));
-      case Op.LESS, Op.LESS_OR_EQUAL ->
-          throw general.notOrdered(
-              function,
-              Instruction.slot(Instruction.b(w), base),
-              Instruction.slot(Instruction.c(w), base));
-      case Op.JUMP_IF_LESS,
-          Op.JUMP_IF_LESS_OR_EQUAL,
-          Op.JUMP_IF_NOT_LESS,
-          Op.JUMP_IF_NOT_LESS_OR_EQUAL,
-          Op.LOOP_IF_LESS,
-          Op.LOOP_IF_LESS_OR_EQUAL ->
-          throw general.notOrdered(
-              function, Instruction.slot(a, base), Instruction.slot(Instruction.b(w), base));
-      case Op.RETURN -> throw general.unassigned(function, a);
-      case Op.CALL_BUILTIN -> {
-        return callBuiltin(
-            thread, run.builtin(Instruction.b(w)), base + Instruction.index(Instruction.c(w)), a);
-      }
-      case Op.CALL_METHOD, Op.CALL_PART_METHOD -> {
-        int first = base + Instruction.index(Instruction.c(w));
-        return callBuiltin(thread, general.method(Instruction.b(w), first), first, a);
-      }
-      case Op.GET_INDEX -> general.getIndex(function, w, base);
-      case Op.SET_INDEX -> general.setIndex(function, w, base);
-      case Op.GET_INDEX_2 -> general.getIndex2(function, w, base);
-      case Op.SET_INDEX_2 -> general.setIndex2(function, w, base);
-      case Op.OPEN_INDEX -> general.openIndex(function, w, base);
-      case Op.OPEN_MEMBER -> general.openMember(function, w, base);
-      case Op.GET_MEMBER -> general.getMember(function, w, base);
-      case Op.SET_MEMBER -> general.setMember(function, w, base);
-      case Op.LIST -> {
-        return general.list(thread, w, base);
-      }
-      case Op.POSE -> general.pose(w, base);
-      case Op.STRUCT -> general.struct(w, base);
-      case Op.RUN -> {
-        work.charge(Cost.THREAD_NS);
-        run.startThread(thread.id(), Instruction.b(w));
-        registers.setInt(Instruction.slot(a, base), run.newestThread());
-      }
-      case Op.JOIN -> {
-        work.charge(Cost.HANDLE_NS);
-        if (run.join(thread, general.handle("join", Instruction.slot(a, base)))) {
-          return Stop.JOINING;
-        }
-      }
-      case Op.KILL -> {
-        work.charge(Cost.HANDLE_NS);
-        run.kill(general.handle("kill", Instruction.slot(a, base)));
-        return thread.ended() ? Stop.ENDED : Stop.GOES_ON;
-      }
-      case Op.ENTER_CRITICAL -> thread.critical = true;
-      case Op.EXIT_CRITICAL -> thread.critical = false;
-      case Op.HALT -> {
-        return Stop.HALTED;
-      }
-      case Op.PAUSE -> {
-        return Stop.PAUSED;
-      }
-      case Op.INTERPRETED -> {
-        thread.depth--;
-        return Stop.INTERPRETED;
-      }
-      default -> throw new IllegalStateException("operation " + operation);
+  /** Takes what has been done off the thread's slice and counts the values that are new. */
+  void settle(ScriptThread thread) throws ScriptError {
+    if (work.tookBytes()) {
+      work.charge(memory.took(work.settleBytes(), run));
     }
-    return Stop.GOES_ON;
+    thread.budget -= work.settleNs();
   }
 
   private void move(ScriptFunction function, long w, int base, boolean copy) throws ScriptError {
@@ -236,23 +255,19 @@ final class SlowPath {
 
   private Stop callBuiltin(ScriptThread thread, Builtin builtin, int first, int result)
       throws ScriptError {
-    int base = thread.bases[thread.depth - 1];
     int slot = Instruction.index(result);
+    int target = thread.bases[thread.depth - 1] + slot;
     work.charge(Cost.BUILTIN_NS);
-    Optional<LongOperation> begun = thread.operation;
-    Outcome outcome = Outcome.Answered.ANSWERED;
-    if (begun.isEmpty()) {
-      outcome = call.run(builtin, first, base + slot);
-      begun =
-          outcome instanceof Outcome.Begun something
-              ? Optional.of(something.operation())
-              : Optional.empty();
-    }
-    if (begun.isPresent()) {
-      if (!general.finish(thread, begun.get())) {
+    Outcome outcome =
+        thread.operation.isPresent()
+            ? new Outcome.Begun(thread.operation.get())
+            : call.run(builtin, first, target);
+    if (outcome instanceof Outcome.Begun begun) {
+      LongOperation operation = begun.operation();
+      if (!general.finish(thread, operation)) {
         return Stop.EXHAUSTED;
       }
-      outcome = call.resume(builtin, first, base + slot, begun.get().result());
+      outcome = call.resume(builtin, first, target, operation.result());
     }
     if (outcome instanceof Wait wait) {
       thread.wait = wait;
@@ -280,7 +295,7 @@ final class SlowPath {
     }
     thread.pcs[thread.depth - 1] = pc;
     int equal = general.equal(thread, Instruction.slot(x, base), Instruction.slot(y, base));
-    settle(thread);
+    settleDue(thread);
     if (equal == STOPPED) {
       interrupt(thread, pc);
     }

@@ -306,7 +306,7 @@ public final class Operators {
    *
    * @throws ScriptError when the result would have more than 2^20 bytes
    */
-  public static Value concatenated(StringValue left, StringValue right) throws ScriptError {
+  public static StringValue concatenated(StringValue left, StringValue right) throws ScriptError {
     int length = left.length() + right.length();
     if (length > MAX_STRING_LENGTH) {
       throw new ScriptError(

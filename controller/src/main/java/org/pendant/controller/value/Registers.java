@@ -96,9 +96,14 @@ public final class Registers {
     } else if (value == NoneValue.NONE) {
       tags[slot] = NONE;
     } else {
-      tags[slot] = OBJECT;
-      objects[slot] = value;
+      setObject(slot, value);
     }
+  }
+
+  /** Stores a {@code value} that is no number, bool or NONE, not copied. */
+  public void setObject(int slot, Value value) {
+    tags[slot] = OBJECT;
+    objects[slot] = value;
   }
 
   public void setInt(int slot, int value) {

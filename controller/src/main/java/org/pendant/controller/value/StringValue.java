@@ -61,16 +61,24 @@ public final class StringValue implements Value {
   /** This string followed by {@code tail}. */
   StringValue followedBy(StringValue tail) {
     int joined = length + tail.length;
+    // what stands behind this part of the text belongs to another string
+    if (shared.isPresent() && shared.get().length() == length) {
+      append(shared.get(), tail.bytes());
+      return new StringValue(shared, joined);
+    }
     if (joined < SHORTEST_SHARED) {
       return new StringValue(bytes().concat(tail.bytes()));
     }
-    // what stands behind this part of the text belongs to another string
-    Optional<StringBuilder> text =
-        shared.isPresent() && shared.get().length() == length
-            ? shared
-            : Optional.of(new StringBuilder(2 * joined).append(bytes()));
-    text.get().append(tail.bytes());
-    return new StringValue(text, joined);
+    StringBuilder text = new StringBuilder(2 * joined).append(bytes()).append(tail.bytes());
+    return new StringValue(Optional.of(text), joined);
+  }
+
+  private static void append(StringBuilder text, String tail) {
+    if (tail.length() == 1) {
+      text.append(tail.charAt(0));
+    } else {
+      text.append(tail);
+    }
   }
 
   @Override
@@ -83,10 +91,10 @@ public final class StringValue implements Value {
     return HEADER_BYTES + (long) length;
   }
 
-  /** How many bytes have to be copied to join {@code tail} to this. */
-  public int joinCost(StringValue tail) {
-    boolean grows = shared.isPresent() && shared.get().length() == length;
-    return tail.length + (grows ? 0 : length);
+  /** How many bytes were copied to make this of {@code head} and another string behind it. */
+  @SuppressWarnings("ReferenceEquality") // whether it is the same text is the question
+  public int copiedFor(StringValue head) {
+    return shared.isPresent() && shared == head.shared ? length - head.length : length;
   }
 
   @Override

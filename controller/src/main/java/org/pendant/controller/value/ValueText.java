@@ -27,9 +27,17 @@ public final class ValueText {
 
   /** The text of {@code value}, one {@code char} a byte. */
   public static String of(Value value) {
+    return start(value, Integer.MAX_VALUE - 1);
+  }
+
+  /**
+   * The beginning of the text of {@code value}: all of it, or a few more than {@code limit}
+   * characters.
+   */
+  public static String start(Value value, int limit) {
     // not a pattern switch: those cost the start of every short program
     if (value instanceof StringValue string) {
-      return string.bytes();
+      return string.length() <= limit ? string.bytes() : string.start(limit + 1);
     }
     if (value instanceof IntValue number) {
       return Integer.toString(number.value());
@@ -43,14 +51,6 @@ public final class ValueText {
     if (value == NoneValue.NONE) {
       return "None";
     }
-    return start(value, Integer.MAX_VALUE - 1);
-  }
-
-  /**
-   * The beginning of the text of {@code value}: all of it, or a few more than {@code limit}
-   * characters.
-   */
-  public static String start(Value value, int limit) {
     TextConversion conversion = new TextConversion(limit, value);
     while (!conversion.done()) {
       conversion.advance();

@@ -230,7 +230,7 @@ class HeldRunsTest {
           textmsg(i)
         end
         """
-            .formatted(Slices.PRIMARY.threadNs() / Cost.turn(2) + 1);
+            .formatted(Slices.PRIMARY.computing(1) / Cost.turn(2) + 1);
     assertEquals(1, runFreely(text, Translation.WHEN_HOT).frames());
     MachineFixture fixture = new MachineFixture();
     Debugger debugger = new Debugger(fixture.machine);
