@@ -94,7 +94,9 @@ public final class StringValue implements Value {
   /** How many bytes were copied to make this of {@code head} and another string behind it. */
   @SuppressWarnings("ReferenceEquality") // whether it is the same text is the question
   public int copiedFor(StringValue head) {
-    return shared.isPresent() && shared == head.shared ? length - head.length : length;
+    boolean continued =
+        shared.isPresent() && head.shared.isPresent() && shared.get() == head.shared.get();
+    return continued ? length - head.length : length;
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.pendant.protocols.rtde;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -25,6 +26,14 @@ final class InputDesk {
 
   /** What all clients together have waiting, so that others find places for their commands. */
   static final int MOST_OF_ALL = 512;
+
+  /**
+   * So long after a client has closed its connection another one may still find its inputs taken.
+   */
+  private static final Duration LEAVING = Duration.ofMillis(250);
+
+  /** When to ask again meanwhile, ms. */
+  private static final long AGAIN_MS = 4;
 
   private final Controller controller;
   private final String client;
@@ -59,8 +68,22 @@ final class InputDesk {
     return recipes.size();
   }
 
-  /** Takes all inputs of a recipe, unless somebody else has some of them, which are answered. */
+  /**
+   * Takes all inputs of a recipe, unless somebody else has some of them, which are answered. They
+   * may be those of a client that has gone just now, whose end is noticed a moment later: this
+   * waits that long.
+   */
   Set<String> claim(InputRecipe recipe) throws InterruptedException {
+    long endNs = System.nanoTime() + LEAVING.toNanos();
+    Set<String> inUse = claimNow(recipe);
+    while (!inUse.isEmpty() && System.nanoTime() < endNs) {
+      TimeUnit.MILLISECONDS.sleep(AGAIN_MS);
+      inUse = claimNow(recipe);
+    }
+    return inUse;
+  }
+
+  private Set<String> claimNow(InputRecipe recipe) throws InterruptedException {
     CompletableFuture<Set<String>> inUse = new CompletableFuture<>();
     boolean asked =
         commands.inTimeOrNever(new Command.ClaimInputs(client, recipe, inUse::complete));

@@ -242,6 +242,15 @@ class RtdeServerTest {
   }
 
   @Test
+  void inputsOfAConnectionThatHasJustBeenClosedCanBeTakenAtOnce() throws Exception {
+    for (int i = 0; i < 100; i++) {
+      try (Client client = client()) {
+        assertEquals("1 INT32", client.inputs("input_int_register_0"));
+      }
+    }
+  }
+
+  @Test
   void oneConnectionHasAtMost255InputRecipes() throws Exception {
     try (Client client = client()) {
       for (int id = 1; id < 255; id++) {
