@@ -39,6 +39,7 @@ final class InputDesk {
   private final String client;
   private final List<InputRecipe> recipes = new ArrayList<>();
   private final RetriedCommands commands;
+  private final long openedNs = System.nanoTime();
   private final Semaphore roomOfAll;
   private final Semaphore room = new Semaphore(MOST_IN_A_FRAME);
 
@@ -70,13 +71,12 @@ final class InputDesk {
 
   /**
    * Takes all inputs of a recipe, unless somebody else has some of them, which are answered. They
-   * may be those of a client that has gone just now, whose end is noticed a moment later: this
-   * waits that long.
+   * may be those of a client that had gone before this one came, but whose end is noticed only a
+   * moment later: this waits that long.
    */
   Set<String> claim(InputRecipe recipe) throws InterruptedException {
-    long endNs = System.nanoTime() + LEAVING.toNanos();
     Set<String> inUse = claimNow(recipe);
-    while (!inUse.isEmpty() && System.nanoTime() < endNs) {
+    while (!inUse.isEmpty() && System.nanoTime() - openedNs < LEAVING.toNanos()) {
       TimeUnit.MILLISECONDS.sleep(AGAIN_MS);
       inUse = claimNow(recipe);
     }
