@@ -28,6 +28,9 @@ public final class VirtualClock implements Clock {
 
   @Override
   public void awaitFrame(BooleanSupplier waitsForOutside) throws InterruptedException {
+    if (Thread.interrupted()) {
+      throw new InterruptedException();
+    }
     boolean wasPaced = paced;
     paced = waitsForOutside.getAsBoolean();
     if (paced) {
@@ -35,8 +38,6 @@ public final class VirtualClock implements Clock {
         deadlines.startAfresh();
       }
       awaitDeadline();
-    } else if (Thread.interrupted()) {
-      throw new InterruptedException();
     }
   }
 

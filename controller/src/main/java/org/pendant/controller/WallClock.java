@@ -46,6 +46,9 @@ public final class WallClock implements Clock {
 
   @Override
   public void awaitFrame(BooleanSupplier waitsForOutside) throws InterruptedException {
+    if (Thread.interrupted()) {
+      throw new InterruptedException();
+    }
     long nowNs = nanoTime.getAsLong();
     for (long waitNs = deadlines.waitNs(nowNs); waitNs > 0; waitNs = deadlines.waitNs(nowNs)) {
       LockSupport.parkNanos(waitNs);

@@ -53,6 +53,15 @@ final class WallClockTest {
   }
 
   @Test
+  void anInterruptEndsALateFrameToo() throws InterruptedException {
+    WallClock clock = new WallClock(1, () -> nowNs);
+    clock.awaitFrame();
+    nowNs += 7_000_000;
+    Thread.currentThread().interrupt();
+    assertThrows(InterruptedException.class, clock::awaitFrame);
+  }
+
+  @Test
   void refusesFactorsThatAreNoPace() {
     for (double factor : new double[] {0, -1, Double.NaN, 1e9}) {
       assertThrows(IllegalArgumentException.class, () -> new WallClock(factor));
