@@ -48,12 +48,14 @@ public final class Served implements AutoCloseable {
   }
 
   /**
-   * A loopback address that no other run of these tests uses at the same time: some clients know
-   * the standard ports only.
+   * A loopback address that no other process of tests uses at the same time: some clients know the
+   * standard ports only.
+   *
+   * @param number of the address among those of this process, 1 to 250
    */
-  private static String host(int number) {
-    long run = ProcessHandle.current().pid();
-    String host = "127.%d.%d.%d".formatted(100 + run / 62_500 % 100, run / 250 % 250, number);
+  public static String host(int number) {
+    long process = ProcessHandle.current().pid();
+    String host = "127.%d.%d.%d".formatted(100 + process / 250 % 100, process % 250, number);
     try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getByName(host))) {
       Assumptions.assumeTrue(probe.isBound());
     } catch (IOException e) {

@@ -15,6 +15,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,41 +27,50 @@ final class ServeTest {
   private static final int DASHBOARD = 29_999;
   private static final int GIVE_UP_MS = 60_000;
 
-  /** What a box cannot do without, by the standard numbers. */
-  private static final List<Integer> PORTS =
-      List.of(
-          DASHBOARD, 30_001, 30_002, 30_003, 30_004, 30_011, 30_012, 30_013, 30_020, 40_000, 44_818,
-          54_321);
+  /** Between two offsets, so that none of the ports that stand close together is the same. */
+  private static final int STEP = 25;
 
-  /** With a larger one, these ports are among those that the system lends to any client. */
-  private static final int OFFSETS = 1_700;
+  /** With a larger offset, ports are among those that the system lends to any client. */
+  private static final int OFFSETS = 1_700 / STEP;
 
-  /** Tests that run at the same time on one machine get ports of their own. */
-  private static final int OFFSET = freeOffset();
+  /** Whoever has this port has the offset. */
+  private static final int CLAIM = 29_998;
+
+  private ServerSocket claim;
+  private int offset;
 
   @TempDir Path folder;
 
-  private static int freeOffset() {
+  /** Tests that run at the same time on one machine get ports of their own. */
+  @BeforeEach
+  void claimPorts() {
     int first = (int) (ProcessHandle.current().pid() % OFFSETS);
-    return IntStream.range(0, OFFSETS)
-        .map(i -> 1000 + (first + i) % OFFSETS)
-        .filter(offset -> PORTS.stream().allMatch(port -> isFree(port + offset)))
-        .findFirst()
-        .orElseThrow();
+    offset =
+        IntStream.range(0, OFFSETS)
+            .map(i -> 1000 + STEP * ((first + i) % OFFSETS))
+            .filter(each -> claimed(CLAIM + each))
+            .findFirst()
+            .orElseThrow();
   }
 
-  private static boolean isFree(int port) {
-    try (ServerSocket probe = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
-      return probe.isBound();
+  private boolean claimed(int port) {
+    try {
+      claim = new ServerSocket(port, 1, InetAddress.getLoopbackAddress());
+      return true;
     } catch (IOException e) {
       return false;
     }
   }
 
+  @AfterEach
+  void giveBack() throws IOException {
+    claim.close();
+  }
+
   private Process serve(String... options) {
     List<String> words =
         new ArrayList<>(
-            List.of("serve", "--port-offset", String.valueOf(OFFSET), "--logs", "logs"));
+            List.of("serve", "--port-offset", String.valueOf(offset), "--logs", "logs"));
     words.addAll(List.of(options));
     return Launcher.start(folder, words.toArray(String[]::new));
   }
@@ -75,8 +86,8 @@ final class ServeTest {
   }
 
   /** Sends lines to the dashboard server and answers what it said to the last. */
-  private static String dashboard(String... lines) throws IOException {
-    try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), DASHBOARD + OFFSET)) {
+  private String dashboard(String... lines) throws IOException {
+    try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), DASHBOARD + offset)) {
       socket.setSoTimeout(GIVE_UP_MS);
       BufferedReader answers =
           new BufferedReader(
@@ -98,7 +109,7 @@ final class ServeTest {
     Process process = serve("--ready");
     try (BufferedReader output = process.inputReader(StandardCharsets.UTF_8)) {
       List<String> ports = untilReady(output);
-      assertTrue(ports.contains("Dashboard 127.0.0.1:" + (DASHBOARD + OFFSET)), ports.toString());
+      assertTrue(ports.contains("Dashboard 127.0.0.1:" + (DASHBOARD + offset)), ports.toString());
       assertEquals("Starting program", dashboard("load turns.script", "play"));
       assertEquals("on 1", output.readLine());
       Process kill = new ProcessBuilder("kill", "-" + signal, Long.toString(process.pid())).start();
@@ -155,9 +166,9 @@ final class ServeTest {
   @Test
   void aPortThatIsTakenIsNamed() throws IOException {
     try (ServerSocket taken =
-        new ServerSocket(DASHBOARD + OFFSET, 1, InetAddress.getLoopbackAddress())) {
+        new ServerSocket(DASHBOARD + offset, 1, InetAddress.getLoopbackAddress())) {
       Launcher.Result result =
-          Launcher.pendant(folder, "serve", "--port-offset", String.valueOf(OFFSET));
+          Launcher.pendant(folder, "serve", "--port-offset", String.valueOf(offset));
       assertEquals(69, result.exitCode());
       assertEquals("", result.output());
       assertTrue(
@@ -174,7 +185,7 @@ final class ServeTest {
   @Test
   void startsWithoutAPortThatFewNeedAndSaysWhich() throws IOException {
     try (ServerSocket taken =
-        new ServerSocket(30_013 + OFFSET, 1, InetAddress.getLoopbackAddress())) {
+        new ServerSocket(30_013 + offset, 1, InetAddress.getLoopbackAddress())) {
       Process process = serve();
       try (BufferedReader output = process.inputReader(StandardCharsets.ISO_8859_1);
           BufferedReader errors = process.errorReader(StandardCharsets.ISO_8859_1)) {

@@ -10,7 +10,6 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.net.ConnectException;
-import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
@@ -53,7 +52,7 @@ final class DeskPortsTest {
   }
 
   private Socket connect(int standardPort) throws IOException {
-    return new Socket(InetAddress.getLoopbackAddress(), standardPort + wishes.offset());
+    return new Socket(FreePorts.address(wishes), standardPort + wishes.offset());
   }
 
   /** What the dashboard answers. */
@@ -126,15 +125,19 @@ final class DeskPortsTest {
   @Test
   void aPortThatIsTakenIsNamedAndKeepsNoOtherClosed() throws IOException {
     try (ServerSocket rtde =
-            new ServerSocket(30_004 + wishes.offset(), 1, InetAddress.getLoopbackAddress());
+            new ServerSocket(30_004 + wishes.offset(), 1, FreePorts.address(wishes));
         ServerSocket serial =
-            new ServerSocket(54_321 + wishes.offset(), 1, InetAddress.getLoopbackAddress())) {
+            new ServerSocket(54_321 + wishes.offset(), 1, FreePorts.address(wishes))) {
       ports.want(Optional.of(wishes));
       PortsState.Open open = assertInstanceOf(PortsState.Open.class, ports.state());
       assertEquals(
           List.of(
-              "RTDE: port " + rtde.getLocalPort() + " of 127.0.0.1 cannot be had",
-              "Tool serial: port " + serial.getLocalPort() + " of 127.0.0.1 cannot be had"),
+              "RTDE: port " + rtde.getLocalPort() + " of " + wishes.host() + " cannot be had",
+              "Tool serial: port "
+                  + serial.getLocalPort()
+                  + " of "
+                  + wishes.host()
+                  + " cannot be had"),
           open.missing().stream()
               .map(each -> each.why().replaceAll("had: .*", "had"))
               .sorted()

@@ -1,55 +1,40 @@
 package org.pendant.gui.ports;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
+import java.net.UnknownHostException;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.OptionalInt;
-import java.util.Random;
+import org.junit.jupiter.api.Assumptions;
 
-/** Finds an offset at which nobody uses the ports of a control box. */
+/** A place for the ports of a control box that no other process of tests uses. */
 final class FreePorts {
-  private static final List<Integer> STANDARD =
-      List.of(
-          30_001, 30_002, 30_003, 30_004, 30_011, 30_012, 30_013, 29_999, 30_020, 502, 44_818,
-          40_000, 54_321);
-
-  private static final Random RANDOM = new Random();
+  /** No port below 1024, which not everybody may open. */
+  private static final int OFFSET = 2000;
 
   private FreePorts() {}
 
-  /** What opens all ports of this computer's loopback address at such an offset. */
+  /** What opens all ports at a loopback address of this process's own. */
   static PortWishes wishes(Path programs) {
-    int offset = 1000 + RANDOM.nextInt(PortWishes.LARGEST_OFFSET - 1000);
-    while (!free(offset)) {
-      offset = 1000 + RANDOM.nextInt(PortWishes.LARGEST_OFFSET - 1000);
+    long process = ProcessHandle.current().pid();
+    String host = "127.%d.%d.1".formatted(1 + process / 250 % 99, process % 250);
+    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getByName(host))) {
+      Assumptions.assumeTrue(probe.isBound());
+    } catch (IOException e) {
+      Assumptions.abort(
+          "skipped: this system has only one loopback address, " + host + ": " + e.getMessage());
     }
-    return new PortWishes("127.0.0.1", offset, OptionalInt.empty(), programs, true);
+    return new PortWishes(host, OFFSET, OptionalInt.empty(), programs, true);
   }
 
-  private static boolean free(int offset) {
-    List<ServerSocket> held = new ArrayList<>();
+  /** Where such wishes listen. */
+  static InetAddress address(PortWishes wishes) {
     try {
-      for (int each : STANDARD) {
-        held.add(new ServerSocket(each + offset, 1, InetAddress.getLoopbackAddress()));
-      }
-      return true;
-    } catch (IOException e) {
-      return false;
-    } finally {
-      for (ServerSocket each : held) {
-        close(each);
-      }
-    }
-  }
-
-  private static void close(ServerSocket socket) {
-    try {
-      socket.close();
-    } catch (IOException e) {
-      throw new AssertionError("a socket that nobody uses can be closed", e);
+      return InetAddress.getByName(wishes.host());
+    } catch (UnknownHostException e) {
+      throw new UncheckedIOException(e);
     }
   }
 }

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -86,14 +85,17 @@ final class PortsPresenterTest {
     ports.want(Optional.of(wishes));
     assertEquals("Open, nobody is connected", presenter.summary());
     int dashboard = 29_999 + wishes.offset();
-    try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), dashboard)) {
+    try (Socket socket = new Socket(FreePorts.address(wishes), dashboard)) {
       // greeted, so it is counted
       assertTrue(socket.getInputStream().read() >= 0);
       PortsPresenter.Row row =
           presenter.rows().stream().filter(each -> each.clients() > 0).findFirst().orElseThrow();
       assertEquals(
           new PortsPresenter.Row(
-              "Dashboard", "127.0.0.1:" + dashboard, 1, "127.0.0.1:" + socket.getLocalPort()),
+              "Dashboard",
+              wishes.host() + ":" + dashboard,
+              1,
+              "127.0.0.1:" + socket.getLocalPort()),
           row);
       assertEquals("Open, 1 client", presenter.summary());
       assertEquals("", presenter.warning());
