@@ -24,6 +24,9 @@ import org.pendant.controller.value.Value;
  * <p>Numbers and tags of the busiest local slots are kept in variables of the method as well. Every
  * change goes to both places, so the registers are always up to date, and the variables only have
  * to be loaded again after something else changed a register.
+ *
+ * <p>The budget of the thread is kept in a variable where a function has loops, and only written
+ * back before something else looks at it: a store in every turn would cost as much as a short turn.
  */
 final class JvmCode {
   static final ClassDesc PROCESSOR = desc(Processor.class);
@@ -58,7 +61,8 @@ final class JvmCode {
   static final int NUMBER = 9;
   static final int CONTAINER = 11;
   static final int CALLEE = 12;
-  private static final int FIRST_KEPT = 13;
+  private static final int BUDGET = 13;
+  private static final int FIRST_KEPT = 14;
 
   private final CodeBuilder code;
   private final ScriptFunction function;
@@ -67,6 +71,9 @@ final class JvmCode {
   /** The variable that keeps the number of each local slot, its tag behind it; 0 for none. */
   private final int[] kept;
 
+  /** Whether the function itself counts what it costs. */
+  private final boolean counts;
+
   /**
    * @param uses how often each local slot is read as a number
    */
@@ -74,6 +81,7 @@ final class JvmCode {
     this.code = code;
     this.function = function;
     this.tables = tables;
+    counts = Arrays.stream(function.instructions()).anyMatch(JvmCode::isCounted);
     kept = new int[uses.length];
     int[] busiest = uses.clone();
     Arrays.sort(busiest);
@@ -85,6 +93,13 @@ final class JvmCode {
         next += 3;
       }
     }
+  }
+
+  private static boolean isCounted(long w) {
+    return switch (Instruction.operation(w)) {
+      case Op.LOOP, Op.LOOP_IF_LESS, Op.LOOP_IF_LESS_OR_EQUAL, Op.STRETCH -> true;
+      default -> false;
+    };
   }
 
   static ClassDesc desc(Class<?> type) {
@@ -249,6 +264,7 @@ final class JvmCode {
   /** The beginning of the method: {@code start} follows for instruction 0, {@code resume} else. */
   void prologue(Label start) {
     reloadArrays();
+    loadBudget();
     for (int i = 0; i < function.variableCount(); i++) {
       reload(Instruction.local(i));
     }
@@ -265,13 +281,27 @@ final class JvmCode {
 
   // --- what is not done here
 
+  private void loadBudget() {
+    if (counts) {
+      code.aload(THE_THREAD).getfield(THREAD, "budget", INT).istore(BUDGET);
+    }
+  }
+
+  private void writeBudgetBack() {
+    if (counts) {
+      code.aload(THE_THREAD).iload(BUDGET).putfield(THREAD, "budget", INT);
+    }
+  }
+
   private void step(String method, int pc, MethodTypeDesc type) {
+    writeBudgetBack();
     code.aload(THE_PROCESSOR)
         .invokevirtual(PROCESSOR, "slow", MethodTypeDesc.of(SLOW_PATH))
         .aload(THE_THREAD)
         .iload(BASE)
         .loadConstant(pc + 1)
         .invokevirtual(SLOW_PATH, method, type);
+    loadBudget();
   }
 
   /**
@@ -308,18 +338,12 @@ final class JvmCode {
 
   /** Counts {@code costNs} and jumps to {@code exhausted} when the budget does not suffice. */
   void count(int costNs, Label exhausted) {
-    code.aload(THE_THREAD)
-        .dup()
-        .getfield(THREAD, "budget", INT)
-        .loadConstant(costNs)
-        .isub()
-        .dup_x1()
-        .putfield(THREAD, "budget", INT)
-        .iflt(exhausted);
+    code.iload(BUDGET).loadConstant(costNs).isub().dup().istore(BUDGET).iflt(exhausted);
   }
 
   /** Returns from the method: the turn goes on with instruction {@code pc} in the next frame. */
   void exhausted(int pc) {
+    writeBudgetBack();
     code.aload(THE_THREAD)
         .loadConstant(pc)
         .invokestatic(PROCESSOR, "exhausted", MethodTypeDesc.of(STOP, THREAD, INT))
@@ -328,6 +352,7 @@ final class JvmCode {
 
   /** Pushes a frame and the callee's code, or null. */
   void enter(int pc, int number, int offset, int result) {
+    writeBudgetBack();
     code.aload(THE_PROCESSOR)
         .aload(THE_THREAD)
         .iload(BASE)
@@ -358,6 +383,7 @@ final class JvmCode {
   /** Goes on after a call, which may have moved this frame. */
   void returned(int result) {
     reloadArrays();
+    loadBudget();
     base();
     code.istore(BASE);
     reload(result);
@@ -365,6 +391,7 @@ final class JvmCode {
 
   /** Leaves the frame with the value of {@code operand}, tagged as {@code tag} pushes. */
   void leave(int operand, Runnable tag) {
+    writeBudgetBack();
     code.aload(THE_PROCESSOR).aload(THE_THREAD);
     tag.run();
     number(operand);
