@@ -3,6 +3,7 @@ package org.pendant.controller.builtin;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.encoder.Encoder;
 import org.pendant.controller.motion.MotionControl;
@@ -65,6 +66,7 @@ final class ConveyorBuiltins {
             "Where the TCP should be in the base frame, were there no conveyor, path offset or"
                 + " force mode.")
         .returns(Type.POSE)
+        .effect(Effect.SENSES)
         .does(ConveyorBuiltins::poseAlongPath);
     builtins
         .declare("get_target_tcp_speed_along_path")
@@ -73,6 +75,7 @@ final class ConveyorBuiltins {
             "How fast the TCP should move, were there no conveyor, path offset or force mode, in"
                 + " m/s and rad/s along the axes of the base frame.")
         .returns(Type.POSE)
+        .effect(Effect.SENSES)
         .does(ConveyorBuiltins::speedAlongPath);
   }
 

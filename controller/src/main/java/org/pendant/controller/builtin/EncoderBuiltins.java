@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.encoder.CountRange;
 import org.pendant.controller.encoder.Encoder;
@@ -75,6 +76,7 @@ final class EncoderBuiltins {
         .needs("encoder_index", Type.INT)
         .takes("opt", Type.STRING, Value.of(""))
         .returns(Type.NUMBER)
+        .effect(Effect.SENSES)
         .does(EncoderBuiltins::count);
     builtins
         .declare("encoder_set_tick_count")
@@ -115,6 +117,7 @@ final class EncoderBuiltins {
         .doc("The filtered count of encoder 0.")
         .returns(Type.NUMBER)
         .deprecated("encoder_get_tick_count")
+        .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().encoders().get(0).filteredCount()));
     builtins
         .declare("set_conveyor_tick_count")

@@ -2,6 +2,7 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
@@ -64,6 +65,7 @@ final class FreedriveBuiltins {
             "How near the arm is to a singularity, where locked axes make it hard to guide: 0 far"
                 + " away, 1 near, 2 too close.")
         .returns(Type.INT)
+        .effect(Effect.SENSES)
         .does(call -> call.answerInt(call.box().freedrive().singularity().code()));
   }
 

@@ -3,6 +3,7 @@ package org.pendant.controller.builtin;
 import org.pendant.controller.box.Published;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.rtde.OutputFields;
 import org.pendant.controller.value.ScriptError;
@@ -23,6 +24,7 @@ final class PublishedBuiltins {
                 + " a bool, a number, or a list of three or six numbers.")
         .needs("key", Type.STRING)
         .returns(Type.ANY)
+        .effect(Effect.SENSES)
         .does(PublishedBuiltins::rtdeValue);
   }
 

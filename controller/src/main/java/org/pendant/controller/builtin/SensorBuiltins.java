@@ -5,6 +5,7 @@ import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.PositionHistory;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.value.NumberList;
 import org.pendant.controller.value.ScriptError;
@@ -30,6 +31,7 @@ final class SensorBuiltins {
         .manual(MODULE, "16.11")
         .doc("The temperature in the control box.")
         .returns(Unit.CELSIUS)
+        .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().controllerTemperatureC()));
   }
 
@@ -40,6 +42,7 @@ final class SensorBuiltins {
         .doc(
             "How strongly something pushes or pulls the tool: the length of get_tcp_force's force.")
         .returns(Unit.NEWTON)
+        .effect(Effect.SENSES)
         .does(SensorBuiltins::force);
     builtins
         .declare("get_tcp_force")
@@ -48,6 +51,7 @@ final class SensorBuiltins {
             "Force in N and torque in Nm that act on the tool from outside, at the flange along the"
                 + " axes of the base. Weight and inertia of the declared payload do not count.")
         .returns(Type.POSE)
+        .effect(Effect.SENSES)
         .does(SensorBuiltins::tcpForce);
     builtins
         .declare("zero_ftsensor")
@@ -66,6 +70,7 @@ final class SensorBuiltins {
         .manual(MODULE, "16.3")
         .doc("How fast the speeds of the joints change, from the encoders, in rad/s\u00b2.")
         .returns(Type.JOINTS)
+        .effect(Effect.SENSES)
         .does(call -> call.answer(sensors(call).accelerationRadPerS2()));
     builtins
         .declare("get_actual_joint_positions_history")
@@ -73,6 +78,7 @@ final class SensorBuiltins {
         .doc("Where the joints were some frames ago, in rad; the last 1000 frames are kept.")
         .takes("steps", Type.INT, Value.of(0))
         .returns(Type.JOINTS)
+        .effect(Effect.SENSES)
         .does(SensorBuiltins::history);
     builtins
         .declare("get_joint_temp")
@@ -80,6 +86,7 @@ final class SensorBuiltins {
         .doc("The temperature of a joint, 0 for the base to 5 for wrist 3.")
         .needs("j", Type.INT)
         .returns(Unit.CELSIUS)
+        .effect(Effect.SENSES)
         .does(
             call ->
                 call.answer(
@@ -91,6 +98,7 @@ final class SensorBuiltins {
             "What the torques of the joints, in Nm, have beyond those that arm and declared payload"
                 + " need themselves.")
         .returns(Type.JOINTS)
+        .effect(Effect.SENSES)
         .does(SensorBuiltins::externalTorques);
   }
 
@@ -102,18 +110,21 @@ final class SensorBuiltins {
             "What the accelerometer in the flange reads along the flange's axes, in m/s\u00b2; at"
                 + " rest an axis that points up reads gravity.")
         .returns(Type.LIST)
+        .effect(Effect.SENSES)
         .does(SensorBuiltins::accelerometer);
     builtins
         .declare("get_tool_current")
         .manual(MODULE, "16.35")
         .doc("The current that the tool takes.")
         .returns(Unit.AMPERE)
+        .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().toolCurrentA()));
     builtins
         .declare("get_tool_temp")
         .manual(MODULE, "16.36")
         .doc("The temperature in the tool flange.")
         .returns(Unit.CELSIUS)
+        .effect(Effect.SENSES)
         .does(call -> call.answer(sensors(call).toolTemperatureC()));
   }
 

@@ -30,6 +30,7 @@ final class StateBuiltins {
         .manual(MODULE, "16.4")
         .doc("Where the joints are, in rad.")
         .returns(Type.JOINTS)
+        .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().arm().positionRad()));
     builtins
         .declare("get_joint_positions")
@@ -37,30 +38,35 @@ final class StateBuiltins {
         .doc("Where the joints are, in rad. The name in old programs.")
         .returns(Type.JOINTS)
         .deprecated("get_actual_joint_positions")
+        .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().arm().positionRad()));
     builtins
         .declare("get_actual_joint_speeds")
         .manual(MODULE, "16.6")
         .doc("How fast the joints turn, in rad/s.")
         .returns(Type.JOINTS)
+        .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().arm().speedRadPerS()));
     builtins
         .declare("get_actual_tcp_pose")
         .manual(MODULE, "16.7")
         .doc("Where the TCP is, in the base frame.")
         .returns(Type.POSE)
+        .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().actualTcpInBase()));
     builtins
         .declare("get_actual_tcp_speed")
         .manual(MODULE, "16.8")
         .doc("How fast the TCP moves, in m/s and rad/s along the axes of the base frame.")
         .returns(Type.POSE)
+        .effect(Effect.SENSES)
         .does(StateBuiltins::actualTcpSpeed);
     builtins
         .declare("get_actual_tool_flange_pose")
         .manual(MODULE, "16.9")
         .doc("Where the flange is, in the base frame, whatever the TCP.")
         .returns(Type.POSE)
+        .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().forward().flangePose(call.box().arm().positionRad())));
   }
 
@@ -70,18 +76,21 @@ final class StateBuiltins {
         .manual(MODULE, "16.23")
         .doc("How fast the speeds of the joints should change, in rad/s\u00b2.")
         .returns(Type.JOINTS)
+        .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().motion().accelerationRadPerS2()));
     builtins
         .declare("get_target_joint_positions")
         .manual(MODULE, "16.24")
         .doc("Where the joints should be, in rad.")
         .returns(Type.JOINTS)
+        .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().motion().positionRad()));
     builtins
         .declare("get_target_joint_speeds")
         .manual(MODULE, "16.25")
         .doc("How fast the joints should turn, in rad/s.")
         .returns(Type.JOINTS)
+        .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().motion().speedRadPerS()));
   }
 
@@ -91,12 +100,14 @@ final class StateBuiltins {
         .manual(MODULE, "16.29")
         .doc("Where the TCP should be, in the base frame.")
         .returns(Type.POSE)
+        .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().targetTcpInBase()));
     builtins
         .declare("get_target_tcp_speed")
         .manual(MODULE, "16.30")
         .doc("How fast the TCP should move, in m/s and rad/s along the axes of the base frame.")
         .returns(Type.POSE)
+        .effect(Effect.SENSES)
         .does(StateBuiltins::targetTcpSpeed);
     builtins
         .declare("get_target_waypoint")
@@ -110,6 +121,7 @@ final class StateBuiltins {
         .manual(MODULE, "16.39")
         .doc("Whether the arm has been told to rest for the last 500 ms.")
         .returns(Type.BOOL)
+        .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().motion().steady()));
   }
 

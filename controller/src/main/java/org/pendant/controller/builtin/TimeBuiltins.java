@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
+import org.pendant.controller.call.Effect;
 import org.pendant.controller.call.Outcome;
 import org.pendant.controller.call.Wait;
 import org.pendant.controller.motion.FrameTime;
@@ -53,6 +54,7 @@ final class TimeBuiltins {
                 + " the date and time in UTC, since 1970.")
         .takes("mode", Type.INT, Value.of(0))
         .returns(Type.STRUCT)
+        .effect(Effect.SENSES)
         .does(TimeBuiltins::time);
   }
 

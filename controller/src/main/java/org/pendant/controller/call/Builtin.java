@@ -47,6 +47,11 @@ public record Builtin(
     return new Builtin(signature, defaults, effect, costNs, changesReceiver, other);
   }
 
+  /** Whether a call learns no more than the one before in the same frame. */
+  public boolean repeatsItself() {
+    return effect == Effect.SENSES || (effect == Effect.ASKS && signature.parameters().size() <= 1);
+  }
+
   public String name() {
     return signature.name();
   }

@@ -168,7 +168,7 @@ public final class Declaration {
       case COMPUTES -> 20;
       case ASKS -> 100;
       case ASKS_GOAL, TELLS -> 1000;
-      case CHANGES -> 500;
+      case CHANGES, SENSES -> 500;
       case MOVES -> 3000;
     };
   }

@@ -11,6 +11,9 @@ public enum Effect {
   /** It tells what is so now and stays so unless somebody changes it: inputs, settings. */
   ASKS,
 
+  /** It tells what is so in this frame, and will be otherwise in another: sensors, time. */
+  SENSES,
+
   /** It tells where the move under way leads. */
   ASKS_GOAL,
 

@@ -23,6 +23,11 @@ final class Cost {
   /** A call of a built-in, beside what the built-in itself says that it takes. */
   static final int BUILTIN_NS = 120;
 
+  /** Calls in a frame that ask for the robot's state, before they count as waiting for it. */
+  private static final int FREE_QUESTIONS = 64;
+
+  private static final int QUESTION_NS = 10_000;
+
   /** Starting a thread. */
   static final int THREAD_NS = 1000;
 
@@ -52,6 +57,16 @@ final class Cost {
   /** A call of a function. */
   static int call(int instructions) {
     return CALL_NS + INSTRUCTION_NS * Math.min(instructions, LONGEST_STRETCH);
+  }
+
+  /**
+   * Asking for the robot's state beside the call, which stays the same within a frame: a loop that
+   * does nothing but wait for it leaves the rest of the frame to others, as it learns nothing more.
+   *
+   * @param before questions of the thread in this frame
+   */
+  static int question(int before) {
+    return before < FREE_QUESTIONS ? 0 : QUESTION_NS;
   }
 
   /** A change of {@code container}, whose elements are copied if others have them, too. */

@@ -184,7 +184,7 @@ final class Foresight {
         yield builtin.doing(call -> answers ? call.answer(true) : call.answer());
       }
       case ASKS_GOAL -> beforeTheFirstMove(builtin);
-      case CHANGES ->
+      case CHANGES, SENSES ->
           builtin.doing(
               call -> {
                 throw ended();

@@ -286,6 +286,7 @@ final class Scheduler {
       return;
     }
     thread.slicedFrame = frame;
+    thread.questions = 0;
     int sliceNs = thread.waking ? slices.waking(wakingLeftNs) : slices.computing(computing);
     thread.deferred = sliceNs == 0;
     thread.budget = Math.max(0, sliceNs - thread.debtNs);

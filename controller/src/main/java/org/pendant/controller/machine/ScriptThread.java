@@ -61,6 +61,9 @@ final class ScriptThread {
   /** The last frame in which this thread was given a slice. */
   long slicedFrame;
 
+  /** Calls in the frame of the newest slice that asked for the robot's state. */
+  int questions;
+
   /** It waited when this frame began, or did not exist. */
   boolean waking = true;
 

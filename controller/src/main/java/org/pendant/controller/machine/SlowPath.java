@@ -258,6 +258,9 @@ final class SlowPath {
     int slot = Instruction.index(result);
     int target = thread.bases[thread.depth - 1] + slot;
     work.charge(Cost.BUILTIN_NS);
+    if (builtin.repeatsItself()) {
+      work.charge(Cost.question(thread.questions++));
+    }
     Outcome outcome =
         thread.operation.isPresent()
             ? new Outcome.Begun(thread.operation.get())

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -46,6 +47,10 @@ final class BuiltinEffectTest {
     }
   }
 
+  private static List<Builtin> concat(List<Builtin> some, List<Builtin> others) {
+    return Stream.concat(some.stream(), others.stream()).toList();
+  }
+
   @Test
   void everyMoveTakesTime() {
     List<Builtin> moves = having(Effect.MOVES);
@@ -65,7 +70,7 @@ final class BuiltinEffectTest {
 
   @Test
   void whatOnlyAsksHasAnAnswer() {
-    for (Builtin builtin : having(Effect.ASKS)) {
+    for (Builtin builtin : concat(having(Effect.ASKS), having(Effect.SENSES))) {
       assertNotEquals(Type.NONE, builtin.signature().result(), builtin.name());
     }
   }
@@ -90,11 +95,15 @@ final class BuiltinEffectTest {
         "is_steady",
         "get_conveyor_tick_count",
         "get_tool_current",
-        "time",
-        "set_tcp",
-        "set_tool_digital_output_mode"
+        "time"
       })
-  void whatWillBeAnotherThenIsNotForeseen(String name) {
+  void whatWillBeAnotherThenIsSensed(String name) {
+    assertEquals(Effect.SENSES, effect(name));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"set_tcp", "set_tool_digital_output_mode", "socket_read_line"})
+  void whatChangesAnythingIsNotForeseen(String name) {
     assertEquals(Effect.CHANGES, effect(name));
   }
 
