@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
@@ -33,6 +34,15 @@ class HostileStopsTest {
   /** Those that held up the controller before work was charged. */
   private static final List<String> WORST =
       List.of("compare-lists", "print-list", "multiply-matrices", "popup", "run-and-join");
+
+  /** Nobody can stop what has ended with an error of its own. */
+  private static final Set<String> ENDING =
+      Set.of(
+          "literal-of-lists",
+          "make-list-of-texts",
+          "grow-list",
+          "grow-list-of-lists",
+          "nest-structs");
 
   private static final int NUMBER = 210;
   private static final int DASHBOARD = 29_999;
@@ -61,7 +71,8 @@ class HostileStopsTest {
 
   private static List<Map.Entry<String, String>> programs() {
     return HostilePrograms.all().entrySet().stream()
-        .filter(program -> ALL || WORST.contains(program.getKey()))
+        .filter(
+            program -> ALL ? !ENDING.contains(program.getKey()) : WORST.contains(program.getKey()))
         .toList();
   }
 
