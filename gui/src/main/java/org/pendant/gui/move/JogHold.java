@@ -87,6 +87,11 @@ public final class JogHold {
     return press.isEmpty() || press.get().answered;
   }
 
+  /** Whether the controller has said that the arm goes no further. */
+  boolean refused() {
+    return press.isPresent() && press.get().refused;
+  }
+
   /** What is held, whether the arm goes any further or not. */
   Optional<JogMove> held() {
     return press.map(present -> present.command.move());

@@ -3,6 +3,7 @@ package org.pendant.gui.move;
 import java.util.Optional;
 import org.pendant.controller.jog.JogDirection;
 import org.pendant.controller.jog.JogMove;
+import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
@@ -13,6 +14,9 @@ import org.pendant.models.pose.Poses;
  * times as long, however fast they follow each other. One thread uses it.
  */
 final class StepJog {
+  /** The arm is at its goal when nothing is farther from it than this, m or rad. */
+  private static final double NEAR = 1e-6;
+
   private final JogHold hold;
   private Optional<JogMove> goal = Optional.empty();
 
@@ -76,11 +80,24 @@ final class StepJog {
     hold.press(next, speedFraction);
   }
 
-  /** Takes the newest snapshot: the arm that has come to its goal is let go. */
+  /**
+   * Takes the newest snapshot: the arm that has come to its goal, or goes no further, is let go. A
+   * screen that hung for a moment has stopped it on the way, and moves it on.
+   */
   void take(ControllerState newest) {
-    if (goal.isPresent() && hold.settled() && !newest.arm().moving()) {
+    boolean rests = hold.settled() && !newest.arm().moving();
+    if (goal.isPresent() && rests && (hold.refused() || reached(goal.get(), newest.arm()))) {
       stop();
     }
+  }
+
+  private static boolean reached(JogMove goal, ArmState arm) {
+    return switch (goal) {
+      case JogMove.StraightTo straight ->
+          Poses.distance(straight.tcpInBase(), arm.targetTcpInBase()) < NEAR;
+      case JogMove.ToJoints to -> to.goalRad().maxAbsDifference(arm.targetPositionRad()) < NEAR;
+      case JogMove.ToPose _, JogMove.TurnJoint _, JogMove.MoveTool _ -> true;
+    };
   }
 
   /** Whether a step is under way. */

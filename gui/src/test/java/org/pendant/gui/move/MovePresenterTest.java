@@ -334,6 +334,22 @@ final class MovePresenterTest {
   }
 
   @Test
+  void aStepLeadsToItsGoalThoughTheScreenHangsOnTheWay() {
+    refresh(1);
+    presenter.jog().setSize(JogSize.COARSE);
+    presenter.jog().setSpeedFraction(0.1);
+    Pose before = controller.state().arm().targetTcpInBase();
+    presenter.jog().move(JogDirection.along(0, 0, -1));
+    refresh(1);
+    controller.runUntil(() -> false, 300);
+    Pose stopped = controller.state().arm().targetTcpInBase();
+    assertTrue(before.z() - stopped.z() < 0.0099, "it stops on the way, at " + stopped);
+    refresh(60);
+    assertEquals(before.z() - 0.01, controller.state().arm().targetTcpInBase().z(), 1e-6);
+    assertFalse(controller.state().arm().moving());
+  }
+
+  @Test
   void aStepTurnsAJointByItsSize() {
     refresh(1);
     presenter.jog().setSize(JogSize.COARSE);
