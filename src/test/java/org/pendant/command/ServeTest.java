@@ -21,10 +21,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.pendant.client.Served;
 
 /** {@code pendant serve} as a system starts and ends it. */
 final class ServeTest {
   private static final int DASHBOARD = 29_999;
+
+  /** The first address of several robots. */
+  private static final int ROBOTS = 230;
+
   private static final int GIVE_UP_MS = 60_000;
 
   /** Between two offsets, so that none of the ports that stand close together is the same. */
@@ -87,7 +92,11 @@ final class ServeTest {
 
   /** Sends lines to the dashboard server and answers what it said to the last. */
   private String dashboard(String... lines) throws IOException {
-    try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), DASHBOARD + offset)) {
+    return ask("127.0.0.1", DASHBOARD + offset, lines);
+  }
+
+  private static String ask(String host, int port, String... lines) throws IOException {
+    try (Socket socket = new Socket(host, port)) {
       socket.setSoTimeout(GIVE_UP_MS);
       BufferedReader answers =
           new BufferedReader(
@@ -164,6 +173,30 @@ final class ServeTest {
   }
 
   @Test
+  void severalRobotsHaveAddressesInARowAndEachItsOwnProgramAndLog() throws IOException {
+    String first = Served.host(ROBOTS);
+    String second = Served.host(ROBOTS + 1);
+    Launcher.script(
+        folder, "says.script", "def says():\n  textmsg(\"here\")\n  sleep(1000)\nend\n");
+    Process process =
+        Launcher.start(
+            folder, "serve", "--robots", "2", "--host", first, "--ready", "--logs", "logs");
+    try (BufferedReader output = process.inputReader(StandardCharsets.UTF_8)) {
+      List<String> ports = untilReady(output);
+      assertTrue(ports.contains("Dashboard " + first + ":" + DASHBOARD), ports.toString());
+      assertTrue(ports.contains("Dashboard " + second + ":" + DASHBOARD), ports.toString());
+      assertEquals("Starting program", ask(second, DASHBOARD, "load says.script", "play"));
+      assertEquals(second + ": here", output.readLine());
+      assertEquals("No program loaded", ask(first, DASHBOARD, "get loaded program"));
+      assertEquals("Shutting down", ask(first, DASHBOARD, "shutdown"));
+      assertEquals("true", ask(second, DASHBOARD, "is in remote control"));
+      assertEquals("Shutting down", ask(second, DASHBOARD, "shutdown"));
+      assertEquals(0, Launcher.await(process));
+    }
+    assertTrue(Files.isDirectory(folder.resolve("logs").resolve(second + "-0")));
+  }
+
+  @Test
   void aPortThatIsTakenIsNamed() throws IOException {
     try (ServerSocket taken =
         new ServerSocket(DASHBOARD + offset, 1, InetAddress.getLoopbackAddress())) {
@@ -209,6 +242,7 @@ final class ServeTest {
       delimiter = '|',
       value = {
         "--port-offset=-1 | --port-offset is -1, must be a number from 0 to 11214",
+        "--robots=0 | --robots is 0, must be a number from 1 to 100",
         "--modbus-port=x | --modbus-port is x, must be a number from 1 to 65535",
         "--programs=none | must be a folder",
         "--remote-control=on | --remote-control is on, must be enabled or disabled",

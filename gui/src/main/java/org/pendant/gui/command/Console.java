@@ -15,7 +15,7 @@ import org.pendant.language.source.VisibleText;
  * <p>Script text is bytes, held one {@code char} a byte; it goes out as those bytes, whatever the
  * locale. Output is buffered; {@link #flush} is called where the process waits or ends. A reader
  * that has gone away ({@code | head -1}) is no error: {@link #outputClosed} tells, and further
- * lines are dropped.
+ * lines are dropped. Several threads may write: a line is never torn.
  */
 final class Console {
   private static final int BUFFER_BYTES = 1 << 16;
@@ -37,12 +37,12 @@ final class Console {
   }
 
   /** Writes {@code bytes}, one {@code char} a byte, and a line end to standard output. */
-  void printBytes(String bytes) {
+  synchronized void printBytes(String bytes) {
     write(bytes.getBytes(StandardCharsets.ISO_8859_1));
   }
 
   /** Writes {@code text} and a line end to standard output, as UTF-8 that only shows. */
-  void print(String text) {
+  synchronized void print(String text) {
     write(VisibleText.of(text).getBytes(StandardCharsets.UTF_8));
   }
 
@@ -63,12 +63,12 @@ final class Console {
    * on a terminal and cannot look like two messages. Pending output goes first, so that both
    * streams on one terminal read in the order of writing.
    */
-  void complain(String text) {
+  synchronized void complain(String text) {
     writeError(VisibleText.message(text));
   }
 
   /** The same with a text of lines that are laid out already, such as a {@link Report}. */
-  void complainInLines(String text) {
+  synchronized void complainInLines(String text) {
     writeError(VisibleText.of(text));
   }
 
@@ -80,7 +80,7 @@ final class Console {
   }
 
   /** Hands everything written so far to the readers. */
-  void flush() {
+  synchronized void flush() {
     if (outputClosed) {
       return;
     }
@@ -101,7 +101,7 @@ final class Console {
   }
 
   /** Whether standard output turned out to have no reader any more. */
-  boolean outputClosed() {
+  synchronized boolean outputClosed() {
     return outputClosed;
   }
 }

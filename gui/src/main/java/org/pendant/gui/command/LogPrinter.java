@@ -21,6 +21,7 @@ final class LogPrinter implements AutoCloseable {
 
   private final Controller controller;
   private final Console console;
+  private final String prefix;
   private final Queue<String> prompts = new ConcurrentLinkedQueue<>();
   private final AtomicInteger waiting = new AtomicInteger();
   private final Thread thread;
@@ -28,10 +29,15 @@ final class LogPrinter implements AutoCloseable {
   private volatile boolean closing;
   private long printed;
 
-  /** Begins to print to {@code console}, which nobody else uses until this is closed. */
-  LogPrinter(Controller controller, Console console) {
+  /**
+   * Begins to print to {@code console}.
+   *
+   * @param prefix stands before each line
+   */
+  LogPrinter(Controller controller, Console console, String prefix) {
     this.controller = controller;
     this.console = console;
+    this.prefix = prefix;
     thread = Thread.ofPlatform().daemon().name("log printer").start(this::run);
   }
 
@@ -69,12 +75,13 @@ final class LogPrinter implements AutoCloseable {
   private void print() {
     for (String prompt = prompts.poll(); prompt != null; prompt = prompts.poll()) {
       waiting.decrementAndGet();
-      console.complain(prompt);
+      console.complain(prefix + prompt);
     }
     for (LogEntry entry : controller.logSince(printed)) {
       long missed = entry.number() - printed - 1;
       if (missed > 0) {
-        console.complain("pendant serve: " + missed + " lines of the log were not printed in time");
+        console.complain(
+            prefix + "pendant serve: " + missed + " lines of the log were not printed in time");
       }
       print(entry);
       printed = entry.number();
@@ -84,8 +91,9 @@ final class LogPrinter implements AutoCloseable {
 
   private void print(LogEntry entry) {
     switch (entry.origin()) {
-      case SCRIPT -> console.printBytes(entry.text());
-      case CONTROLLER, SAFETY, PROTOCOL, ENDING -> console.complain(Report.logEntry(entry));
+      case SCRIPT -> console.printBytes(prefix + entry.text());
+      case CONTROLLER, SAFETY, PROTOCOL, ENDING ->
+          console.complain(prefix + Report.logEntry(entry));
     }
   }
 

@@ -1,10 +1,12 @@
 package org.pendant.gui.command;
 
+import java.math.BigInteger;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -77,11 +79,31 @@ final class PortOptions {
     }
   }
 
+  /** The address that follows {@code first} after {@code steps}. */
+  static InetAddress following(InetAddress first, int steps) throws UsageException {
+    byte[] bytes = first.getAddress();
+    BigInteger following = new BigInteger(1, bytes).add(BigInteger.valueOf(steps));
+    if (first.isAnyLocalAddress() || following.bitLength() > Byte.SIZE * bytes.length) {
+      throw new UsageException(
+          "--host is " + first.getHostAddress() + ", must be the first of a row of addresses");
+    }
+    byte[] digits = following.toByteArray();
+    Arrays.fill(bytes, (byte) 0);
+    int length = Math.min(digits.length, bytes.length);
+    System.arraycopy(digits, digits.length - length, bytes, bytes.length - length, length);
+    try {
+      return InetAddress.getByAddress(bytes);
+    } catch (UnknownHostException e) {
+      throw new IllegalStateException("the address has as many bytes as the first", e);
+    }
+  }
+
   private static int offset(Arguments arguments) throws UsageException {
     return number(arguments, OFFSET, 0, PortWishes.LARGEST_OFFSET).orElse(0);
   }
 
-  private static OptionalInt number(Arguments arguments, Option option, int least, int most)
+  /** A whole number from {@code least} to {@code most}; empty when it is not given. */
+  static OptionalInt number(Arguments arguments, Option option, int least, int most)
       throws UsageException {
     Optional<String> text = arguments.value(option);
     if (text.isEmpty()) {

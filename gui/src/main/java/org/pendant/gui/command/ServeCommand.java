@@ -30,11 +30,11 @@ final class ServeCommand implements Subcommand {
     if (!arguments.operands().isEmpty()) {
       throw new UsageException("takes no file, it was given " + arguments.operands().getFirst());
     }
-    ServeOptions options = ServeOptions.of(arguments);
+    List<ServeOptions> robots = ServeOptions.of(arguments);
     Interruption interruption = Interruption.listen("the server");
     try (interruption) {
       interruption.hold();
-      ExitCode code = new Service(options, interruption, console).run();
+      ExitCode code = new Service(robots, interruption, console).run();
       // Before the interruption is closed: after that the process may be gone at any moment.
       console.flush();
       interruption.closeWith(code);

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.InstantSource;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -37,6 +38,12 @@ record ServeOptions(
     PanelSetup panel,
     Optional<String> toolDevice) {
 
+  private static final int MOST_ROBOTS = 100;
+
+  private static final Option ROBOTS =
+      new Option(
+          "--robots", "N", "serve N robots, at the address of --host and those that follow it");
+
   private static final Option LOGS =
       new Option("--logs", "DIR", "folder for log files and reports");
   private static final Option READY =
@@ -58,6 +65,7 @@ record ServeOptions(
                   PortOptions.OFFSET,
                   PortOptions.MODBUS_PORT,
                   PortOptions.PROGRAMS,
+                  ROBOTS,
                   LOGS,
                   READY,
                   REMOTE,
@@ -66,7 +74,32 @@ record ServeOptions(
               RunOptions.OF_CONTROLLER.stream())
           .toList();
 
-  static ServeOptions of(Arguments arguments) throws UsageException {
+  /** Those of each robot. */
+  static List<ServeOptions> of(Arguments arguments) throws UsageException {
+    PortNumbers first = PortOptions.numbers(arguments);
+    int count = PortOptions.number(arguments, ROBOTS, 1, MOST_ROBOTS).orElse(1);
+    if (count == 1) {
+      return List.of(of(arguments, first, logs(arguments, first)));
+    }
+    if (ToolSerialOption.of(arguments).isPresent()) {
+      throw new UsageException(
+          ToolSerialOption.OPTION.name() + " is the device of one robot, there are " + count);
+    }
+    List<ServeOptions> robots = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      PortNumbers numbers = first.at(PortOptions.following(first.host(), i));
+      Path logs = logs(arguments, numbers);
+      robots.add(
+          of(
+              arguments,
+              numbers,
+              arguments.value(LOGS).isPresent() ? made(logs.resolve(name(numbers))) : logs));
+    }
+    return List.copyOf(robots);
+  }
+
+  private static ServeOptions of(Arguments arguments, PortNumbers numbers, Path logs)
+      throws UsageException {
     boolean ready = arguments.has(READY);
     Path programs = PortOptions.programs(arguments);
     ControllerOptions controller =
@@ -76,14 +109,13 @@ record ServeOptions(
             .withPowerTimes(powerTimes(arguments))
             .withSystemTime(InstantSource.system())
             .withProgramsFolder(ProgramsFolder.at(programs));
-    PortNumbers numbers = PortOptions.numbers(arguments);
     return new ServeOptions(
         controller,
         HostsOption.of(arguments),
         numbers,
         arguments.has(PortOptions.MODBUS_PORT),
         new RemoteControl(remoteEnabled(arguments, ready), ready),
-        new PanelSetup(controller.robotId(), ProgramsFolder.at(programs), logs(arguments, numbers)),
+        new PanelSetup(controller.robotId(), ProgramsFolder.at(programs), logs),
         ToolSerialOption.of(arguments));
   }
 
@@ -92,8 +124,11 @@ record ServeOptions(
     if (chosen.isPresent()) {
       return made(PortOptions.path(LOGS, chosen.get()));
     }
-    String box = numbers.host().getHostAddress().replace(':', '_') + "-" + numbers.offset();
-    return StateFolder.of(System.getenv()).resolve("serve").resolve(box);
+    return StateFolder.of(System.getenv()).resolve("serve").resolve(name(numbers));
+  }
+
+  private static String name(PortNumbers numbers) {
+    return numbers.host().getHostAddress().replace(':', '_') + "-" + numbers.offset();
   }
 
   /**

@@ -30,6 +30,11 @@ public record PortNumbers(
     return new PortNumbers(InetAddress.getLoopbackAddress(), 0, true);
   }
 
+  /** The same ports of another interface. */
+  public PortNumbers at(InetAddress other) {
+    return new PortNumbers(other, offset, free, chosen);
+  }
+
   /** With another number for what stands at {@code standardPort} on a real box. */
   public PortNumbers with(int standardPort, int number) {
     Map<Integer, Integer> more = new HashMap<>(chosen);
