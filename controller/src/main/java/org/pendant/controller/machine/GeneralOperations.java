@@ -63,9 +63,19 @@ final class GeneralOperations {
         "cannot order a " + describe(x) + " and a " + describe(y) + ", only numbers have an order");
   }
 
-  ScriptError notTruth(ScriptFunction function, int slot) throws ScriptError {
+  /**
+   * Sees to it that the number in {@code slot} is the truth of its value: it is for bools and
+   * numbers, and a string, which has no number, is true unless it is empty (manual 18.61).
+   */
+  void truth(ScriptFunction function, int slot) throws ScriptError {
+    if (registers.tags()[slot] <= Registers.BOOL) {
+      return;
+    }
     assigned(function, slot);
-    return new ScriptError("wrong-type", describe(slot) + " is not a bool");
+    if (!(registers.value(slot) instanceof StringValue text)) {
+      throw new ScriptError("wrong-type", describe(slot) + " is not a bool");
+    }
+    registers.numbers()[slot] = text.length() == 0 ? 0 : 1;
   }
 
   private String describe(int slot) {

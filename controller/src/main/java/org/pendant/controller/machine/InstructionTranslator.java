@@ -125,11 +125,11 @@ final class InstructionTranslator {
 
   /** The place of instruction {@code pc} in full generality; it changes {@code target}, if any. */
   private Label slow(int pc, int... target) {
-    return rare(pc, () -> registers.slow(pc), target);
+    return rare(() -> registers.slow(pc), label(pc + 1), target);
   }
 
-  /** The place where {@code call} executes instruction {@code pc}, before the next one goes on. */
-  private Label rare(int pc, Runnable call, int... target) {
+  /** The place where {@code call} executes an instruction, before {@code next} goes on. */
+  private Label rare(Runnable call, Label next, int... target) {
     Label label = code.newLabel();
     tail.add(
         () -> {
@@ -139,7 +139,7 @@ final class InstructionTranslator {
           for (int operand : target) {
             registers.reload(operand);
           }
-          code.goto_(label(pc + 1));
+          code.goto_(next);
         });
     return label;
   }
@@ -240,7 +240,9 @@ final class InstructionTranslator {
 
   private void arithmetic(int pc, int operation, int target, int x, int y) {
     Label slow =
-        operation == Op.ADD ? rare(pc, () -> registers.slowAdd(pc), target) : slow(pc, target);
+        operation == Op.ADD
+            ? rare(() -> registers.slowAdd(pc), label(pc + 1), target)
+            : slow(pc, target);
     boolean isFloat =
         registers.knownTag(x) == Registers.FLOAT || registers.knownTag(y) == Registers.FLOAT;
     tags(x, y);
@@ -401,19 +403,27 @@ final class InstructionTranslator {
   }
 
   private void jumpIf(int pc, int operand, Opcode when, int target) {
+    truth(pc, operand);
+    code.branch(when, label(target));
+  }
+
+  /**
+   * Pushes 0 if the operand of instruction {@code pc} is false; that of a string is found first.
+   */
+  private void truth(int pc, int operand) {
+    Label found = code.newLabel();
     registers.tag(operand);
-    code.loadConstant(Registers.BOOL).if_icmpgt(slow(pc));
+    code.loadConstant(Registers.BOOL).if_icmpgt(rare(() -> registers.slow(pc), found, operand));
+    code.labelBinding(found);
     registers.number(operand);
-    code.dconst_0().dcmpl().branch(when, label(target));
+    code.dconst_0().dcmpl();
   }
 
   private void not(int pc, int target, int x) {
     Label zero = code.newLabel();
     Label one = code.newLabel();
-    registers.tag(x);
-    code.loadConstant(Registers.BOOL).if_icmpgt(slow(pc));
-    registers.number(x);
-    code.dconst_0().dcmpl().ifeq(one);
+    truth(pc, x);
+    code.ifeq(one);
     storeTruth(target, zero, one);
   }
 

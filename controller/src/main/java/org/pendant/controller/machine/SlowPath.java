@@ -39,7 +39,7 @@ final class SlowPath {
 
   /**
    * Executes the instruction before {@code pc} of the innermost function of {@code thread}. Not for
-   * jumps, calls of functions and returns, except to refuse their operands.
+   * jumps, calls of functions and returns, except to refuse their operands or to find their truth.
    *
    * @param base the function's first slot
    * @return {@link Stop#GOES_ON}; {@link Stop#EXHAUSTED} when the thread has stopped before the
@@ -73,9 +73,8 @@ final class SlowPath {
       case Op.MODULO -> stop = general.arithmetic(BinaryOperator.MODULO, thread, w, base);
       case Op.NEGATE -> stop = general.negate(thread, w, base);
       case Op.XOR -> xor(function, w, base);
-      case Op.NOT -> throw general.notTruth(function, Instruction.slot(Instruction.b(w), base));
-      case Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE ->
-          throw general.notTruth(function, Instruction.slot(a, base));
+      case Op.NOT -> general.truth(function, Instruction.slot(Instruction.b(w), base));
+      case Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE -> general.truth(function, Instruction.slot(a, base));
       case Op.LESS, Op.LESS_OR_EQUAL ->
           throw general.notOrdered(
               function,
@@ -244,10 +243,8 @@ final class SlowPath {
   private void xor(ScriptFunction function, long w, int base) throws ScriptError {
     int x = Instruction.slot(Instruction.b(w), base);
     int y = Instruction.slot(Instruction.c(w), base);
-    byte[] tags = registers.tags();
-    if ((tags[x] | tags[y]) > (Registers.BOOL | Registers.FLOAT)) {
-      throw general.notTruth(function, tags[x] > Registers.BOOL ? x : y);
-    }
+    general.truth(function, x);
+    general.truth(function, y);
     registers.setBool(
         Instruction.slot(Instruction.a(w), base),
         registers.numbers()[x] != 0 != (registers.numbers()[y] != 0));

@@ -73,7 +73,8 @@ public final class Operators {
   }
 
   /**
-   * Whether {@code value} counts as true in a condition: a bool, or a number that is not zero.
+   * Whether {@code value} counts as true in a condition: a bool, a number that is not zero, or a
+   * string that is not empty (manual 18.61).
    *
    * @throws ScriptError for every other kind
    */
@@ -86,6 +87,7 @@ public final class Operators {
       case BoolValue b -> b.value();
       case IntValue i -> i.value() != 0;
       case FloatValue f -> f.value() != 0;
+      case StringValue s -> s.length() != 0;
       default ->
           throw new ScriptError(
               "wrong-type", where + ": found " + described(value) + ", must be a bool");

@@ -157,7 +157,7 @@ class BreakpointTest {
 
   @Test
   void aConditionThatIsNoBoolStopsWithAMessage() {
-    debugger.set(Breakpoint.at(6).when("\"text\""));
+    debugger.set(Breakpoint.at(6).when("[1]"));
     fixture.start(LOOP).go();
     assertInstanceOf(StopReason.ConditionFailed.class, fixture.stop().reason());
   }

@@ -158,7 +158,7 @@ final class RandomScript {
 
   private String condition(int functions, int depth) {
     if (depth > 0) {
-      switch (random.nextInt(6)) {
+      switch (random.nextInt(8)) {
         case 0 -> {
           return "(" + condition(functions, depth - 1) + " and " + condition(functions, 0) + ")";
         }
@@ -167,6 +167,9 @@ final class RandomScript {
         }
         case 2 -> {
           return "not " + condition(functions, depth - 1);
+        }
+        case 3 -> {
+          return random.nextBoolean() ? pick(NAMES) : "(" + pick(NAMES) + " xor a)";
         }
         default -> {}
       }

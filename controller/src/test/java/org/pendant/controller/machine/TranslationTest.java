@@ -110,7 +110,33 @@ class TranslationTest {
             end
           end
           textmsg(f(True), f(0))
-          textmsg(f("x"))
+          textmsg(f("x"), f(""))
+          textmsg(f([1]))
+        end
+        """,
+        """
+        def texts():
+          def f(x):
+            return not x
+          end
+          local s = ""
+          local i = 0
+          local counted = 0
+          while i < 20 and (i < 10 or s):
+            if not s:
+              s = "a"
+            elif s and "" or not (s xor ""):
+              counted = -1
+            end
+            if s:
+              counted = counted + 1
+              s = ""
+            end
+            local kept = not s
+            i = i + 1
+          end
+          textmsg(counted, kept)
+          textmsg(not f([1]))
         end
         """,
         """

@@ -212,13 +212,15 @@ class OperatorsTest {
   }
 
   @Test
-  void logicTakesBoolsAndNumbers() throws ScriptError {
+  void logicTakesBoolsNumbersAndStrings() throws ScriptError {
     assertEquals(Value.of(true), compute(true, "xor", false));
     assertEquals(Value.of(false), compute(true, "xor", 1));
     assertEquals(Value.of(true), compute(0, "or", 2.5));
     assertEquals(Value.of(false), compute(true, "and", 0.0));
     assertEquals(Value.of(false), Operators.not(Value.of(1)));
-    refuses("wrong-type", "must be a bool", true, "and", "text");
+    assertEquals(Value.of(true), compute(true, "and", "text"));
+    assertEquals(Value.of(false), compute("", "or", ""));
+    refuses("wrong-type", "must be a bool", true, "and", ints(1));
     assertThrows(ScriptError.class, () -> Operators.truth(ints(1)));
   }
 

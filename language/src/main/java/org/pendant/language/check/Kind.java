@@ -29,9 +29,9 @@ enum Kind {
     return this != ANY;
   }
 
-  /** Whether it has a truth: bools do, and numbers, where all but zero are true. */
+  /** Whether it has a truth: bools do, numbers unless they are zero, strings unless empty. */
   boolean condition() {
-    return this == ANY || this == BOOL || this == NUMBER;
+    return this == ANY || this == BOOL || this == NUMBER || this == STRING;
   }
 
   /** What a variable may hold that is assigned this kind and {@code other} at different places. */

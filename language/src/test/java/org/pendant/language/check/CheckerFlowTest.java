@@ -13,7 +13,8 @@ final class CheckerFlowTest {
     assertEquals("sqrt: f is a string, expected number", Checks.message("x = sqrt(\"a\")"));
     assertEquals("operator - does not take a string and a number", Checks.message("x = \"a\" - 1"));
     assertEquals("operator + does not take a string and a number", Checks.message("x = \"a\" + 1"));
-    assertEquals("the condition is a string, expected a bool", Checks.message("if \"a\":\nend"));
+    assertEquals("the condition is a list, expected a bool", Checks.message("if [1]:\nend"));
+    assertEquals(List.of(), Checks.foundInBody("s = \"a\"\nif s and not (s xor \"\"):\nend"));
     assertEquals(List.of("2:type-mismatch"), Checks.foundInBody("x = not [1]"));
     assertEquals(List.of("2:type-mismatch"), Checks.foundInBody("p1 = p[\"a\",0,0,0,0,0]"));
     assertEquals(List.of("3:type-mismatch"), Checks.foundInBody("l = [1]\nx = l[\"a\"]"));
