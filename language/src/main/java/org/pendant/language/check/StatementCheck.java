@@ -49,6 +49,7 @@ final class StatementCheck {
   private void check(Statement statement) {
     switch (statement) {
       case Assign assign -> assign(assign);
+      case Statement.Evaluate(Name name, _) -> alone(name);
       case Statement.Evaluate evaluate -> expressions.check(evaluate.expression());
       case If choice -> choose(choice);
       case While loop -> loop(loop);
@@ -88,6 +89,26 @@ final class StatementCheck {
         definitions.check(definition, state.scope().nested(definition), defined);
       }
       case Statement.EnterCritical _, Statement.ExitCritical _, Statement.Label _ -> {}
+    }
+  }
+
+  /** A name as a statement: a variable's does nothing, any other is a mistake. */
+  private void alone(Name name) {
+    String message = "`" + name.name() + "` does nothing on its own";
+    if (state.scope().binds(name.name()) || state.scope().globals().contains(name.name())) {
+      run.findings().warning("no-effect", name.range(), message);
+    } else {
+      run.findings()
+          .nameNotFound(
+              "no-effect",
+              name.name(),
+              name.range(),
+              message
+                  + ": expected `"
+                  + name.name()
+                  + " = ...` or a call, `"
+                  + name.name()
+                  + "(...)`");
     }
   }
 

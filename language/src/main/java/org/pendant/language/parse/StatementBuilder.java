@@ -114,6 +114,8 @@ final class StatementBuilder {
     return switch (expression) {
       case Expression.Call _, Expression.MethodCall _, Expression.Run _ ->
           Optional.of(new Statement.Evaluate(expression, range));
+      case Expression.Name _ when !Wording.followsDigit(source, range) ->
+          Optional.of(new Statement.Evaluate(expression, range));
       default -> {
         complaints.addAboutMeaning("no-effect", range, Wording.noEffect(source, expression));
         yield Optional.empty();

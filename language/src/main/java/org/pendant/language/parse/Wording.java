@@ -1,6 +1,7 @@
 package org.pendant.language.parse;
 
 import org.pendant.language.source.Source;
+import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.Expression;
 
 /** How messages show pieces of a script. */
@@ -30,8 +31,7 @@ final class Wording {
   /** Why {@code expression} is no statement. */
   static String noEffect(Source source, Expression expression) {
     String shown = "`" + shortened(source.text(expression.range())) + "`";
-    int before = expression.range().start() - 1;
-    if (before >= 0 && Character.isDigit(source.text().charAt(before))) {
+    if (followsDigit(source, expression.range())) {
       return "letters "
           + shown
           + " directly behind a number: a name cannot begin with a digit and there are no"
@@ -43,5 +43,11 @@ final class Wording {
         + " = ...` or a call, `"
         + shortened(source.text(expression.range()))
         + "(...)`";
+  }
+
+  /** Whether a digit stands directly before {@code range}. */
+  static boolean followsDigit(Source source, SourceRange range) {
+    int before = range.start() - 1;
+    return before >= 0 && Character.isDigit(source.text().charAt(before));
   }
 }

@@ -28,7 +28,7 @@ public sealed interface Statement extends Node {
   record Assign(Qualifier qualifier, Expression target, Expression value, SourceRange range)
       implements Statement {}
 
-  /** An expression evaluated for its effect: a call or {@code run}. */
+  /** An expression evaluated for its effect: a call or {@code run}, or a name, which has none. */
   record Evaluate(Expression expression, SourceRange range) implements Statement {}
 
   /** {@code if / elif ... / else / end}. */

@@ -1,9 +1,12 @@
 package org.pendant.language.check;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.pendant.language.source.Diagnostic;
 
 /** Types, assignments, loops and robot time. */
 final class CheckerFlowTest {
@@ -90,6 +93,18 @@ final class CheckerFlowTest {
     assertEquals(List.of(), Checks.foundInBody("interpreter_mode()\ntextmsg(x)\nx = 2"));
     assertEquals(
         List.of(), Checks.foundInBody("def f(a):\n local a = a + 1\n return a\nend\nf(1)"));
+  }
+
+  @Test
+  void theNameOfAVariableAloneIsPointedOutAndAnyOtherIsAnError() {
+    Diagnostic found = Checks.diagnostics("def prog():\n  x = 1\n  x\nend\n").getFirst();
+    assertEquals("no-effect", found.code());
+    assertEquals("`x` does nothing on its own", found.message());
+    assertFalse(found.isError());
+    assertEquals(
+        "`stopl` does nothing on its own: expected `stopl = ...` or a call, `stopl(...)`",
+        Checks.message("stopl"));
+    assertTrue(Checks.diagnostics("def prog():\n  sync\nend\n").getFirst().isError());
   }
 
   @Test

@@ -128,7 +128,7 @@ class SyntaxErrorTest {
         "x = p[1,2,3]           ~ pose-elements     ~ pose with 3 elements",
         "x = a[1,2,3]           ~ index-count       ~ 3 indices",
         "x = a[]                ~ index-count       ~ 0 indices",
-        "stopl                  ~ no-effect         ~ `stopl(...)`",
+        "x.y                    ~ no-effect         ~ `x.y(...)`",
         "f(x) = 1               ~ assignment-target ~ cannot be assigned",
         "f(1))                  ~ syntax-error      ~ `)` closes nothing",
         "x = f(1]               ~ syntax-error      ~ closes with `)`",
