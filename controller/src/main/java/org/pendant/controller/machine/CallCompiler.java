@@ -1,10 +1,12 @@
 package org.pendant.controller.machine;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.call.Builtin;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.value.Value;
+import org.pendant.language.signature.Parameter;
 import org.pendant.language.syntax.Argument;
 import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Expression.Call;
@@ -43,46 +45,73 @@ final class CallCompiler {
   void call(Call call, int target) {
     Optional<Statement.Definition> definition = context.scope().function(call.function());
     if (definition.isPresent()) {
-      List<ParameterDeclaration> parameters = definition.get().parameters();
-      int first = context.temporaries(parameters.size());
-      boolean[] given =
-          arguments(call.arguments(), parameters.stream().map(p -> p.name()).toList(), first, true);
-      for (int i = 0; i < given.length; i++) {
-        if (!given[i]) {
-          expressions.argument(parameters.get(i).defaultValue().orElseThrow(), first + i, true);
-        }
-      }
-      code.at(call.range());
-      code.emit(
-          Op.CALL, target, context.linkage().function(definition.get()), Instruction.local(first));
+      callDefined(call, definition.get(), target);
     } else {
-      Builtin builtin = builtins.find(call.function()).orElseThrow();
-      int first = context.temporaries(builtin.defaults().size());
-      builtinArguments(builtin, call.arguments(), first);
-      code.at(call.range());
-      code.emit(
-          Op.CALL_BUILTIN, target, context.linkage().builtin(builtin), Instruction.local(first));
+      callBuiltin(call, builtins.find(call.function()).orElseThrow(), target);
     }
   }
 
-  private void builtinArguments(Builtin builtin, List<Argument> arguments, int first) {
-    boolean[] given =
-        arguments(
-            arguments,
-            builtin.signature().parameters().stream().map(p -> p.name()).toList(),
-            first,
-            false);
+  private void callDefined(Call call, Statement.Definition definition, int target) {
+    List<ParameterDeclaration> parameters = definition.parameters();
+    List<String> names = parameters.stream().map(ParameterDeclaration::name).toList();
+    int first = context.temporaries(names.size());
+    boolean[] given = arguments(call.arguments(), names, first, true);
+    List<String> missing = new ArrayList<>();
     for (int i = 0; i < given.length; i++) {
-      if (!given[i]) {
-        int slot = Instruction.local(first + i);
-        Optional<Value> value = builtin.defaults().get(i);
-        if (value.isPresent()) {
-          code.emit(Op.MOVE, slot, context.constant(value.get()), 0);
-        } else {
-          code.emit(Op.UNSET, slot, 0, 0);
-        }
+      Optional<Expression> value = parameters.get(i).defaultValue();
+      if (!given[i] && value.isPresent()) {
+        expressions.argument(value.get(), first + i, true);
+      } else if (!given[i]) {
+        missing.add(names.get(i));
       }
     }
+    code.at(call.range());
+    if (missing.isEmpty()) {
+      int number = context.linkage().function(definition);
+      code.emit(Op.CALL, target, number, Instruction.local(first));
+    } else {
+      fail(call, missing, definition.head());
+    }
+  }
+
+  private void callBuiltin(Call call, Builtin builtin, int target) {
+    List<Parameter> parameters = builtin.signature().parameters();
+    List<String> names = parameters.stream().map(Parameter::name).toList();
+    int first = context.temporaries(names.size());
+    boolean[] given = arguments(call.arguments(), names, first, false);
+    List<String> missing = new ArrayList<>();
+    for (int i = 0; i < given.length; i++) {
+      if (given[i]) {
+        continue;
+      }
+      Optional<Value> value = builtin.defaults().get(i);
+      int slot = Instruction.local(first + i);
+      if (value.isPresent()) {
+        code.emit(Op.MOVE, slot, context.constant(value.get()), 0);
+      } else if (parameters.get(i).required()) {
+        missing.add(names.get(i));
+      } else {
+        code.emit(Op.UNSET, slot, 0, 0);
+      }
+    }
+    code.at(call.range());
+    if (missing.isEmpty()) {
+      int number = context.linkage().builtin(builtin);
+      code.emit(Op.CALL_BUILTIN, target, number, Instruction.local(first));
+    } else {
+      fail(call, missing, builtin.signature().head());
+    }
+  }
+
+  /** In place of a call that lacks arguments: robots notice that when they come to it. */
+  private void fail(Call call, List<String> missing, String head) {
+    String message =
+        call.function()
+            + " is called without "
+            + String.join(", ", missing)
+            + "; expected "
+            + head;
+    code.emit(Op.MISSING, 0, context.linkage().name(message), 0);
   }
 
   /** Evaluates arguments in the order of the text; answers which parameters were given. */

@@ -131,6 +131,9 @@ final class Op {
   /** Counts a stretch of instructions without a turn or call. */
   static final int STRETCH = 55;
 
+  /** Fails: name b tells which arguments a call lacks. */
+  static final int MISSING = 57;
+
   /** As {@link #CALL_METHOD}, of a part that was opened before: no thread comes in between. */
   static final int CALL_PART_METHOD = 56;
 }

@@ -127,6 +127,8 @@ final class SlowPath {
         run.kill(general.handle("kill", Instruction.slot(a, base)));
         stop = thread.ended() ? Stop.ENDED : Stop.GOES_ON;
       }
+      case Op.MISSING ->
+          throw new ScriptError("missing-argument", run.name(Instruction.index(Instruction.b(w))));
       case Op.ENTER_CRITICAL -> thread.critical = true;
       case Op.EXIT_CRITICAL -> thread.critical = false;
       case Op.HALT -> stop = Stop.HALTED;

@@ -115,6 +115,24 @@ class TranslationTest {
         end
         """,
         """
+        def missing():
+          def f(a, b):
+            return a
+          end
+          def g(n):
+            if n == 3:
+              return f(n)
+            end
+            return f(n, 0)
+          end
+          local i = 0
+          while True:
+            textmsg(g(i))
+            i = i + 1
+          end
+        end
+        """,
+        """
         def texts():
           def f(x):
             return not x

@@ -152,15 +152,14 @@ final class ArgumentCheck {
       }
     }
     if (!missing.isEmpty()) {
-      run.findings()
-          .error(
-              "missing-argument",
-              nameRange,
-              head.name()
-                  + " is called without "
-                  + String.join(", ", missing)
-                  + "; expected "
-                  + head.text());
+      run.failsWhenItRuns(
+          "missing-argument",
+          nameRange,
+          head.name()
+              + " is called without "
+              + String.join(", ", missing)
+              + "; expected "
+              + head.text());
     }
   }
 }

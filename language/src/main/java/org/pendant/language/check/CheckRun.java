@@ -77,6 +77,18 @@ final class CheckRun {
         name, _ -> catalogue.function(name).map(found -> new Builtin(found, Head.of(found))));
   }
 
+  /**
+   * A statement that fails if it ever runs: robots start a program that has one. A line of
+   * interpreter mode runs at once, so it is refused.
+   */
+  void failsWhenItRuns(String code, SourceRange range, String message) {
+    if (interpreted) {
+      findings.error(code, range, message);
+    } else {
+      findings.warning(code, range, message);
+    }
+  }
+
   /** Kept apart: lines of interpreter mode may assign what the program does not. */
   void unassigned(SourceRange range, String message) {
     unassigned.error("unassigned-variable", range, message);

@@ -14,8 +14,8 @@ import org.pendant.language.syntax.Statement.DefinitionKind;
  * Finds what is certainly wrong with a program before it runs.
  *
  * <p>Errors are certain: a program without them may still fail, but every error is a statement that
- * fails if it runs. Warnings name what runs but is hardly meant. The text must have been parsed
- * without syntax errors.
+ * fails if it runs. Warnings name what runs but is hardly meant, and what fails if it runs but does
+ * not keep a robot from starting the program. The text must have been parsed without syntax errors.
  */
 public final class Checker {
   private Checker() {}

@@ -25,15 +25,11 @@ record Head(String name, List<Parameter> parameters, Map<String, Integer> positi
 
   static Head of(Definition definition) {
     List<Parameter> parameters = new ArrayList<>();
-    StringBuilder text = new StringBuilder(definition.name()).append('(');
-    String separator = "";
     for (ParameterDeclaration declared : definition.parameters()) {
       boolean required = declared.defaultValue().isEmpty();
       parameters.add(new Parameter(declared.name(), Type.ANY, Unit.NONE, required, ""));
-      text.append(separator).append(declared.name()).append(required ? "" : "=...");
-      separator = ", ";
     }
-    return of(definition.name(), parameters, text.append(')').toString());
+    return of(definition.name(), parameters, definition.head());
   }
 
   private static Head of(String name, List<Parameter> parameters, String text) {

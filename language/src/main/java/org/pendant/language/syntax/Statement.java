@@ -2,6 +2,7 @@ package org.pendant.language.syntax;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.pendant.language.source.SourceRange;
 
 /** One statement; definitions of functions, secondary programs and threads are statements too. */
@@ -91,6 +92,13 @@ public sealed interface Statement extends Node {
     public Definition {
       parameters = List.copyOf(parameters);
       body = List.copyOf(body);
+    }
+
+    /** How it is called, for messages: {@code place(target, height=...)}. */
+    public String head() {
+      return parameters.stream()
+          .map(each -> each.defaultValue().isEmpty() ? each.name() : each.name() + "=...")
+          .collect(Collectors.joining(", ", name + "(", ")"));
     }
   }
 }
