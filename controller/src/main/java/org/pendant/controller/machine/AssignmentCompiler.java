@@ -22,14 +22,12 @@ final class AssignmentCompiler {
     parts = new PartCompiler(context, expressions);
   }
 
-  void assignGlobal(String name, Expression value) {
+  /** Gives {@code variable} its first value. */
+  void initialise(int variable, Expression value) {
     int mark = context.mark();
     int operand = expressions.operand(value);
-    code.emit(
-        ExpressionCompiler.fresh(value) ? Op.ASSIGN : Op.ASSIGN_COPY,
-        context.linkage().statics().global(name),
-        operand,
-        0);
+    code.at(value.range());
+    code.emit(ExpressionCompiler.fresh(value) ? Op.ASSIGN : Op.ASSIGN_COPY, variable, operand, 0);
     context.release(mark);
   }
 

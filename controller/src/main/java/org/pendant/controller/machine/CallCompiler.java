@@ -58,11 +58,17 @@ final class CallCompiler {
     boolean[] given = arguments(call.arguments(), names, first, true);
     List<String> missing = new ArrayList<>();
     for (int i = 0; i < given.length; i++) {
+      if (given[i]) {
+        continue;
+      }
       Optional<Expression> value = parameters.get(i).defaultValue();
-      if (!given[i] && value.isPresent()) {
-        expressions.argument(value.get(), first + i, true);
-      } else if (!given[i]) {
+      if (value.isEmpty()) {
         missing.add(names.get(i));
+      } else if (ConstantValues.of(value.get()).isPresent()) {
+        expressions.argument(value.get(), first + i, true);
+      } else {
+        // the function finds it out
+        code.emit(Op.UNSET, Instruction.local(first + i), 0, 0);
       }
     }
     code.at(call.range());
@@ -106,11 +112,7 @@ final class CallCompiler {
   /** In place of a call that lacks arguments: robots notice that when they come to it. */
   private void fail(Call call, List<String> missing, String head) {
     String message =
-        call.function()
-            + " is called without "
-            + String.join(", ", missing)
-            + "; expected "
-            + head;
+        call.function() + " is called without " + String.join(", ", missing) + "; expected " + head;
     code.emit(Op.MISSING, 0, context.linkage().name(message), 0);
   }
 

@@ -84,6 +84,7 @@ final class Compiler {
 
   private ScriptFunction compileFunction(Definition definition) {
     StatementCompiler compiler = compiler(scopes.scope(definition));
+    compiler.defaults(definition.parameters());
     compiler.statements(definition.body());
     return compiler.finish(definition.name(), definition.parameters().size());
   }
@@ -132,6 +133,7 @@ final class Compiler {
     StatementCompiler compiler =
         new StatementCompiler(
             new FunctionContext(source, scope, linkage, scope.locals()), builtins);
+    compiler.defaults(definition.parameters());
     compiler.statements(definition.body());
     linkage.define(
         linkage.function(definition),

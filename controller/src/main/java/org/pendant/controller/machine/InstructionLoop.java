@@ -219,6 +219,11 @@ final class InstructionLoop {
           num[d] = num[s] == 0 ? 1 : 0;
           tag[d] = (byte) BOOL;
         }
+        case Op.JUMP_IF_GIVEN -> {
+          if (tag[Instruction.slot(a, base)] != UNASSIGNED) {
+            pc += Instruction.distance(w);
+          }
+        }
         case Op.JUMP -> pc += Instruction.distance(w);
         case Op.LOOP -> {
           pc += Instruction.distance(w);

@@ -90,6 +90,7 @@ final class InstructionTranslator {
       case Op.LESS -> order(pc, a, b, c, Opcode.IFLT);
       case Op.LESS_OR_EQUAL -> order(pc, a, b, c, Opcode.IFLE);
       case Op.NOT -> not(pc, a, b);
+      case Op.JUMP_IF_GIVEN -> jumpIfGiven(a, pc + 1 + Instruction.distance(w));
       case Op.JUMP -> code.goto_(label(pc + 1 + Instruction.distance(w)));
       case Op.LOOP -> turn(pc, pc + 1 + Instruction.distance(w));
       case Op.JUMP_IF_FALSE -> jumpIf(pc, a, Opcode.IFEQ, pc + 1 + Instruction.distance(w));
@@ -405,6 +406,11 @@ final class InstructionTranslator {
   private void jumpIf(int pc, int operand, Opcode when, int target) {
     truth(pc, operand);
     code.branch(when, label(target));
+  }
+
+  private void jumpIfGiven(int parameter, int target) {
+    registers.tag(parameter);
+    code.loadConstant(Registers.UNASSIGNED).if_icmpne(label(target));
   }
 
   /**

@@ -38,6 +38,9 @@ final class Op {
   static final int NOT = 15;
   static final int XOR = 16;
 
+  /** Jumps by the distance when parameter a was given. */
+  static final int JUMP_IF_GIVEN = 17;
+
   /** Jumps by the distance. */
   static final int JUMP = 18;
 

@@ -4,10 +4,12 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
 import org.pendant.controller.call.Builtins;
 import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Node;
+import org.pendant.language.syntax.ParameterDeclaration;
 import org.pendant.language.syntax.Statement;
 
 /** Compiles the statements of one function. */
@@ -43,7 +45,21 @@ final class StatementCompiler {
 
   /** Gives the global variable {@code name} its first value. */
   void initialise(String name, Expression value) {
-    assignments.assignGlobal(name, value);
+    assignments.initialise(context.linkage().statics().global(name), value);
+  }
+
+  /** Gives parameters that a call has left out the values that only a call can find out. */
+  void defaults(List<ParameterDeclaration> parameters) {
+    for (int i = 0; i < parameters.size(); i++) {
+      Optional<Expression> value = parameters.get(i).defaultValue();
+      if (value.isPresent() && ConstantValues.of(value.get()).isEmpty()) {
+        int parameter = Instruction.local(i);
+        code.at(value.get().range());
+        int given = code.emitJump(Op.JUMP_IF_GIVEN, parameter);
+        assignments.initialise(parameter, value.get());
+        code.land(given, code.size());
+      }
+    }
   }
 
   void statements(List<Statement> statements) {

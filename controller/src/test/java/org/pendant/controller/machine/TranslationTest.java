@@ -133,6 +133,26 @@ class TranslationTest {
         end
         """,
         """
+        def defaults():
+          global calls = 0
+          def next(n=calls):
+            calls = n + 1
+            return calls
+          end
+          def f(a=next(), b=a * 2, c=[a, b]):
+            c[0] = b
+            return a + c[0] + c[1]
+          end
+          local i = 0
+          while i < 20000:
+            i = i + f(1)
+            i = i + f(b=next())
+          end
+          textmsg(i, calls)
+          textmsg(f("x"))
+        end
+        """,
+        """
         def texts():
           def f(x):
             return not x

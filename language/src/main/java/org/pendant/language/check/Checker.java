@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Set;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.language.source.Diagnostic;
-import org.pendant.language.syntax.ParameterDeclaration;
 import org.pendant.language.syntax.Script;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.language.syntax.Statement.DefinitionKind;
@@ -40,12 +39,7 @@ public final class Checker {
     }
     CallGraph.Node node = form.entry().map(run.graph()::node).orElseGet(CallGraph.Node::new);
     FunctionState main = new FunctionState(scopes.mainScope(), node);
-    if (form.entry().isPresent()) {
-      definitions.head(form.entry().get(), scopes.outermost(), defined);
-      for (ParameterDeclaration parameter : form.entry().get().parameters()) {
-        main.flow().assigned(new Binding.Global(parameter.name()));
-      }
-    }
+    form.entry().ifPresent(entry -> definitions.head(entry, main, defined));
     new StatementCheck(run, main).block(form.body());
     for (Definition definition : scopes.definitions()) {
       if (definition.kind() == DefinitionKind.SECONDARY) {

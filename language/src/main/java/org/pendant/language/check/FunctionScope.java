@@ -34,17 +34,25 @@ public final class FunctionScope {
 
   /**
    * From where on a name means the local variable: on the target of its first {@code local}
-   * assignment, and from the end of that assignment on.
+   * assignment or its place among the parameters, and from the end of that on.
+   *
+   * @param assigned whether it has a value before the first statement
    */
-  private record Reach(int targetStart, int targetEnd, int from) {
-    static final Reach EVERYWHERE = new Reach(0, 0, 0);
+  private record Reach(int targetStart, int targetEnd, int from, boolean assigned) {
+    static final Reach EVERYWHERE = new Reach(0, 0, 0, true);
 
     /** No {@code local} word: local only if no such global exists. */
-    static final Reach FREE = new Reach(Integer.MAX_VALUE, Integer.MAX_VALUE, Integer.MAX_VALUE);
+    static final Reach FREE =
+        new Reach(Integer.MAX_VALUE, Integer.MAX_VALUE, Integer.MAX_VALUE, false);
 
     static Reach of(Assign assign) {
       SourceRange target = assign.target().range();
-      return new Reach(target.start(), target.end(), assign.range().end());
+      return new Reach(target.start(), target.end(), assign.range().end(), false);
+    }
+
+    static Reach of(ParameterDeclaration parameter) {
+      int start = parameter.range().start();
+      return new Reach(start, start + parameter.name().length(), parameter.range().end(), true);
     }
 
     boolean covers(int offset) {
@@ -96,7 +104,7 @@ public final class FunctionScope {
 
   /**
    * What {@code name} stands for when read at {@code offset} of the source. A name that nothing
-   * assigns is answered as a local that {@link #locals} does not list; the checker refuses those.
+   * assigns is answered as a local that {@link #locals} does not list: reading it fails.
    */
   public Binding resolve(String name, int offset) {
     Reach reach = names.get(name);
@@ -204,7 +212,8 @@ public final class FunctionScope {
 
   /** Whether the local {@code name} has a value before the first statement. */
   boolean startsAssigned(String name) {
-    return Reach.EVERYWHERE.equals(names.get(name));
+    Reach reach = names.get(name);
+    return reach != null && reach.assigned();
   }
 
   void declare(Definition inner, FunctionScope scope) {

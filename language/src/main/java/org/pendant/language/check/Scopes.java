@@ -14,9 +14,10 @@ import org.pendant.language.syntax.Statement.Definition;
  * <ul>
  *   <li>Global are all names assigned at the main level, with or without a word before them and
  *       also inside its {@code if} and {@code while} blocks, and every {@code global x = ...}.
- *   <li>In a function or thread, a parameter is local; a name is local after its first {@code
- *       local} assignment, whose right side still sees the outer meaning; any other name is the
- *       global of that name if there is one anywhere, else local.
+ *   <li>In a function or thread, a parameter is local, from the end of its own default value on; a
+ *       name is local after its first {@code local} assignment, whose right side still sees the
+ *       outer meaning; any other name is the global of that name if there is one anywhere, else
+ *       local.
  *   <li>A nested function sees globals but no local of the function around it.
  *   <li>A function is visible in the whole body that defines it and in the functions nested there.
  * </ul>

@@ -111,16 +111,28 @@ final class CheckerNamesTest {
   }
 
   @Test
-  void defaultsAreConstant() {
+  void aDefaultSeesGlobalsFunctionsAndTheParametersBeforeIt() {
     assertEquals(
         List.of(),
         Checks.foundInBody(
-            "def f(a=-1, b=p[0,0,1/100,0,0,0], c=[1,\"\"], d=struct(x=1), e=sqrt(2)):\nend\nf()"));
+            "x = 1\ndef g():\n return 1\nend\ndef f(x=x, b=g(), c=sqrt(b) + x):\nend\nf()"));
+    assertEquals(List.of("2:unknown-function"), Checks.foundInBody("def f(a=g()):\nend\nf()"));
+    assertEquals(List.of("2:unknown-variable"), Checks.foundInBody("def f(a=y):\nend\nf()"));
+    assertEquals(List.of("2:type-mismatch"), Checks.foundInBody("def f(a=sqrt(\"x\")):\nend\nf()"));
     assertEquals(
-        List.of("3:default-not-constant"), Checks.foundInBody("x = 1\ndef f(a=x):\nend\nf()"));
+        List.of("4:unknown-variable"),
+        Checks.foundInBody("def g():\n local y = 1\n def f(a=y):\n end\n f()\nend\ng()"));
     assertEquals(
-        List.of("4:default-not-constant"),
-        Checks.foundInBody("def g():\nend\ndef f(a=g()):\nend\nf()"));
+        List.of("1:unassigned-variable"), Checks.found("def prog(a=b, b=1):\n textmsg(a)\nend\n"));
+  }
+
+  @Test
+  void aDefaultThatWaitsMakesItsFunctionWait() {
+    assertEquals(
+        List.of(),
+        Checks.foundInBody("def g():\n sync()\nend\ndef f(a=g()):\nend\nwhile True:\n f()\nend"));
+    assertEquals(
+        List.of("1:physical-time"), Checks.found("def f(a=sync()):\nend\nsec s():\n f()\nend\n"));
   }
 
   @Test
