@@ -151,9 +151,15 @@ final class FunctionContext {
     };
   }
 
+  /** The operand of a name that nothing assigns: a global variable that never has a value. */
+  private int unassigned(String name) {
+    return linkage.statics().global(name);
+  }
+
   int variable(Binding binding) {
     return switch (binding) {
       case Binding.Global global -> linkage.statics().global(global.name());
+      case Binding.Local local when !knows(local) -> unassigned(local.name());
       case Binding.Local local -> Instruction.local(variableSlots.get(local.name()));
     };
   }

@@ -91,7 +91,11 @@ final class CheckRun {
 
   /** Kept apart: lines of interpreter mode may assign what the program does not. */
   void unassigned(SourceRange range, String message) {
-    unassigned.error("unassigned-variable", range, message);
+    if (interpreted) {
+      unassigned.error("unassigned-variable", range, message);
+    } else {
+      unassigned.warning("unassigned-variable", range, message);
+    }
   }
 
   /** Everything found, in the order of the text. */
@@ -142,7 +146,7 @@ final class CheckRun {
     } else {
       message += suggestion(name, () -> variables(scope));
     }
-    findings.nameNotFound("unknown-variable", name, range, message);
+    failsWhenItRuns("unknown-variable", range, message);
   }
 
   private List<String> functions(FunctionScope scope) {

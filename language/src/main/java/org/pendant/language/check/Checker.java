@@ -17,7 +17,19 @@ import org.pendant.language.syntax.Statement.DefinitionKind;
  * not keep a robot from starting the program. The text must have been parsed without syntax errors.
  */
 public final class Checker {
+  /** Warnings about statements that fail if they run. */
+  private static final Set<String> FAILING =
+      Set.of("missing-argument", "unknown-variable", "unassigned-variable");
+
   private Checker() {}
+
+  /**
+   * Whether what {@code found} is about certainly fails if it runs; such a warning is an error
+   * wherever it is certain to run.
+   */
+  public static boolean fails(Diagnostic found) {
+    return found.isError() || FAILING.contains(found.code());
+  }
 
   /** Everything to say about {@code form}, in the order of the text. */
   public static List<Diagnostic> check(ProgramForm form, Catalogue catalogue) {

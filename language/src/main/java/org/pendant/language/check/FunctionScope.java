@@ -87,7 +87,7 @@ public final class FunctionScope {
         new FunctionScope(
             Optional.of(definition), Optional.of(parent), false, false, parent.globals);
     for (ParameterDeclaration parameter : definition.parameters()) {
-      scope.names.put(parameter.name(), Reach.EVERYWHERE);
+      scope.names.put(parameter.name(), Reach.of(parameter));
     }
     return scope;
   }

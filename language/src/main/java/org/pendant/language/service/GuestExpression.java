@@ -3,6 +3,7 @@ package org.pendant.language.service;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.language.check.Checker;
 import org.pendant.language.parse.Lexeme;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.language.source.Diagnostic;
@@ -66,7 +67,7 @@ public final class GuestExpression {
       return refusal;
     }
     return analysis.diagnostics().stream()
-        .filter(Diagnostic::isError)
+        .filter(Checker::fails)
         .filter(each -> touches(each.range()))
         .map(this::own)
         .findFirst();

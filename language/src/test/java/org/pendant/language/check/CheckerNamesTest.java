@@ -1,6 +1,7 @@
 package org.pendant.language.check;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -33,14 +34,24 @@ final class CheckerNamesTest {
   }
 
   @Test
-  void aVariableThatNothingAssignsIsAnError() {
+  void aVariableThatNothingAssignsIsPointedOut() {
     Diagnostic found = Checks.diagnostics("def prog():\n  b = colour\nend\n").getFirst();
     assertEquals("unknown-variable", found.code());
-    assertEquals("compile_error_name_not_found:colour:", found.wireText());
+    assertFalse(found.isError());
+    assertTrue(Checker.fails(found));
     assertEquals(
         "variable countr is never assigned; did you mean counter?",
         Checks.message("counter = 1\nb = countr"));
     assertEquals("variable true is never assigned; did you mean True?", Checks.message("b = true"));
+  }
+
+  @Test
+  void aCallThatLacksArgumentsIsPointedOut() {
+    Diagnostic found =
+        Checks.diagnostics("def prog():\n  def f(a, b=1):\n  end\n  f()\nend\n").getFirst();
+    assertEquals("f is called without a; expected f(a, b=...)", found.message());
+    assertFalse(found.isError());
+    assertTrue(Checker.fails(found));
   }
 
   @Test

@@ -83,7 +83,11 @@ final class Findings {
   }
 
   void remark(ProgramNode node, String message) {
-    problems.add(new NodeProblem(node.key(), "", message, false));
+    remark(node.key(), message);
+  }
+
+  void remark(long key, String message) {
+    problems.add(new NodeProblem(key, "", message, false));
   }
 
   /** An expression; {@code what} is what it is in the sentence "the ... is missing". */

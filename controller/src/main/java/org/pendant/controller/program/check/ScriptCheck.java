@@ -1,5 +1,6 @@
 package org.pendant.controller.program.check;
 
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -15,6 +16,7 @@ import org.pendant.controller.program.TreeNames;
 import org.pendant.controller.program.check.Findings.TypedText;
 import org.pendant.controller.program.script.GeneratedScript;
 import org.pendant.controller.program.script.ScriptGenerator;
+import org.pendant.language.check.Checker;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
@@ -54,7 +56,8 @@ final class ScriptCheck {
     Source source = Source.of(PROGRAM, script.text());
     List<Diagnostic> errors =
         ProgramLoader.load(source, builtins).diagnostics().stream()
-            .filter(Diagnostic::isError)
+            .filter(Checker::fails)
+            .sorted(Comparator.comparing(Diagnostic::isError).reversed())
             .toList();
     if (errors.isEmpty()) {
       return;
@@ -121,7 +124,13 @@ final class ScriptCheck {
         }
       }
     }
-    findings.problem(key, "", ByteText.decoded(error.message()));
+    String message = ByteText.decoded(error.message());
+    if (error.isError()) {
+      findings.problem(key, "", message);
+    } else {
+      // the script of a node may have parts that never run
+      findings.remark(key, message);
+    }
   }
 
   /** Where in an expression a place of a line is that holds it. */

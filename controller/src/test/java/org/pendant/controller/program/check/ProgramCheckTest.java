@@ -232,6 +232,22 @@ final class ProgramCheckTest {
   }
 
   @Test
+  void whatFailsInAPartOfAScriptThatMayNeverRunDoesNotBlock() {
+    List<NodeProblem> found =
+        ProgramCheck.problems(
+            program(
+                node(
+                    new ActionStep.ScriptFile(
+                        "lib.script",
+                        List.of("def never():", "  textmsg(nowhere)", "  sleep()", "end")))),
+            Installation.NONE);
+    assertEquals(
+        List.of("variable nowhere is never assigned"),
+        found.stream().map(NodeProblem::message).toList());
+    assertFalse(found.getFirst().blocks());
+  }
+
+  @Test
   void wrongScriptLinesAreTold() {
     List<String> found =
         problems(program(node(new ActionStep.ScriptLine("x = = 1")), assign("y", "1")));
