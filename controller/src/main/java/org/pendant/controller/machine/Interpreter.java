@@ -87,6 +87,10 @@ public final class Interpreter {
   // What the lines interpreted so far have added to the program.
   private FunctionScope checkedScope;
   private LineLinks links;
+
+  /** What of it outlives a clearing: all that modes with {@code clearOnEnd = False} have left. */
+  private LineLinks kept;
+
   private int firstStatic = -1;
   private int queuedBytes;
   private int resultSlot;
@@ -113,7 +117,8 @@ public final class Interpreter {
     firstStatic = -1;
     clearUnderWay = false;
     journal.add(new InterpreterEvent.ProgramStarted(started.program().name()));
-    forget(started.program().scopes().mainScope());
+    kept = nothing();
+    forget();
   }
 
   void programEnded() {
@@ -241,9 +246,11 @@ public final class Interpreter {
     newestThreadBefore = running.newestThread();
     if (firstStatic < 0) {
       firstStatic = running.segments().take(STATIC_SLOTS);
+      kept = nothing();
     }
     ScriptThread main = running.main();
-    forget(main.functions[main.depth - 1].scope());
+    kept = kept.in(main.functions[main.depth - 1].scope());
+    forget();
     checkQueue();
     Mode entered = new Mode(clearOnEnd);
     mode = Optional.of(entered);
@@ -282,7 +289,7 @@ public final class Interpreter {
     clearUnderWay = false;
     if (clearRequested) {
       clearRequested = false;
-      clear(main);
+      clear();
     }
     if (!endRequested && !queue.isEmpty()) {
       return link(main);
@@ -368,39 +375,47 @@ public final class Interpreter {
     }
   }
 
-  private void clear(ScriptThread main) {
+  private void clear() {
     lastCleared = lastExecuted;
     journal.add(new InterpreterEvent.Cleared());
-    run.orElseThrow().killStartedAfter(newestThreadBefore);
-    forget(main.functions[main.depth - 1].scope());
+    ProgramRun running = run.orElseThrow();
+    running.killStartedAfter(newestThreadBefore);
+    links.takeValues(running.registers(), running.main());
+    kept.takeValues(links);
+    forget();
     checkQueue();
   }
 
   private void leave(boolean clearOnEnd) {
-    ScriptThread main = run.orElseThrow().main();
     mode = Optional.empty();
     endRequested = false;
     clearUnderWay = false;
     if (clearOnEnd) {
       dropQueue();
-      clear(main);
+      clear();
     } else {
+      ProgramRun running = run.orElseThrow();
+      links.takeValues(running.registers(), running.main());
+      kept = links.copy();
       journal.add(new InterpreterEvent.Kept());
     }
   }
 
-  /** Goes back to the program as it was compiled, seen from {@code scope}. */
-  private void forget(FunctionScope scope) {
-    Program program = run.orElseThrow().program();
-    checkedScope = scope;
-    links =
-        new LineLinks(
-            scope,
-            program.tables(),
-            new IdentityHashMap<>(program.functionNumbers()),
-            new StaticSlots(
-                Math.max(0, firstStatic),
-                firstStatic + STATIC_SLOTS - 1,
-                run.orElseThrow().globalSlots()));
+  /** Goes back to what outlives a clearing. */
+  private void forget() {
+    links = kept.copy();
+    checkedScope = links.scope();
+  }
+
+  /** The program as it was compiled. */
+  private LineLinks nothing() {
+    ProgramRun running = run.orElseThrow();
+    Program program = running.program();
+    return new LineLinks(
+        program.scopes().mainScope(),
+        program.tables(),
+        new IdentityHashMap<>(program.functionNumbers()),
+        new StaticSlots(
+            Math.max(0, firstStatic), firstStatic + STATIC_SLOTS - 1, running.globalSlots()));
   }
 }

@@ -117,6 +117,114 @@ class InterpreterTest {
     assertEquals(List.of(), fixture.messages);
   }
 
+  private void mode(String... lines) {
+    for (String line : lines) {
+      assertTrue(fixture.submit(line).startsWith("ack "), line);
+    }
+    fixture.submit("end_interpreter()");
+    fixture.advance(4);
+  }
+
+  @Test
+  void whatAModeKeepsIsThereInLaterOnes() {
+    fixture.start(
+        "def prog():",
+        "  a = 1",
+        "  interpreter_mode(clearOnEnd = False)",
+        "  def busy(x, y, z):",
+        "    local l = [x, y, z, x, y, z, x, y, z]",
+        "    return l[0]",
+        "  end",
+        "  textmsg(\"between \", busy(7, 8, 9))",
+        "  interpreter_mode(clearOnEnd = False)",
+        "  interpreter_mode()",
+        "end");
+    fixture.advance(2);
+    mode("def keep(x): return x + a end", "b = [1, 2]", "thread t(): a = a + 1 end", "c = 4");
+    mode("textmsg(b, keep(3))", "b[0] = 5", "b = [b[0], c]", "d = keep(0)", "run t()");
+    mode("textmsg(b, d)", "textmsg(keep(0))");
+    assertInstanceOf(Ending.Finished.class, fixture.finish());
+    assertEquals(List.of("between 7", "[1, 2]4", "[5, 4]1", "2"), fixture.messages);
+  }
+
+  @Test
+  void onlyWhatTheModeItselfHasAddedIsClearedAtItsEnd() {
+    fixture.start(
+        "def prog():",
+        "  interpreter_mode(clearOnEnd = False)",
+        "  interpreter_mode()",
+        "  interpreter_mode()",
+        "end");
+    fixture.advance(2);
+    mode("kept = 1", "def keep(): return 10 end");
+    mode("kept = 2", "fresh = 3", "def gone(): return 4 end", "textmsg(kept + fresh, gone())");
+    assertEquals("discard variable fresh is never assigned", fixture.submit("textmsg(fresh)"));
+    assertEquals("discard function gone is not defined", fixture.submit("gone()"));
+    mode("fresh = 5", "textmsg(kept + fresh, keep())");
+    assertEquals(List.of("54", "710"), fixture.messages);
+  }
+
+  @Test
+  void clearingLeavesWhatEarlierModesHaveKept() {
+    fixture.start(
+        "def prog():",
+        "  interpreter_mode(clearOnEnd = False)",
+        "  interpreter_mode(clearOnEnd = False)",
+        "  interpreter_mode()",
+        "end");
+    fixture.advance(2);
+    mode("kept = 1");
+    fixture.submit("kept = 2");
+    fixture.submit("fresh = 3");
+    fixture.submit("clear_interpreter()");
+    fixture.advance(2);
+    assertTrue(fixture.submit("textmsg(fresh)").startsWith("discard "));
+    mode("textmsg(kept)", "other = 7");
+    mode("textmsg(kept, other)");
+    assertEquals(List.of("2", "27"), fixture.messages);
+  }
+
+  @Test
+  void whatIsKeptGoesAlongIntoAnotherFunction() {
+    fixture.start(
+        "def prog():",
+        "  global g = 1",
+        "  interpreter_mode(clearOnEnd = False)",
+        "  def work(x):",
+        "    local kept = 100",
+        "    local y = x",
+        "    interpreter_mode()",
+        "    return kept + y",
+        "  end",
+        "  textmsg(work(3))",
+        "end");
+    fixture.advance(2);
+    mode("kept = 1", "also = 2", "def keep(x): return x * g end");
+    mode("g = 10", "textmsg(kept, also)", "y = keep(also + x)", "kept = kept + 1");
+    assertInstanceOf(Ending.Finished.class, fixture.finish());
+    assertEquals(List.of("1002", "151"), fixture.messages);
+  }
+
+  @Test
+  void linesBetweenTheModesRunInTheNextOneThatKeepsItsQueue() {
+    fixture.start(
+        "def prog():",
+        "  interpreter_mode(clearOnEnd = False)",
+        "  frames(3)",
+        "  interpreter_mode(clearQueueOnEnter = False)",
+        "end");
+    fixture.advance(2);
+    fixture.submit("def keep(): return 6 end");
+    fixture.submit("end_interpreter()");
+    fixture.submit("b = keep()");
+    fixture.advance(2);
+    assertFalse(fixture.machine.interpreter().active());
+    assertEquals("ack 4", fixture.submit("textmsg(keep(), b)"));
+    fixture.submit("end_interpreter()");
+    assertInstanceOf(Ending.Finished.class, fixture.finish());
+    assertEquals(List.of("66"), fixture.messages);
+  }
+
   @Test
   void linesInsideAFunctionSeeItsLocals() {
     fixture.start(

@@ -196,6 +196,26 @@ public final class FunctionScope {
     return extended;
   }
 
+  /**
+   * This scope with what interpreted lines have added to another one: a later interpreter mode may
+   * stand in another function. Names that are known here keep their meaning.
+   *
+   * @param lines a scope that {@link #extendedBy} has made, or one without lines
+   */
+  public FunctionScope with(FunctionScope lines) {
+    if (!lines.extension) {
+      return this;
+    }
+    FunctionScope extended = extendedBy(List.of());
+    List<String> names = lines.locals();
+    int known = lines.parent.orElseThrow().locals().size();
+    for (String name : names.subList(known, names.size())) {
+      extended.names.putIfAbsent(name, Reach.EVERYWHERE);
+    }
+    extended.functions.putAll(lines.functions);
+    return extended;
+  }
+
   /** Names of all functions visible here, nearest first. */
   List<String> visibleFunctions() {
     List<String> visible = new ArrayList<>();

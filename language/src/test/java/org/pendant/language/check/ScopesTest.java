@@ -177,6 +177,18 @@ final class ScopesTest {
   }
 
   @Test
+  void whatLinesHaveAddedCanBeTakenToAnotherFunction() {
+    Scopes scopes =
+        scopes("def f(p):\n q = p\nend\ndef k(q):\n r = 1\nend\ndef prog():\n g = 1\nend\n");
+    FunctionScope lines = extend(scope(scopes, "f"), "n = q local g = 2 def h(): end m = 3");
+    FunctionScope moved = scope(scopes, "k").with(lines);
+    assertEquals(List.of("q", "r", "n", "g", "m"), moved.locals());
+    assertEquals("h", name(moved.function("h")));
+    assertEquals(List.of("q", "r", "n", "g", "m", "o"), extend(moved, "o = m").locals());
+    assertSame(scopes.mainScope(), scopes.mainScope().with(scope(scopes, "f")));
+  }
+
+  @Test
   void aDefinitionOfAnotherProgramHasNoScope() {
     Scopes scopes = scopes("def prog():\nend\n");
     Definition other = (Definition) Checks.parse("def prog():\nend\n").statements().getFirst();
