@@ -292,7 +292,7 @@ final class ExpressionBuilder {
 
   private Expression literal(int type, SourceRange range) {
     return switch (type) {
-      case INT -> new IntLiteral(intValue(range), range);
+      case INT -> wholeNumber(range);
       case FLOAT -> new FloatLiteral(Double.parseDouble(source.text(range)), range);
       case TRUE, FALSE -> new BoolLiteral(type == TRUE, range);
       case STRING -> new StringLiteral(unquoted(range), range);
@@ -307,23 +307,17 @@ final class ExpressionBuilder {
     return text.substring(1, closed ? text.length() - 1 : text.length());
   }
 
-  private int intValue(SourceRange range) {
-    long value = 0;
+  /** An int, or a float if it does not fit one. */
+  private Expression wholeNumber(SourceRange range) {
     String text = source.text();
+    long value = 0;
     for (int i = range.start(); i < range.end(); i++) {
       value = value * 10 + (text.charAt(i) - '0');
       if (value > Integer.MAX_VALUE) {
-        complaints.addAboutMeaning(
-            "int-too-large",
-            range,
-            "`"
-                + Wording.shortened(source.text(range))
-                + "` is too large for an int (-2147483648 to 2147483647): write `.0` behind it"
-                + " for a float");
-        return 0;
+        return new FloatLiteral(Double.parseDouble(source.text(range)), range);
       }
     }
-    return (int) value;
+    return new IntLiteral((int) value, range);
   }
 
   /** Whether a node may stand on {@code inner} levels of others; complains once if not. */

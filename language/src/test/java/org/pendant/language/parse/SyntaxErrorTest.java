@@ -123,8 +123,6 @@ class SyntaxErrorTest {
         "f(a.b = 1)             ~ argument-name     ~ `a.b` is not a name",
         "x = 0x1F               ~ no-effect         ~ hexadecimal",
         "f(0x1F)                ~ syntax-error      ~ hexadecimal",
-        "x = 99999999999        ~ int-too-large     ~ `99999999999` is too large",
-        "x = 2147483648         ~ int-too-large     ~ too large for an int",
         "x = p[1,2,3]           ~ pose-elements     ~ pose with 3 elements",
         "x = a[1,2,3]           ~ index-count       ~ 3 indices",
         "x = a[]                ~ index-count       ~ 0 indices",
