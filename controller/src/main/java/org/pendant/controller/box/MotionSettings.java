@@ -44,7 +44,7 @@ public final class MotionSettings {
    * @return whether the arm has it; nothing has changed if not
    */
   public boolean setVersion(int wanted) {
-    if (wanted == 1 && newOnly) {
+    if (wanted < (newOnly ? 2 : 1) || wanted > 2) {
       return false;
     }
     version = wanted;

@@ -54,7 +54,7 @@ final class MotionSettingBuiltins {
   }
 
   private static Outcome setVersion(Call call) throws ScriptError {
-    int version = call.integer(0, 1, 2);
+    int version = call.integer(0);
     if (!settings(call).setVersion(version)) {
       call.box()
           .log()
