@@ -7,6 +7,7 @@ import org.pendant.controller.box.Inertia;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ListValue;
+import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.PoseValue;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
@@ -84,13 +85,33 @@ final class PayloadArguments {
     return flanges;
   }
 
-  /** Wrenches, from a list of such poses as get_tcp_force answers. */
+  /** Wrenches, from a list of such poses as get_tcp_force answers, or from one of lists. */
   static List<Wrench> wrenches(Call call, int index) throws ScriptError {
     List<Wrench> wrenches = new ArrayList<>();
+    if (call.value(index) instanceof MatrixValue rows) {
+      if (rows.columns() != 6) {
+        throw call.refuse(index, "must have 6 numbers for each wrench");
+      }
+      for (int row = 0; row < rows.rows(); row++) {
+        wrenches.add(wrench(call, index, rows, row));
+      }
+      return wrenches;
+    }
     for (Pose p : poses(call, index)) {
       wrenches.add(new Wrench(p.x(), p.y(), p.z(), p.rx(), p.ry(), p.rz()));
     }
     return wrenches;
+  }
+
+  private static Wrench wrench(Call call, int index, MatrixValue rows, int row) throws ScriptError {
+    double[] elements = new double[rows.columns()];
+    for (int i = 0; i < elements.length; i++) {
+      elements[i] = rows.numberAt(row, i);
+      if (!Double.isFinite(elements[i])) {
+        throw call.refuse(index, "must be finite");
+      }
+    }
+    return new Wrench(elements[0], elements[1], elements[2], elements[3], elements[4], elements[5]);
   }
 
   private static List<Pose> poses(Call call, int index) throws ScriptError {

@@ -43,7 +43,8 @@ final class PayloadBuiltins {
         .doc(
             "Mass and centre of gravity of what hangs on the flange beyond the declared payload, as"
                 + " struct(mass, cog). poses are at least four poses of the TCP, turned well"
-                + " against each other; wrenches is what get_tcp_force gave at rest in each.")
+                + " against each other; wrenches is what get_tcp_force gave at rest in each,"
+                + " as poses or as lists.")
         .needs("poses", Type.LIST)
         .needs("wrenches", Type.LIST)
         .returns(Type.STRUCT)

@@ -8,11 +8,14 @@ import static org.pendant.controller.value.Make.list;
 import static org.pendant.controller.value.Make.pose;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.value.FloatValue;
+import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.NumberList;
+import org.pendant.controller.value.PoseValue;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.StructValue;
 import org.pendant.controller.value.Value;
@@ -171,6 +174,12 @@ class PayloadBuiltinsTest {
     assertEquals(0.02, cog.numberAt(0), 1e-6);
     assertEquals(-0.01, cog.numberAt(1), 1e-6);
     assertEquals(0.07, cog.numberAt(2), 1e-6);
+    double[] rows =
+        wrenches.stream()
+            .flatMapToDouble(each -> Arrays.stream(((PoseValue) each).pose().toArray()))
+            .toArray();
+    Value matrix = MatrixValue.owning(wrenches.size(), 6, rows, false);
+    assertEquals(estimate, fixture.call("estimate_payload", list(poses.toArray()), matrix));
   }
 
   @Test
