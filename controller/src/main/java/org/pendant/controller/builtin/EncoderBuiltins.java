@@ -182,7 +182,7 @@ final class EncoderBuiltins {
 
   private static Outcome count(Call call) throws ScriptError {
     Encoder encoder = encoder(call, 0);
-    return switch (call.text(1)) {
+    return switch (call.word(1)) {
       case "" -> call.answer(encoder.filteredCount());
       case "raw" -> call.answerInt(encoder.rawCount());
       default -> throw call.refuse(1, "must be \"\" or \"raw\"");

@@ -92,7 +92,7 @@ final class FreedriveBuiltins {
     if (call.kind(1) != Kind.STRING) {
       throw call.wrongKind(1, "a pose, \"base\" or \"tool\"");
     }
-    return switch (call.text(1)) {
+    return switch (call.word(1)) {
       case "base" -> FreedriveFrame.BASE;
       case "tool" -> FreedriveFrame.TOOL;
       default -> throw call.refuse(1, "must be a pose, \"base\" or \"tool\"");

@@ -66,7 +66,7 @@ final class InputActionBuiltins {
   }
 
   private static InputAction action(Call call) throws ScriptError {
-    return switch (call.text(1)) {
+    return switch (call.word(1)) {
       case "default" -> InputAction.DEFAULT;
       case "freedrive" -> InputAction.FREEDRIVE;
       default -> throw call.refuse(1, "must be \"default\" or \"freedrive\"");

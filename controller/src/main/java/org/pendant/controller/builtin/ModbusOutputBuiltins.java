@@ -130,7 +130,7 @@ final class ModbusOutputBuiltins {
               + ", must be a digital input");
     }
     signal.setAction(
-        switch (call.text(1)) {
+        switch (call.word(1)) {
           case "default" -> InputAction.DEFAULT;
           case "freedrive" -> InputAction.FREEDRIVE;
           default -> throw call.refuse(1, "must be \"default\" or \"freedrive\"");

@@ -117,7 +117,7 @@ final class RtdeInputBuiltins {
   }
 
   private static WatchdogAction action(Call call) throws ScriptError {
-    return switch (call.text(2)) {
+    return switch (call.word(2)) {
       case "ignore" -> WatchdogAction.IGNORE;
       case "pause" -> WatchdogAction.PAUSE;
       case "stop" -> WatchdogAction.STOP;

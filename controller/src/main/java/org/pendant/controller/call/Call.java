@@ -1,5 +1,6 @@
 package org.pendant.controller.call;
 
+import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.message.MessageLog;
@@ -179,6 +180,11 @@ public final class Call {
       return text.bytes();
     }
     throw wrongKind(index, "a string");
+  }
+
+  /** A string that is one of some words, in lower case: how a program writes it does not count. */
+  public String word(int index) throws ScriptError {
+    return text(index).toLowerCase(Locale.ROOT);
   }
 
   public Pose pose(int index) throws ScriptError {
