@@ -274,7 +274,8 @@ public final class Call {
   }
 
   private String shown(int index) {
-    return ValueText.shortened(value(index), LONGEST_SHOWN);
+    String text = ValueText.shortened(value(index), LONGEST_SHOWN);
+    return text.isEmpty() ? "\"\"" : text;
   }
 
   /** Answers without a value. */
