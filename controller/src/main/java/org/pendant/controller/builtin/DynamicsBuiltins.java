@@ -64,6 +64,7 @@ final class DynamicsBuiltins {
                     "The 6 by 6 matrix that turns joint accelerations into torques, in kg m\u00b2."
                         + " The declared payload counts; the rotors of the motors if asked for."))
         .takes("include_rotors_inertia", Type.BOOL, Value.of(false))
+        .alias("include_rotor_inertia")
         .returns(Type.MATRIX)
         .effect(Effect.ASKS)
         .does(DynamicsBuiltins::massMatrix);

@@ -65,6 +65,7 @@ final class ServoBuiltins {
         .does(ServoBuiltins::speedj);
     builtins
         .declare("speedl")
+        .alias("t_min")
         .manual(MODULE, "15.49")
         .doc(
             "Brings the TCP to a constant velocity and angular velocity along the axes of the"
@@ -76,6 +77,7 @@ final class ServoBuiltins {
         .physicalTime()
         .does(ServoBuiltins::speedl);
   }
+        .alias("t_min")
 
   private static void declareServos(Builtins builtins) {
     builtins

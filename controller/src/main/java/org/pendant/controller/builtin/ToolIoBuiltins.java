@@ -25,12 +25,14 @@ final class ToolIoBuiltins {
                 + " or both (3, push-pull).")
         .needs("n", Type.INT)
         .needs("mode", Type.INT)
+        .alias("Mode")
         .does(ToolIoBuiltins::setPin);
     builtins
         .declare("set_tool_output_mode")
         .manual(MODULE, "18.52")
         .doc("Uses the tool's two output pins as digital outputs (0) or as a power supply (1).")
         .needs("mode", Type.INT)
+        .alias("Mode")
         .does(ToolIoBuiltins::setMode);
     builtins
         .declare("set_tool_voltage")

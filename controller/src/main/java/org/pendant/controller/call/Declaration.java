@@ -81,6 +81,20 @@ public final class Declaration {
         Optional.empty());
   }
 
+  /** Another name for the parameter that was declared last. */
+  public Declaration alias(String other) {
+    Parameter last = parameters.removeLast();
+    parameters.add(
+        new Parameter(
+            last.name(),
+            last.type(),
+            last.unit(),
+            last.required(),
+            last.defaultText(),
+            List.of(other)));
+    return this;
+  }
+
   public Declaration returns(Type type) {
     result = type;
     return this;

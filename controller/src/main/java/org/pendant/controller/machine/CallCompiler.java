@@ -3,6 +3,7 @@ package org.pendant.controller.machine;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ToIntFunction;
 import org.pendant.controller.call.Builtin;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.value.Value;
@@ -55,7 +56,8 @@ final class CallCompiler {
     List<ParameterDeclaration> parameters = definition.parameters();
     List<String> names = parameters.stream().map(ParameterDeclaration::name).toList();
     int first = context.temporaries(names.size());
-    boolean[] given = arguments(call.arguments(), names, first, true);
+    boolean[] given = new boolean[names.size()];
+    arguments(call.arguments(), names::indexOf, first, true, given);
     List<String> missing = new ArrayList<>();
     for (int i = 0; i < given.length; i++) {
       if (given[i]) {
@@ -82,9 +84,9 @@ final class CallCompiler {
 
   private void callBuiltin(Call call, Builtin builtin, int target) {
     List<Parameter> parameters = builtin.signature().parameters();
-    List<String> names = parameters.stream().map(Parameter::name).toList();
-    int first = context.temporaries(names.size());
-    boolean[] given = arguments(call.arguments(), names, first, false);
+    int first = context.temporaries(parameters.size());
+    boolean[] given = new boolean[parameters.size()];
+    arguments(call.arguments(), name -> position(parameters, name), first, false, given);
     List<String> missing = new ArrayList<>();
     for (int i = 0; i < given.length; i++) {
       if (given[i]) {
@@ -95,7 +97,7 @@ final class CallCompiler {
       if (value.isPresent()) {
         code.emit(Op.MOVE, slot, context.constant(value.get()), 0);
       } else if (parameters.get(i).required()) {
-        missing.add(names.get(i));
+        missing.add(parameters.get(i).name());
       } else {
         code.emit(Op.UNSET, slot, 0, 0);
       }
@@ -116,17 +118,27 @@ final class CallCompiler {
     code.emit(Op.MISSING, 0, context.linkage().name(message), 0);
   }
 
-  /** Evaluates arguments in the order of the text; answers which parameters were given. */
-  private boolean[] arguments(
-      List<Argument> arguments, List<String> parameters, int first, boolean copied) {
-    boolean[] given = new boolean[parameters.size()];
+  private static int position(List<Parameter> parameters, String name) {
+    int position = 0;
+    while (!parameters.get(position).named(name)) {
+      position++;
+    }
+    return position;
+  }
+
+  /** Evaluates arguments in the order of the text, and notes which parameters were given. */
+  private void arguments(
+      List<Argument> arguments,
+      ToIntFunction<String> position,
+      int first,
+      boolean copied,
+      boolean[] given) {
     for (int i = 0; i < arguments.size(); i++) {
       Argument argument = arguments.get(i);
-      int place = argument.name().map(parameters::indexOf).orElse(i);
+      int place = argument.name().isPresent() ? position.applyAsInt(argument.name().get()) : i;
       given[place] = true;
       expressions.argument(argument.value(), first + place, copied);
     }
-    return given;
   }
 
   /**

@@ -3,6 +3,7 @@ package org.pendant.controller.machine;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.value.Value;
 import org.pendant.language.check.Binding;
@@ -153,7 +154,10 @@ final class FunctionContext {
 
   /** The operand of a name that nothing assigns: a global variable that never has a value. */
   private int unassigned(String name) {
-    return linkage.statics().global(name);
+    Optional<Boolean> truth = FunctionScope.truth(name);
+    return truth.isPresent()
+        ? constant(Value.of(truth.get().booleanValue()))
+        : linkage.statics().global(name);
   }
 
   int variable(Binding binding) {

@@ -75,6 +75,9 @@ final class ExpressionCheck {
     Binding binding = scope.resolve(name.name(), name.range().start());
     boolean local = binding instanceof Binding.Local;
     if (local && !scope.binds(name.name())) {
+      if (FunctionScope.truth(name.name()).isPresent()) {
+        return Kind.BOOL;
+      }
       run.unknownVariable(name.name(), name.range(), scope);
       return Kind.ANY;
     }

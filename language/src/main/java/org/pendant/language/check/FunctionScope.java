@@ -113,6 +113,18 @@ public final class FunctionScope {
   }
 
   /**
+   * What a name means that nothing assigns: the manual writes {@code true} and {@code false}, too
+   * (15.56).
+   */
+  public static Optional<Boolean> truth(String name) {
+    return switch (name) {
+      case "true" -> Optional.of(true);
+      case "false" -> Optional.of(false);
+      default -> Optional.empty();
+    };
+  }
+
+  /**
    * The variable that {@code assign} sets, or whose element or member it sets.
    *
    * @throws IllegalArgumentException if the target does not start with a name

@@ -14,7 +14,7 @@ import org.pendant.language.syntax.Statement.Definition;
 /**
  * What a call must look like, for built-in and defined functions alike.
  *
- * @param positions where each parameter stands
+ * @param positions where each parameter stands, by all its names
  * @param text the head for messages
  */
 record Head(String name, List<Parameter> parameters, Map<String, Integer> positions, String text) {
@@ -36,6 +36,9 @@ record Head(String name, List<Parameter> parameters, Map<String, Integer> positi
     Map<String, Integer> positions = new HashMap<>();
     for (int i = 0; i < parameters.size(); i++) {
       positions.putIfAbsent(parameters.get(i).name(), i);
+      for (String alias : parameters.get(i).aliases()) {
+        positions.putIfAbsent(alias, i);
+      }
     }
     return new Head(name, List.copyOf(parameters), positions, text);
   }

@@ -31,7 +31,7 @@ public record SignatureHelp(Signature signature, SourceRange callee, int active)
 
   private static int indexOf(Signature signature, String name) {
     for (int i = 0; i < signature.parameters().size(); i++) {
-      if (signature.parameters().get(i).name().equals(name)) {
+      if (signature.parameters().get(i).named(name)) {
         return i;
       }
     }

@@ -42,7 +42,9 @@ final class CheckerNamesTest {
     assertEquals(
         "variable countr is never assigned; did you mean counter?",
         Checks.message("counter = 1\nb = countr"));
-    assertEquals("variable true is never assigned; did you mean True?", Checks.message("b = true"));
+    assertEquals("variable Ture is never assigned; did you mean True?", Checks.message("b = Ture"));
+    assertEquals(List.of(), Checks.foundInBody("b = true\nb = not false"));
+    assertEquals(List.of("3:type-mismatch"), Checks.foundInBody("true = [1]\nb = not true"));
   }
 
   @Test

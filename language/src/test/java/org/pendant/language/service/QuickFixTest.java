@@ -20,7 +20,7 @@ final class QuickFixTest {
       value = {
         "unknown-function ~ mvoej([0,0,0,0,0,0])   ~ movej([0,0,0,0,0,0])",
         "unknown-variable ~ count = 1\\nx = coutn  ~ count = 1\\nx = count",
-        "unknown-variable ~ x = true               ~ x = True",
+        "unknown-variable ~ x = TRUE               ~ x = True",
         "unknown-variable ~ x = get_actual_tcp_pose ~ x = get_actual_tcp_pose()",
         "unknown-argument ~ sleep(tt=1)            ~ sleep(t=1)",
         "unknown-method   ~ l = [1]\\nl.apend(2)   ~ l = [1]\\nl.append(2)",
