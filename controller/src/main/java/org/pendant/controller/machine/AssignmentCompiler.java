@@ -1,8 +1,11 @@
 package org.pendant.controller.machine;
 
 import java.util.List;
+import java.util.Optional;
+import org.pendant.language.check.OutputAssignment;
 import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Expression.Binary;
+import org.pendant.language.syntax.Expression.Call;
 import org.pendant.language.syntax.Expression.Index;
 import org.pendant.language.syntax.Expression.Member;
 import org.pendant.language.syntax.Expression.Name;
@@ -32,6 +35,11 @@ final class AssignmentCompiler {
   }
 
   void assign(Statement.Assign assign) {
+    Optional<Call> output = OutputAssignment.call(assign, context.scope());
+    if (output.isPresent()) {
+      expressions.effect(output.get());
+      return;
+    }
     int mark = context.mark();
     switch (assign.target()) {
       case Name name -> assignVariable(assign, context.variable(context.target(assign)));

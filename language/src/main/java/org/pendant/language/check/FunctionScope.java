@@ -237,6 +237,11 @@ public final class FunctionScope {
     return visible;
   }
 
+  /** Whether there is a variable of this name here. */
+  boolean knows(String name) {
+    return binds(name) || globals.contains(name);
+  }
+
   /** Whether some assignment or parameter makes a local of this name. */
   boolean binds(String name) {
     return names.containsKey(name);

@@ -2,8 +2,10 @@ package org.pendant.language.check;
 
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Expression.Call;
 import org.pendant.language.syntax.Expression.Name;
 import org.pendant.language.syntax.Statement;
 import org.pendant.language.syntax.Statement.Assign;
@@ -95,7 +97,7 @@ final class StatementCheck {
   /** A name as a statement: a variable's does nothing, any other is a mistake. */
   private void alone(Name name) {
     String message = "`" + name.name() + "` does nothing on its own";
-    if (state.scope().binds(name.name()) || state.scope().globals().contains(name.name())) {
+    if (state.scope().knows(name.name())) {
       run.findings().warning("no-effect", name.range(), message);
     } else {
       run.findings()
@@ -113,6 +115,11 @@ final class StatementCheck {
   }
 
   private void assign(Assign assign) {
+    Optional<Call> output = OutputAssignment.call(assign, state.scope());
+    if (output.isPresent()) {
+      expressions.check(output.get());
+      return;
+    }
     Kind kind = expressions.check(assign.value());
     if (!(assign.target() instanceof Name name)) {
       Kind element = expressions.check(assign.target());
