@@ -230,7 +230,7 @@ final class ProgramRun {
 
   /** Starts a thread that runs function {@code number}; {@link #newestThread} is its handle. */
   void startThread(int parent, int number) throws ScriptError {
-    if (threads.size() >= MAX_THREADS) {
+    if (threads.size() > MAX_THREADS) {
       throw new ScriptError(
           "too-many-threads", "more than " + MAX_THREADS + " threads run at once");
     }

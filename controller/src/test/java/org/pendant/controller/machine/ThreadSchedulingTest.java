@@ -228,18 +228,22 @@ class ThreadSchedulingTest {
   }
 
   @Test
-  void tooManyThreadsAreRefused() {
+  void twoHundredThreadsRunBesideTheMainOneAndNoMore() {
     ScriptFailure failure =
         fixture.fail(
             "def prog():",
             "  thread t():",
             "    frames(500)",
             "  end",
+            "  n = 0",
             "  while True:",
             "    run t()",
+            "    n = n + 1",
+            "    textmsg(n)",
             "  end",
             "end");
     assertEquals("too-many-threads", failure.code());
+    assertEquals("200", fixture.messages.getLast());
   }
 
   @Test
