@@ -15,6 +15,7 @@ import org.openjdk.jmh.annotations.Warmup;
 import org.pendant.controller.arm.ArmCommand;
 import org.pendant.controller.arm.ArmSensors;
 import org.pendant.controller.arm.DynamicArm;
+import org.pendant.controller.arm.FrictionShare;
 import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.Scene;
@@ -78,7 +79,7 @@ public class ArmBenchmark {
   }
 
   private static ArmCommand pushing(double phaseRad) {
-    return new ArmCommand.Torque(all(3 * Math.sin(phaseRad)), true);
+    return new ArmCommand.Torque(all(3 * Math.sin(phaseRad)), FrictionShare.MOST);
   }
 
   private static Joints all(double value) {

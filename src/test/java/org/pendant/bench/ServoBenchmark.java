@@ -13,6 +13,7 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
+import org.pendant.controller.arm.FrictionShare;
 import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.motion.MotionPlan;
@@ -92,7 +93,7 @@ public class ServoBenchmark {
   public double frame() throws ScriptError {
     frame++;
     if (does.equals("torque")) {
-      servoing.giveTorque(READY, true);
+      servoing.giveTorque(READY, FrictionShare.MOST);
       control.step();
       control.guide(READY, Joints.ZERO);
       return control.scaling();

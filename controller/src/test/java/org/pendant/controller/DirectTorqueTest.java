@@ -81,6 +81,20 @@ final class DirectTorqueTest {
   }
 
   @Test
+  void theFrictionThatIsOvercomeCanBeGivenJointByJoint() {
+    String shares = "[0, 0, 0, 0, 0, 0.8]";
+    drive("[0, 0, 0, 0, 0, 3]", "True", 50);
+    DirectTorqueTest given = new DirectTorqueTest();
+    given.drive(
+        "[0, 0, 0, 0, 0, 3]", "False, viscous_scale=" + shares + ", coulomb_scale=" + shares, 50);
+    assertEquals(arm().actualSpeedRadPerS().q5(), given.arm().actualSpeedRadPerS().q5(), 1e-9);
+    DirectTorqueTest viscousOnly = new DirectTorqueTest();
+    viscousOnly.drive("[0, 0, 0, 0, 0, 3]", "False, viscous_scale=" + shares, 50);
+    assertTrue(
+        viscousOnly.arm().actualSpeedRadPerS().q5() < arm().actualSpeedRadPerS().q5() * 0.95);
+  }
+
+  @Test
   void theTargetFollowsTheArmAndHasNoAcceleration() {
     drive("[0, 0, 0, 0, 0, 3]", "True", 50);
     assertEquals(arm().actualPositionRad(), arm().targetPositionRad());

@@ -26,9 +26,9 @@ public sealed interface ArmCommand {
    * holds the position.
    *
    * @param torqueNm added at each joint, Nm
-   * @param frictionCompensated whether the motors also overcome most of the friction
+   * @param friction how much of their friction the motors overcome
    */
-  record Torque(Joints torqueNm, boolean frictionCompensated) implements ArmCommand {}
+  record Torque(Joints torqueNm, FrictionShare friction) implements ArmCommand {}
 
   /**
    * The arm is guided by hand: the motors hold the arm's own weight and that of the declared

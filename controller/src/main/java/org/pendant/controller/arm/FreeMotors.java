@@ -8,13 +8,10 @@ import org.pendant.models.dynamics.ArmDynamics;
 
 /**
  * Motors that hold the weight of arm and declared payload by the controller's model and add the
- * torques of a command; if wanted they take over most of the friction, at rest too, as a drive can
- * that measures the torque behind its gear, and resist the speeds.
+ * torques of a command; they take over a share of the friction, at rest too, as a drive can that
+ * measures the torque behind its gear, and resist the speeds.
  */
 final class FreeMotors implements Drives {
-  /** Share of the friction that is taken over: not all, or the arm would drift. */
-  private static final double COMPENSATED = 0.8;
-
   private static final int N = Joints.COUNT;
 
   private final ArmDynamics model;
@@ -22,7 +19,7 @@ final class FreeMotors implements Drives {
   private final double[] weightNm = new double[N];
   private Joints torqueNm = Joints.ZERO;
   private Joints dampingNmSPerRad = Joints.ZERO;
-  private boolean frictionCompensated;
+  private FrictionShare friction = FrictionShare.NONE;
 
   FreeMotors(ArmDescription arm, ArmDynamics model) {
     this.arm = arm;
@@ -33,41 +30,37 @@ final class FreeMotors implements Drives {
   void add(ArmCommand.Torque command) {
     torqueNm = command.torqueNm();
     dampingNmSPerRad = Joints.ZERO;
-    frictionCompensated = command.frictionCompensated();
+    friction = command.friction();
   }
 
   /** Takes torques and resistance of a frame. */
   void guide(ArmCommand.Guide command) {
     torqueNm = command.torqueNm();
     dampingNmSPerRad = command.dampingNmSPerRad();
-    frictionCompensated = true;
+    friction = FrictionShare.MOST;
   }
 
   @Override
   public void prepare(double remainingS, double stepS, ArmBody body, JointStep step) {
     model.gravity(body.middleQ, weightNm);
-    double left = frictionCompensated ? 1 - COMPENSATED : 1;
     List<Actuator> actuators = arm.actuators();
     for (int i = 0; i < N; i++) {
       Actuator actuator = actuators.get(i);
       step.driveNm[i] = torqueNm.get(i) + weightNm[i];
       step.slopeNmSPerRad[i] = dampingNmSPerRad.get(i);
       step.limitNm[i] = arm.joints().get(i).maxTorqueNm();
-      step.coulombNm[i] = left * actuator.coulombNm();
-      step.viscousNmSPerRad[i] = left * actuator.viscousNmSPerRad();
+      step.coulombNm[i] = (1 - friction.coulomb().get(i)) * actuator.coulombNm();
+      step.viscousNmSPerRad[i] = (1 - friction.viscous().get(i)) * actuator.viscousNmSPerRad();
     }
   }
 
   @Override
   public void stepped(double remainingS, double stepS, ArmBody body, JointStep step) {
-    if (!frictionCompensated) {
-      return;
-    }
     for (int i = 0; i < N; i++) {
       Actuator actuator = arm.actuators().get(i);
-      double friction =
-          actuator.coulombNm() * Math.signum(body.qd[i]) + actuator.viscousNmSPerRad() * body.qd[i];
-      step.motorNm[i] += COMPENSATED * friction;
+      step.motorNm[i] +=
+          friction.coulomb().get(i) * actuator.coulombNm() * Math.signum(body.qd[i])
+              + friction.viscous().get(i) * actuator.viscousNmSPerRad() * body.qd[i];
     }
   }
 

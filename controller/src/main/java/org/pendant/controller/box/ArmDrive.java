@@ -3,6 +3,7 @@ package org.pendant.controller.box;
 import java.util.Optional;
 import org.pendant.controller.arm.ArmCommand;
 import org.pendant.controller.arm.ArmSupply;
+import org.pendant.controller.arm.FrictionShare;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.freedrive.Freedrive;
 import org.pendant.controller.message.MessageLog;
@@ -23,7 +24,8 @@ import org.pendant.models.arm.Joints;
  * agree again where no path joins them.
  */
 public final class ArmDrive {
-  private static final ArmCommand BACKDRIVEN = new ArmCommand.Torque(Joints.ZERO, true);
+  private static final ArmCommand BACKDRIVEN =
+      new ArmCommand.Torque(Joints.ZERO, FrictionShare.MOST);
 
   /** An arm that a stop leaves farther than this from its target (rad) stays where it is. */
   private static final double ASIDE_RAD = 2e-3;

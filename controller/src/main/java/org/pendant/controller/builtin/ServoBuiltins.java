@@ -2,6 +2,7 @@ package org.pendant.controller.builtin;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.pendant.controller.arm.FrictionShare;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
@@ -41,10 +42,13 @@ final class ServoBuiltins {
         .manual(MODULE, "15.2")
         .doc(
             "Drives the joints by torques, in Nm, for one frame, whatever the speed slider says."
-                + " Weight is compensated, friction too unless told otherwise, Coriolis forces are"
-                + " not. Without another call the arm comes to rest from where it is.")
+                + " Weight is compensated, most of the friction too unless told otherwise, or the"
+                + " shares of it that are given for each joint; Coriolis forces are not. Without"
+                + " another call the arm comes to rest from where it is.")
         .needs("torques", Type.JOINTS)
         .takes("friction_comp", Type.BOOL, Value.of(true))
+        .mayTake("viscous_scale", Type.JOINTS, Unit.NONE, "0.8, or 0 without friction_comp")
+        .mayTake("coulomb_scale", Type.JOINTS, Unit.NONE, "0.8, or 0 without friction_comp")
         .physicalTime()
         .does(ServoBuiltins::directTorque);
   }
@@ -61,11 +65,11 @@ final class ServoBuiltins {
         .needs("qd", Type.JOINTS)
         .needs("a", Unit.RADIAN_PER_SECOND_SQUARED)
         .mayTake("t", Type.NUMBER, Unit.SECOND, "until target speed is reached")
+        .alias("t_min")
         .physicalTime()
         .does(ServoBuiltins::speedj);
     builtins
         .declare("speedl")
-        .alias("t_min")
         .manual(MODULE, "15.49")
         .doc(
             "Brings the TCP to a constant velocity and angular velocity along the axes of the"
@@ -73,11 +77,11 @@ final class ServoBuiltins {
         .needs("xd", Type.LIST)
         .needs("a", Unit.METRE_PER_SECOND_SQUARED)
         .mayTake("t", Type.NUMBER, Unit.SECOND, "until target speed is reached")
+        .alias("t_min")
         .mayTake("aRot", Type.NUMBER, Unit.RADIAN_PER_SECOND_SQUARED, "a")
         .physicalTime()
         .does(ServoBuiltins::speedl);
   }
-        .alias("t_min")
 
   private static void declareServos(Builtins builtins) {
     builtins
@@ -188,15 +192,30 @@ final class ServoBuiltins {
 
   private static Outcome directTorque(Call call) throws ScriptError {
     Joints torqueNm = MotionArguments.joints(call, 0);
-    boolean frictionCompensated = call.bool(1);
+    FrictionShare usual = call.bool(1) ? FrictionShare.MOST : FrictionShare.NONE;
+    FrictionShare friction =
+        new FrictionShare(share(call, 2, usual.viscous()), share(call, 3, usual.coulomb()));
     try {
       call.box().drive().requirePower();
-      call.box().servoing().giveTorque(torqueNm, frictionCompensated);
+      call.box().servoing().giveTorque(torqueNm, friction);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
     long next = call.frame() + 1;
     Wait wait = frame -> frame >= next ? DONE : Optional.empty();
     return wait;
+  }
+
+  private static Joints share(Call call, int index, Joints usual) throws ScriptError {
+    if (!call.given(index)) {
+      return usual;
+    }
+    Joints share = call.joints(index);
+    for (int i = 0; i < Joints.COUNT; i++) {
+      if (!(share.get(i) >= 0 && share.get(i) <= 1)) {
+        throw call.refuse(index, "each must be 0 to 1");
+      }
+    }
+    return share;
   }
 }

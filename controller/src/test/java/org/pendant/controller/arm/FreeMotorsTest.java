@@ -15,19 +15,19 @@ import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
 
 class FreeMotorsTest {
-  private static final ArmCommand FREE = new ArmCommand.Torque(Joints.ZERO, true);
+  private static final ArmCommand FREE = new ArmCommand.Torque(Joints.ZERO, FrictionShare.MOST);
 
   @ParameterizedTest
   @ValueSource(strings = {"ur3e", "ur5e", "ur16e", "ur20"})
   void armWithoutFrictionKeepsItsKineticEnergyWhileItsWeightIsHeld(String id) {
     ArmDescription description = Rig.frictionless(ArmLibrary.load(id));
     Rig rig = new Rig(description, Scene.EMPTY);
-    rig.repeat(100, new ArmCommand.Torque(kick(description), false));
+    rig.repeat(100, new ArmCommand.Torque(kick(description), FrictionShare.NONE));
     ArmDynamics truth = new ArmDynamics(description);
     double energyJ = rig.kineticEnergyJ(truth);
 
     for (int frame = 0; frame < 500; frame++) {
-      rig.arm.step(new ArmCommand.Torque(Joints.ZERO, false));
+      rig.arm.step(new ArmCommand.Torque(Joints.ZERO, FrictionShare.NONE));
       assertEquals(energyJ, rig.kineticEnergyJ(truth), 0.001 * energyJ);
     }
   }
@@ -42,7 +42,7 @@ class FreeMotorsTest {
     double startJ = truth.potentialEnergyJ(Rig.START.toArray());
     double most = 0;
     for (int frame = 0; frame < 500; frame++) {
-      rig.arm.step(new ArmCommand.Torque(Joints.ZERO, false));
+      rig.arm.step(new ArmCommand.Torque(Joints.ZERO, FrictionShare.NONE));
       double kinetic = rig.kineticEnergyJ(truth);
       most = Math.max(most, kinetic);
       double sum = kinetic + truth.potentialEnergyJ(rig.arm.positionRad().toArray());
@@ -73,7 +73,7 @@ class FreeMotorsTest {
   @Test
   void frictionBrakesAMovingFreeArmEvenWhenItIsCompensated() {
     Rig rig = new Rig("ur5e");
-    rig.repeat(50, new ArmCommand.Torque(new Joints(20, 0, 0, 0, 0, 0), true));
+    rig.repeat(50, new ArmCommand.Torque(new Joints(20, 0, 0, 0, 0, 0), FrictionShare.MOST));
     double speed = rig.arm.speedRadPerS().q0();
     assertTrue(speed > 0.05);
 
@@ -92,7 +92,7 @@ class FreeMotorsTest {
     DMatrixRMaj mass = new DMatrixRMaj(Joints.COUNT, Joints.COUNT);
     rig.model.mass(Rig.START.toArray(), true, mass);
 
-    rig.arm.step(new ArmCommand.Torque(new Joints(0, 0, 0, 0, 0, 0.5), false));
+    rig.arm.step(new ArmCommand.Torque(new Joints(0, 0, 0, 0, 0, 0.5), FrictionShare.NONE));
 
     double expected = 0.5 / mass.get(5, 5);
     assertEquals(expected, rig.arm.sensors().accelerationRadPerS2().q5(), 0.01 * expected);
@@ -101,7 +101,7 @@ class FreeMotorsTest {
   @Test
   void servosTakeOverAMovingArm() {
     Rig rig = new Rig("ur5e");
-    rig.repeat(100, new ArmCommand.Torque(new Joints(20, 0, 0, 0, 0, 0), true));
+    rig.repeat(100, new ArmCommand.Torque(new Joints(20, 0, 0, 0, 0, 0), FrictionShare.MOST));
     Joints here = rig.arm.positionRad();
 
     rig.framesToRest(here);

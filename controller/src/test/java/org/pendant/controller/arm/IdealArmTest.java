@@ -96,7 +96,7 @@ class IdealArmTest {
     IdealArm ideal = new IdealArm(setup);
     DynamicArm dynamic = new DynamicArm(setup);
     for (int frame = 0; frame < 100; frame++) {
-      ArmCommand torque = new ArmCommand.Torque(Joints.ZERO.with(5, 2), true);
+      ArmCommand torque = new ArmCommand.Torque(Joints.ZERO.with(5, 2), FrictionShare.MOST);
       ideal.step(torque);
       dynamic.step(torque);
     }

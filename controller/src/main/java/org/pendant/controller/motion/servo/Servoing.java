@@ -2,6 +2,7 @@ package org.pendant.controller.motion.servo;
 
 import java.util.OptionalDouble;
 import org.pendant.controller.arm.ArmCommand;
+import org.pendant.controller.arm.FrictionShare;
 import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.motion.MotionPlan;
 import org.pendant.controller.value.ScriptError;
@@ -22,7 +23,7 @@ public final class Servoing {
   private final ArmDescription arm;
   private final MotionControl motion;
   private final ToolSpeeds toolSpeeds;
-  private ArmCommand torque = new ArmCommand.Torque(Joints.ZERO, true);
+  private ArmCommand torque = new ArmCommand.Torque(Joints.ZERO, FrictionShare.MOST);
 
   /** For an arm and what moves it. */
   public Servoing(ArmDescription arm, MotionControl motion) {
@@ -126,12 +127,12 @@ public final class Servoing {
    * Torques for the frame that comes (manual 15.2).
    *
    * @param torqueNm added to what holds the weight, Nm; the motors give what they can
-   * @param frictionCompensated whether the motors also overcome most of the friction
+   * @param friction how much of their friction the motors overcome
    * @throws ScriptError when a thread's motion is under way, or the arm is guided by hand
    */
-  public void giveTorque(Joints torqueNm, boolean frictionCompensated) throws ScriptError {
+  public void giveTorque(Joints torqueNm, FrictionShare friction) throws ScriptError {
     motion.giveTorque();
-    torque = new ArmCommand.Torque(torqueNm, frictionCompensated);
+    torque = new ArmCommand.Torque(torqueNm, friction);
   }
 
   /** The torques that were given last. */

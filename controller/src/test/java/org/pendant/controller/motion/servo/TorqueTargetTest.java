@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.arm.FrictionShare;
 import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.motion.StopJ;
 import org.pendant.controller.value.ScriptError;
@@ -24,7 +25,7 @@ class TorqueTargetTest {
   /** A frame of torques, after which the arm turns. */
   @BeforeEach
   void drive() throws ScriptError {
-    rig.servoing.giveTorque(Joints.ZERO, true);
+    rig.servoing.giveTorque(Joints.ZERO, FrictionShare.MOST);
     control.step();
     control.guide(MOVED, TURNING);
   }
@@ -95,11 +96,11 @@ class TorqueTargetTest {
 
   @Test
   void nobodyElseTakesItInAFrameThatHasItsTorques() throws ScriptError {
-    rig.servoing.giveTorque(Joints.ZERO, true);
+    rig.servoing.giveTorque(Joints.ZERO, FrictionShare.MOST);
     ScriptError error =
         assertThrows(ScriptError.class, () -> control.takeOver((q, qd) -> new StopJ(q, qd, 1)));
     assertEquals("robot-in-use", error.code());
-    assertThrows(ScriptError.class, () -> rig.servoing.giveTorque(Joints.ZERO, true));
+    assertThrows(ScriptError.class, () -> rig.servoing.giveTorque(Joints.ZERO, FrictionShare.MOST));
     assertThrows(ScriptError.class, control::startGuidance);
   }
 
@@ -108,7 +109,7 @@ class TorqueTargetTest {
     control.startGuidance();
     assertFalse(control.torqueDriven());
     assertTrue(control.guided());
-    assertThrows(ScriptError.class, () -> rig.servoing.giveTorque(Joints.ZERO, true));
+    assertThrows(ScriptError.class, () -> rig.servoing.giveTorque(Joints.ZERO, FrictionShare.MOST));
   }
 
   @Test
