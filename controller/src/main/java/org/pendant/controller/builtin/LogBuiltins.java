@@ -47,6 +47,16 @@ final class LogBuiltins {
         .effect(Effect.TELLS)
         .costs(LINE_NS)
         .does(LogBuiltins::textmsg);
+    builtins
+        .declare("varmsg")
+        .manual(MODULE, "16.63")
+        .doc("Writes the name and the value of a variable to the log, as older software did.")
+        .needs("name", Type.STRING)
+        .needs("value", Type.ANY)
+        .effect(Effect.TELLS)
+        .costs(LINE_NS)
+        .deprecated("textmsg")
+        .does(LogBuiltins::varmsg);
   }
 
   private static Outcome popup(Call call) throws ScriptError {
@@ -90,6 +100,17 @@ final class LogBuiltins {
           return call.answer();
         },
         0,
+        1);
+  }
+
+  private static Outcome varmsg(Call call) throws ScriptError {
+    String name = call.text(0);
+    return call.withText(
+        value -> {
+          call.charge((name.length() + value.length()) / BYTES_A_NS);
+          call.box().log().info(name + " = " + value);
+          return call.answer();
+        },
         1);
   }
 }

@@ -55,6 +55,13 @@ final class StateBuiltins {
         .effect(Effect.SENSES)
         .does(call -> call.answer(call.box().actualTcpInBase()));
     builtins
+        .declare("tool_pose")
+        .manual(MODULE, "16.7")
+        .doc("Where the TCP is, in the base frame: what older programs and force nodes call.")
+        .returns(Type.POSE)
+        .deprecated("get_actual_tcp_pose")
+        .does(call -> call.answer(call.box().actualTcpInBase()));
+    builtins
         .declare("get_actual_tcp_speed")
         .manual(MODULE, "16.8")
         .doc("How fast the TCP moves, in m/s and rad/s along the axes of the base frame.")
