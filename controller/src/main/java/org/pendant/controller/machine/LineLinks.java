@@ -95,6 +95,7 @@ final class LineLinks {
       }
     }
     placed = 0;
+    thread.lineSlots = 0;
   }
 
   /** Gives its own variables the values that they have in {@code newer}. */

@@ -75,7 +75,7 @@ final class ProgramMemory {
   private static void forgetOld(ProgramRun run) {
     Registers registers = run.registers();
     for (ScriptThread thread : run.threads()) {
-      int end = thread.segmentStart;
+      int end = thread.segmentStart + thread.lineSlots;
       for (int i = 0; i < thread.depth; i++) {
         end = Math.max(end, thread.bases[i] + thread.functions[i].slotCount());
       }

@@ -302,6 +302,7 @@ final class ProgramRun {
     for (int i = knownVariables; i < line.variableCount(); i++) {
       registers.clear(base + i);
     }
+    main.lineSlots = base + line.variableCount() - main.segmentStart;
     main.budget -= Cost.LINE_NS;
     main.push(traps.entered(line), base, 0);
     main.state = ScriptThread.State.RUNNABLE;

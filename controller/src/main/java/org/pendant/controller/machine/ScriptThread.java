@@ -80,6 +80,12 @@ final class ScriptThread {
   int segmentStart;
   int segmentEnd;
 
+  /**
+   * How many slots from the start of its segment on belong to interpreted lines or come before
+   * theirs; 0 when no lines have variables.
+   */
+  int lineSlots;
+
   ScriptThread(int id, int parentId) {
     this.id = id;
     this.parentId = parentId;

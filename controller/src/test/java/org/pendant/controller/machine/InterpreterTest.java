@@ -226,6 +226,34 @@ class InterpreterTest {
   }
 
   @Test
+  void variablesStayWhenTheMemoryIsCountedBetweenTwoLines() {
+    fixture.start(
+        "def prog():",
+        "  thread filler():",
+        "    local s = \"0123456789abcdef\"",
+        "    local i = 0",
+        "    while i < 15:",
+        "      s = s + s",
+        "      i = i + 1",
+        "    end",
+        "    local l = [s]",
+        "    while True:",
+        "      l[0] = \"y\" + s",
+        "      sync()",
+        "    end",
+        "  end",
+        "  run filler()",
+        "  interpreter_mode()",
+        "end");
+    fixture.advance(2);
+    fixture.submit("b = [1, 2]");
+    fixture.advance(1000);
+    fixture.submit("textmsg(b)");
+    fixture.advance(2);
+    assertEquals(List.of("[1, 2]"), fixture.messages);
+  }
+
+  @Test
   void linesInsideAFunctionSeeItsLocals() {
     fixture.start(
         "def prog():",
