@@ -16,8 +16,9 @@ final class Kept {
   /** A node that is not known. */
   static ForeignStep.Unknown unknown(XmlElement element, Remarks remarks) {
     element.seeAll();
-    remarks.add(element, element.name() + " is not understood; it is kept, and does nothing");
-    return new ForeignStep.Unknown(element.name(), List.of(element.raw().split("\n", -1)));
+    String kind = Values.kind(element);
+    remarks.add(element, kind + " is not understood; it is kept, and does nothing");
+    return new ForeignStep.Unknown(kind, List.of(element.raw().split("\n", -1)));
   }
 
   /** A node of a URCap. */

@@ -43,7 +43,7 @@ final class MotionReader {
 
   /** The step of an element; empty if it is none of these. */
   Optional<Step> step(XmlElement element, Within within) throws UnreadableFile {
-    return switch (element.name()) {
+    return switch (Values.kind(element)) {
       case "Move" -> Optional.of(move(element));
       case "Waypoint" -> waypoint(element, within);
       case "CircleMove" ->

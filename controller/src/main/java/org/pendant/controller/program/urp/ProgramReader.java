@@ -32,6 +32,10 @@ final class ProgramReader {
   static final String OWN_PROGRAM = "pendant.Program";
 
   private static final String CHILDREN = "children";
+
+  /** Stands around what is switched off. */
+  private static final String SUPPRESSED = "SuppressedNode";
+
   private static final int MOST_NODES = 200_000;
 
   private final XmlElement root;
@@ -49,6 +53,9 @@ final class ProgramReader {
   private final Set<XmlElement> subPrograms = new HashSet<>();
   private final Set<String> subProgramNames = new HashSet<>();
   private int nodeCount;
+
+  /** Whether a suppressed node is read: what is not understood there is of no consequence. */
+  private boolean switchedOff;
 
   ProgramReader(XmlElement root, Installation installation) {
     this.root = root;
@@ -69,7 +76,16 @@ final class ProgramReader {
     List<ProgramNode> sections = new ArrayList<>();
     Optional<XmlElement> top = root.child(CHILDREN);
     for (XmlElement each : top.isEmpty() ? List.<XmlElement>of() : top.get().children()) {
-      section(each).ifPresent(sections::add);
+      if (each.name().equals(SUPPRESSED)) {
+        understood.add(each);
+        switchedOff = true;
+        for (XmlElement inside : each.children()) {
+          section(inside).map(node -> node.withSuppressed(true)).ifPresent(sections::add);
+        }
+        switchedOff = false;
+      } else {
+        section(each).ifPresent(sections::add);
+      }
     }
     sections.addAll(inlineSubPrograms());
     List<ProgramNode> whole = withStray(sections);
@@ -128,7 +144,8 @@ final class ProgramReader {
     XmlElement target = found.get();
     Optional<Clip> own =
         element.name().equals(OWN_NODE) ? clip(Optional.of(element)) : Optional.empty();
-    Optional<Step> step = own.isPresent() ? only(own.get()) : sectionStep(element.name(), target);
+    Optional<Step> step =
+        own.isPresent() ? only(own.get()) : sectionStep(Values.kind(element), target);
     if (step.isEmpty() || !(step.get() instanceof Section)) {
       Optional<ProgramNode> node = node(target, Within.NOTHING, 1);
       node.ifPresent(
@@ -214,7 +231,7 @@ final class ProgramReader {
 
   /** Initial values stand at the variables, wherever these are written in full. */
   private List<InitialValue> initialValues(XmlElement node) throws UnreadableFile {
-    if (switchedOff()) {
+    if (initialValuesOff()) {
       remarks.add(node, "initial values of variables are switched off in this program");
       return List.of();
     }
@@ -242,7 +259,7 @@ final class ProgramReader {
   }
 
   /** The program has a switch for them, and keeps the values while it is off. */
-  private boolean switchedOff() {
+  private boolean initialValuesOff() {
     return root.child(CHILDREN)
         .flatMap(each -> each.child("MainProgram"))
         .flatMap(each -> each.attribute("InitVariablesNode"))
@@ -258,7 +275,7 @@ final class ProgramReader {
       if (depth > ProgramTree.DEEPEST) {
         throw each.wrong("nodes are more than " + ProgramTree.DEEPEST + " levels deep");
       }
-      if (each.name().equals("SuppressedNode")) {
+      if (each.name().equals(SUPPRESSED)) {
         nodes.addAll(suppressed(each, within, depth));
       } else {
         node(each, within, depth).ifPresent(nodes::add);
@@ -270,6 +287,8 @@ final class ProgramReader {
   private List<ProgramNode> suppressed(XmlElement wrapper, Within within, int depth)
       throws UnreadableFile {
     understood.add(wrapper);
+    boolean around = switchedOff;
+    switchedOff = true;
     List<ProgramNode> nodes = new ArrayList<>();
     for (XmlElement each : wrapper.children()) {
       if (each.name().equals(CHILDREN)) {
@@ -278,6 +297,7 @@ final class ProgramReader {
         node(each, within, depth).ifPresent(nodes::add);
       }
     }
+    switchedOff = around;
     return nodes.stream().map(each -> each.withSuppressed(true)).toList();
   }
 
@@ -299,16 +319,19 @@ final class ProgramReader {
         return Optional.of(node.withChildren(nodes(element, inside, depth + 1)));
       }
     }
-    if (element.name().equals("Contributed")) {
-      return Optional.of(ProgramTree.node(Kept.contributed(element, remarks)));
+    Remarks ofNode = switchedOff ? new Remarks() : remarks;
+    if (Values.kind(element).equals("Contributed")) {
+      return Optional.of(ProgramTree.node(Kept.contributed(element, ofNode)));
     }
     Optional<Step> step = motion.step(element, within);
     step = step.isEmpty() ? action.step(element) : step;
     step = step.isEmpty() ? flow.step(element) : step;
     if (step.isEmpty()) {
-      return Optional.of(ProgramTree.node(Kept.unknown(element, remarks)));
+      return Optional.of(ProgramTree.node(Kept.unknown(element, ofNode)));
     }
-    understood.add(element);
+    if (!switchedOff) {
+      understood.add(element);
+    }
     Within inside = motion.inside(element, step.get(), within);
     return Optional.of(
         ProgramTree.node(

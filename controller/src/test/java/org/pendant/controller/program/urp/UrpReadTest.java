@@ -480,6 +480,60 @@ class UrpReadTest {
   }
 
   @Test
+  void aNodeThatIsSwitchedOffIsWhatItsClassSays() throws UnreadableFile {
+    ImportedProgram program =
+        read(
+            main(
+                """
+                <SuppressedNode><suppressedNode class="Folder" name="a"><children><Halt/></children>
+                </suppressedNode></SuppressedNode>
+                <SuppressedNode><suppressedNode class="Comment" comment="b" colour="c"/></SuppressedNode>
+                """));
+    List<ProgramNode> nodes = program.tree().sections().getFirst().children();
+    assertEquals(
+        List.of(new ActionStep.Folder("a"), new ActionStep.Comment("b")),
+        nodes.stream().map(ProgramNode::step).toList());
+    assertEquals(List.of(true, true), nodes.stream().map(ProgramNode::suppressed).toList());
+    assertEquals(new ActionStep.Halt(), nodes.getFirst().children().getFirst().step());
+    assertEquals(List.of(), program.remarks());
+  }
+
+  @Test
+  void anUnknownNodeThatIsSwitchedOffIsKeptWithoutARemark() throws UnreadableFile {
+    String weld = "<suppressedNode class=\"Weld\" speed=\"1\"/>";
+    ImportedProgram program = read(main("<SuppressedNode>" + weld + "</SuppressedNode>"));
+    ProgramNode node = program.tree().sections().getFirst().children().getFirst();
+    assertEquals(new ForeignStep.Unknown("Weld", List.of(weld)), node.step());
+    assertTrue(node.suppressed());
+    assertEquals(List.of(), program.remarks());
+  }
+
+  @Test
+  void wholePartsOfAProgramCanBeSwitchedOff() throws UnreadableFile {
+    ImportedProgram program =
+        read(
+            program(
+                """
+                <MainProgram><children>
+                <CallSubProgram><subprogram name="S"><children><Halt/></children></subprogram>
+                </CallSubProgram></children></MainProgram>
+                <SuppressedNode><suppressedNode class="Thread" name="T" runOnlyOnce="true">
+                <children><Halt/></children></suppressedNode></SuppressedNode>
+                <SuppressedNode><suppressedNode class="SubProgram"
+                 reference="../../MainProgram/children/CallSubProgram/subprogram"/></SuppressedNode>
+                """));
+    assertEquals(
+        List.of(
+            "MainProgram[forever=true] false",
+            "ThreadSection[name=T, forever=false] true",
+            "SubProgram[name=S, file=] true"),
+        program.tree().sections().stream()
+            .map(each -> each.step() + " " + each.suppressed())
+            .toList());
+    assertEquals(List.of(), program.remarks());
+  }
+
+  @Test
   void keepsUnknownAndContributedElementsToTheLetter() throws UnreadableFile, IOException {
     String weld =
         "<Weld  speed='1'\tb=\"&#65;&lt;\" >\r\n   <!-- a < b --><x/><![CDATA[<y>]]>\n"
