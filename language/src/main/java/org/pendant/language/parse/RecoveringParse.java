@@ -1,9 +1,11 @@
 package org.pendant.language.parse;
 
 import java.util.List;
+import java.util.Optional;
 import org.antlr.v4.runtime.TokenSource;
 import org.antlr.v4.runtime.misc.ParseCancellationException;
 import org.pendant.language.source.Source;
+import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.Statement;
 
 /**
@@ -24,6 +26,21 @@ final class RecoveringParse {
 
   /** What could be read; nothing when there are too many errors to go on. */
   List<Statement> parse(List<ScriptToken> broken, TokenSource tokenSource) {
+    Optional<SourceRange> mark = TemplateMarks.first(source, broken);
+    if (mark.isEmpty()) {
+      return read(broken, tokenSource);
+    }
+    // What else seems wrong is mostly a mark too, and another text when they are filled in.
+    complaints.add(
+        "template",
+        mark.get(),
+        "this is a template: `"
+            + Wording.shortened(source.text(mark.get()))
+            + "` and marks like it are to be filled in before it is a program");
+    return new RecoveringParse(source, new Complaints(source)).read(broken, tokenSource);
+  }
+
+  private List<Statement> read(List<ScriptToken> broken, TokenSource tokenSource) {
     List<ScriptToken> mended = new TokenRepair(source, complaints).mend(broken);
     if (complaints.full()) {
       return List.of();
