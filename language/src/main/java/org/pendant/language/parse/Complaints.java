@@ -37,9 +37,18 @@ final class Complaints {
     }
   }
 
-  /** An error that the grammar allows; it says nothing new on a line with another error. */
+  /**
+   * An error that the grammar allows; it says nothing new on a line with another error, nor around
+   * another one that was found last.
+   */
   void addAboutMeaning(String code, SourceRange range, String message) {
-    append(aboutMeaning, code, range, range.start(), message);
+    if (aboutMeaning.isEmpty() || !holds(range, aboutMeaning.getLast().range())) {
+      append(aboutMeaning, code, range, range.start(), message);
+    }
+  }
+
+  private static boolean holds(SourceRange outer, SourceRange inner) {
+    return outer.start() <= inner.start() && inner.end() <= outer.end();
   }
 
   /**

@@ -126,11 +126,10 @@ final class ErrorMessages {
     ScriptToken previous = previous(found);
     boolean adjacent = previous != found && previous.endOffset() == found.startOffset();
     if (adjacent && found.is(NAME) && (previous.is(INT) || previous.is(FLOAT))) {
-      return Optional.of(
-          "letters `"
-              + Wording.shortened(text(found))
-              + "` directly behind a number: a name cannot begin with a digit and there are no"
-              + " hexadecimal numbers");
+      return Optional.of(Wording.behindNumber(source, found.range()));
+    }
+    if (adjacent && (found.is(PLUS) || found.is(MINUS)) && endsNumber(previous)) {
+      return Optional.of(Wording.behindNumber(source, previous.range()));
     }
     if (found.is(STRING) && previous.is(STRING)) {
       return Optional.of("two strings in a row: join them with `+`");
@@ -152,6 +151,15 @@ final class ErrorMessages {
                       + " operator";
           default -> shown(found) + " has no meaning outside strings and comments";
         });
+  }
+
+  /** Whether {@code name} is the mark of an exponent at the end of a number. */
+  private boolean endsNumber(ScriptToken name) {
+    ScriptToken number = previous(name);
+    return name.is(NAME)
+        && text(name).equalsIgnoreCase("e")
+        && number.endOffset() == name.startOffset()
+        && (number.is(INT) || number.is(FLOAT));
   }
 
   /** Whether this follows from an attempt to write a quote inside a string. */

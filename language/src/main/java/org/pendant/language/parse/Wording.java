@@ -32,17 +32,42 @@ final class Wording {
   static String noEffect(Source source, Expression expression) {
     String shown = "`" + shortened(source.text(expression.range())) + "`";
     if (followsDigit(source, expression.range())) {
-      return "letters "
-          + shown
-          + " directly behind a number: a name cannot begin with a digit and there are no"
+      return behindNumber(source, expression.range());
+    }
+    String expected =
+        switch (expression) {
+          case Expression.PoseLiteral _ ->
+              "a variable that it is assigned to, or a call that takes it";
+          case Expression.Index _ -> shown.substring(0, shown.length() - 1) + " = ...`";
+          default ->
+              shown.substring(0, shown.length() - 1)
+                  + " = ...` or a call, "
+                  + shown.substring(0, shown.length() - 1)
+                  + "(...)`";
+        };
+    return shown + " does nothing on its own: expected " + expected;
+  }
+
+  /** What is wrong with a name that stands at the end of a number without a blank between. */
+  static String behindNumber(Source source, SourceRange letters) {
+    String text = source.text();
+    String found = source.text(letters);
+    if (!found.equalsIgnoreCase("e")) {
+      return "letters `"
+          + shortened(found)
+          + "` directly behind a number: a name cannot begin with a digit and there are no"
           + " hexadecimal numbers";
     }
-    return shown
-        + " does nothing on its own: expected `"
-        + shortened(source.text(expression.range()))
-        + " = ...` or a call, `"
-        + shortened(source.text(expression.range()))
-        + "(...)`";
+    int start = letters.start();
+    while (start > 0
+        && (Character.isDigit(text.charAt(start - 1)) || text.charAt(start - 1) == '.')) {
+      start--;
+    }
+    int end = letters.end();
+    boolean signed = end < text.length() && (text.charAt(end) == '-' || text.charAt(end) == '+');
+    return "the number `"
+        + shortened(text.substring(start, signed ? end + 1 : end))
+        + "` is not finished: its exponent has no digits";
   }
 
   /** Whether a digit stands directly before {@code range}. */
