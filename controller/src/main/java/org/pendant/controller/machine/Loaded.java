@@ -11,7 +11,20 @@ import org.pendant.language.source.Diagnostic;
  * @param diagnostics errors and warnings in the order of the text
  */
 public record Loaded(Optional<Program> program, List<Diagnostic> diagnostics) {
+  /** The code of the error that a text holds functions and no program. */
+  static final String LIBRARY = "library";
+
   public Loaded {
     diagnostics = List.copyOf(diagnostics);
+  }
+
+  /** That the text is a library, and thus does not run; no mistake in itself. */
+  public Optional<Diagnostic> library() {
+    return diagnostics.stream().filter(each -> each.code().equals(LIBRARY)).findFirst();
+  }
+
+  /** The errors and warnings about what the text says, be it a program or a library. */
+  public List<Diagnostic> mistakes() {
+    return diagnostics.stream().filter(each -> !each.code().equals(LIBRARY)).toList();
   }
 }

@@ -12,10 +12,31 @@ import org.pendant.language.parse.ScriptParser;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Statement;
+import org.pendant.language.syntax.Statement.Definition;
 
 /** The way from text to a program: parse, check, compile. Pure; any thread may call it. */
 public final class ProgramLoader {
   private ProgramLoader() {}
+
+  /** Why none of a library runs. */
+  private static Diagnostic noProgram(ProgramForm library) {
+    List<Definition> functions =
+        library.body().stream()
+            .filter(Definition.class::isInstance)
+            .map(Definition.class::cast)
+            .filter(each -> each.kind() == Statement.DefinitionKind.FUNCTION)
+            .toList();
+    Definition last = functions.getLast();
+    return Diagnostic.error(
+        Loaded.LIBRARY,
+        last.nameRange(),
+        library.name()
+            + " is a library: it holds "
+            + (functions.size() == 1 ? "a function" : functions.size() + " functions")
+            + " and no program; a program is a last def without parameters",
+        "");
+  }
 
   /** Loads a program file or a program received over a socket. */
   public static Loaded load(Source source, Builtins builtins) {
@@ -27,6 +48,9 @@ public final class ProgramLoader {
     ProgramForm form = ProgramForm.of(parsed.script());
     Scopes scopes = Scopes.of(form);
     diagnostics.addAll(Checker.check(form, scopes, builtins));
+    if (form.kind() == ProgramForm.Kind.LIBRARY) {
+      diagnostics.add(noProgram(form));
+    }
     if (diagnostics.stream().anyMatch(Diagnostic::isError)) {
       return new Loaded(Optional.empty(), diagnostics);
     }

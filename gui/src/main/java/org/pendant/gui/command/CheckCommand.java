@@ -5,6 +5,7 @@ import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.machine.Loaded;
 import org.pendant.controller.machine.ProgramLoader;
+import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
 
 /** {@code pendant check FILE...}: finds mistakes without running anything. */
@@ -50,7 +51,8 @@ final class CheckCommand implements Subcommand {
   private static boolean compiles(RunnableFile file, Builtins builtins, Console console) {
     Source source = file.source().orElseThrow();
     Loaded loaded = ProgramLoader.load(source, builtins);
-    Report.diagnostics(source, loaded.diagnostics()).forEach(console::complainInLines);
-    return loaded.program().isPresent();
+    Report.diagnostics(source, loaded.mistakes()).forEach(console::complainInLines);
+    loaded.library().ifPresent(found -> console.complain(Report.note(source, found.message())));
+    return loaded.mistakes().stream().noneMatch(Diagnostic::isError);
   }
 }

@@ -3,12 +3,17 @@ package org.pendant.language.check;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Argument;
+import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Expression.Call;
 import org.pendant.language.syntax.ParameterDeclaration;
 import org.pendant.language.syntax.Script;
 import org.pendant.language.syntax.Statement;
+import org.pendant.language.syntax.Statement.Assign;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.language.syntax.Statement.DefinitionKind;
 import org.pendant.language.syntax.Statement.Evaluate;
@@ -20,9 +25,9 @@ import org.pendant.language.syntax.Statement.Label;
  * @param kind what the script is
  * @param name the program's name: that of {@code entry}, or the file's name without extension
  * @param body the statements that run as the main level; the variables assigned there are globals
- * @param entry the definition whose body that is; empty for a fragment
- * @param siblings the other top-level definitions, callable from everywhere; empty for a fragment,
- *     whose definitions stand in {@code body}
+ * @param entry the definition whose body that is; empty for a fragment and a library
+ * @param siblings the other top-level definitions, callable from everywhere; empty for a fragment
+ *     and a library, whose definitions stand in {@code body}
  * @param problems what is wrong with the form itself: {@code empty-program}, {@code
  *     entry-parameters}, and the warning {@code trailing-call}
  */
@@ -41,7 +46,12 @@ public record ProgramForm(
     /** Definitions only, the last one a secondary program (manual 12). */
     SECONDARY,
     /** Statements without a function around them. */
-    FRAGMENT
+    FRAGMENT,
+    /**
+     * Functions for other programs, the last of which cannot run by itself, and variables that they
+     * share: nothing here is a program.
+     */
+    LIBRARY
   }
 
   public ProgramForm {
@@ -62,6 +72,9 @@ public record ProgramForm(
       }
     }
     Optional<Definition> entry = entry(definitions);
+    if (entry.isPresent() && isLibrary(entry.get(), definitions, others)) {
+      return statements(Kind.LIBRARY, script, List.of());
+    }
     if (entry.isPresent()) {
       if (others.isEmpty()) {
         return program(entry.get(), definitions, List.of());
@@ -107,13 +120,59 @@ public record ProgramForm(
       String message = script.source().name() + " holds no program; expected def name(): ... end";
       problems = List.of(Diagnostic.error("empty-program", start, message, ""));
     }
-    return new ProgramForm(
-        Kind.FRAGMENT,
-        baseName(script.source().name()),
-        script.statements(),
-        Optional.empty(),
-        List.of(),
-        problems);
+    return statements(Kind.FRAGMENT, script, problems);
+  }
+
+  private static ProgramForm statements(Kind kind, Script script, List<Diagnostic> problems) {
+    String name = baseName(script.source().name());
+    return new ProgramForm(kind, name, script.statements(), Optional.empty(), List.of(), problems);
+  }
+
+  /**
+   * Whether nothing of a file can run: its last function waits for values, and what stands around
+   * the functions only names values.
+   */
+  private static boolean isLibrary(
+      Definition last, List<Definition> definitions, List<Statement> others) {
+    Set<String> own = definitions.stream().map(Definition::name).collect(Collectors.toSet());
+    return last.kind() == DefinitionKind.FUNCTION
+        && last.parameters().stream().anyMatch(each -> each.defaultValue().isEmpty())
+        && others.stream()
+            .allMatch(each -> each instanceof Assign assign && !calls(assign.value(), own));
+  }
+
+  /** Whether {@code value} calls or starts one of these functions. */
+  private static boolean calls(Expression value, Set<String> functions) {
+    return switch (value) {
+      case Expression.Call call ->
+          functions.contains(call.function()) || argumentsCall(call.arguments(), functions);
+      case Expression.MethodCall call ->
+          calls(call.receiver(), functions) || argumentsCall(call.arguments(), functions);
+      case Expression.Run _ -> true;
+      case Expression.PoseLiteral pose -> anyCalls(pose.elements(), functions);
+      case Expression.ListLiteral list -> anyCalls(list.elements(), functions);
+      case Expression.Unary unary -> calls(unary.operand(), functions);
+      case Expression.Binary binary ->
+          calls(binary.left(), functions) || calls(binary.right(), functions);
+      case Expression.Member member -> calls(member.receiver(), functions);
+      case Expression.Index index ->
+          calls(index.receiver(), functions) || anyCalls(index.indices(), functions);
+      case Expression.IntLiteral _,
+          Expression.FloatLiteral _,
+          Expression.StringLiteral _,
+          Expression.BoolLiteral _,
+          Expression.NoneLiteral _,
+          Expression.Name _ ->
+          false;
+    };
+  }
+
+  private static boolean argumentsCall(List<Argument> arguments, Set<String> functions) {
+    return arguments.stream().anyMatch(each -> calls(each.value(), functions));
+  }
+
+  private static boolean anyCalls(List<Expression> values, Set<String> functions) {
+    return values.stream().anyMatch(each -> calls(each, functions));
   }
 
   /** The last function or secondary program; a thread never starts by itself. */

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.language.parse.ScriptParser;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
@@ -73,7 +75,47 @@ final class ProgramFormTest {
 
   @Test
   void aProgramCannotRequireParameters() {
-    assertEquals(List.of("entry-parameters"), codes(form("def prog(a, b=1):\nend\n")));
+    assertEquals(List.of("entry-parameters"), codes(form("sec prog(a, b=1):\nend\n")));
+    assertEquals(
+        List.of("trailing-call", "entry-parameters"),
+        codes(form("def prog(a, b=1):\nend\nprog()\n")));
+  }
+
+  @Test
+  void functionsOfWhichTheLastNeedsValuesAreALibrary() {
+    ProgramForm form = form("def f():\nend\n$ 1 \"label\"\ndef g(a, b=1):\nend\n");
+    assertEquals(ProgramForm.Kind.LIBRARY, form.kind());
+    assertEquals("test", form.name());
+    assertEquals(3, form.body().size());
+    assertTrue(form.entry().isEmpty());
+    assertEquals(List.of(), form.problems());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "def g(a):\nend\n",
+        "def g(a):\nend\nthread t():\nend\n",
+        "speed = -0.5\nglobal home = [p[0,0,0,0,0,0]]\ndef g(a):\nend\n",
+        "s = struct(a = sqrt(2)).a\ndef g(a):\nend\n",
+      })
+  void whatOnlyDefinesIsALibrary(String text) {
+    assertEquals(ProgramForm.Kind.LIBRARY, form(text).kind());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "def g(a):\nend\ng(1)\n",
+        "def g(a):\nend\nx = g(1)\n",
+        "def g(a):\nend\nx = [1 + sqrt(g(1))]\n",
+        "def g(a):\nend\nthread t():\nend\nx = run t()\n",
+        "def g(a):\nend\nif 1 == 1:\n x = 1\nend\n",
+        "x = 1\ndef g(a=1):\nend\n",
+        "x = 1\ndef g():\nend\n",
+      })
+  void whatDoesSomethingOrCouldRunIsNone(String text) {
+    assertEquals(ProgramForm.Kind.FRAGMENT, form(text).kind());
   }
 
   private static ProgramForm form(String text) {

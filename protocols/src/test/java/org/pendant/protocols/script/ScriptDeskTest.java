@@ -48,7 +48,8 @@ class ScriptDeskTest {
     ScriptTrouble.NotCompiled found = trouble("def p(a):\n  sync()\nend\n");
     assertEquals(1, found.line());
     assertEquals(
-        "p is the program, so nothing gives its parameter a a value; expected no parameters",
+        "p is a library: it holds a function and no program; a program is a last def without"
+            + " parameters",
         found.text());
   }
 }

@@ -1,0 +1,58 @@
+package org.pendant.gui.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+final class CheckCommandTest {
+  private static final String LIBRARY = "def twice(a):\n  return 2 * a\nend\ndef use(a):\n";
+
+  private static final String SAYS =
+      "lib is a library: it holds 2 functions and no program; a program is a last def without"
+          + " parameters";
+
+  @TempDir private Path folder;
+  private final ByteArrayOutputStream errors = new ByteArrayOutputStream();
+
+  @Test
+  void aLibraryIsCheckedAsOne() throws IOException {
+    assertEquals(0, pendant("check", LIBRARY + "  return twice(a)\nend\n"));
+    assertEquals(List.of("lib.script: note: " + SAYS), complaints());
+  }
+
+  @Test
+  void mistakesInALibraryAreFound() throws IOException {
+    assertEquals(3, pendant("check", LIBRARY + "  return twise(a)\nend\n"));
+    assertEquals(
+        List.of(
+            "lib.script:5:10: error: function twise is not defined; did you mean twice?",
+            "  return twise(a)",
+            "         ^~~~~",
+            "lib.script: note: " + SAYS),
+        complaints());
+  }
+
+  @Test
+  void aLibraryIsNotRun() throws IOException {
+    assertEquals(3, pendant("run", LIBRARY + "  return twice(a)\nend\n"));
+    assertEquals(List.of("lib.script:4:5: error: " + SAYS, "def use(a):", "    ^~~"), complaints());
+  }
+
+  private int pendant(String command, String text) throws IOException {
+    Path file = Files.writeString(folder.resolve("lib.script"), text);
+    ByteArrayOutputStream output = new ByteArrayOutputStream();
+    return new Pendant(new Console(output, errors)).run(List.of(command, file.toString())).number();
+  }
+
+  /** Complaints without the folder of the test. */
+  private List<String> complaints() {
+    return errors.toString(StandardCharsets.UTF_8).replace(folder + "/", "").lines().toList();
+  }
+}
