@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.call.Builtins;
 import org.pendant.language.check.Checker;
+import org.pendant.language.check.MissingNames;
 import org.pendant.language.check.ProgramForm;
 import org.pendant.language.check.Scopes;
 import org.pendant.language.parse.ParseResult;
@@ -47,7 +48,7 @@ public final class ProgramLoader {
     }
     ProgramForm form = ProgramForm.of(parsed.script());
     Scopes scopes = Scopes.of(form);
-    diagnostics.addAll(Checker.check(form, scopes, builtins));
+    diagnostics.addAll(MissingNames.together(source, Checker.check(form, scopes, builtins)));
     if (form.kind() == ProgramForm.Kind.LIBRARY) {
       diagnostics.add(noProgram(form));
     }

@@ -29,13 +29,37 @@ final class CheckCommandTest {
 
   @Test
   void mistakesInALibraryAreFound() throws IOException {
-    assertEquals(3, pendant("check", LIBRARY + "  return twise(a)\nend\n"));
+    assertEquals(3, pendant("check", LIBRARY + "  return twice()\nend\n"));
     assertEquals(
         List.of(
-            "lib.script:5:10: error: function twise is not defined; did you mean twice?",
+            "lib.script:5:10: error: twice is called without a; expected twice(a)",
+            "  return twice()",
+            "         ^~~~~",
+            "lib.script: note: " + SAYS),
+        complaints());
+  }
+
+  @Test
+  void aNameThatALibraryLacksIsAWarningAsItsProgramMayHaveIt() throws IOException {
+    assertEquals(0, pendant("check", LIBRARY + "  return twise(a)\nend\n"));
+    assertEquals(
+        List.of(
+            "lib.script:5:10: warning: function twise is not defined in this library; did you mean"
+                + " twice?",
             "  return twise(a)",
             "         ^~~~~",
             "lib.script: note: " + SAYS),
+        complaints());
+  }
+
+  @Test
+  void aMissingNameIsToldOnce() throws IOException {
+    assertEquals(3, pendant("check", "def p():\n  a()\n  a()\nend\n"));
+    assertEquals(
+        List.of(
+            "lib.script:2:3: error: function a is not defined (and in another place: line 3)",
+            "  a()",
+            "  ^"),
         complaints());
   }
 

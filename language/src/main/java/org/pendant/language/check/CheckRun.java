@@ -24,6 +24,7 @@ final class CheckRun {
   private final Catalogue catalogue;
   private final Survey survey;
   private final boolean interpreted;
+  private final boolean library;
   private final Findings findings = new Findings();
   private final Findings unassigned = new Findings();
   private final CallGraph graph = new CallGraph();
@@ -31,6 +32,8 @@ final class CheckRun {
   private final Map<String, Optional<Builtin>> builtins = new HashMap<>();
   private final IdentityHashMap<Definition, Head> heads = new IdentityHashMap<>();
   private final Set<String> deprecated = new HashSet<>();
+  private final Map<String, String> functionOffers = new HashMap<>();
+  private final Map<String, String> variableOffers = new HashMap<>();
   private boolean entersInterpreterMode;
 
   /** A built-in function and what calls of it must look like. */
@@ -40,11 +43,13 @@ final class CheckRun {
    * A run over a program or one line.
    *
    * @param interpreted whether it is a line of interpreter mode
+   * @param library whether names may come from a program around it
    */
-  CheckRun(Catalogue catalogue, Survey survey, boolean interpreted) {
+  CheckRun(Catalogue catalogue, Survey survey, boolean interpreted, boolean library) {
     this.catalogue = catalogue;
     this.survey = survey;
     this.interpreted = interpreted;
+    this.library = library;
   }
 
   Catalogue catalogue() {
@@ -132,21 +137,35 @@ final class CheckRun {
           "unknown-function", name, range, name + " is a variable; expected a function to call");
       return;
     }
-    findings.nameNotFound(
-        "unknown-function",
+    String message = "function " + name + " is not defined" + here();
+    missing(
+        MissingNames.FUNCTION,
         name,
         range,
-        "function " + name + " is not defined" + suggestion(name, () -> functions(scope)));
+        message + offer(functionOffers, name, () -> functions(scope)));
+  }
+
+  /** In a library a name that it lacks may be one of the program that takes it in. */
+  private void missing(String code, String name, SourceRange range, String message) {
+    if (library) {
+      findings.warning(code, range, message);
+    } else {
+      findings.nameNotFound(code, name, range, message);
+    }
+  }
+
+  private String here() {
+    return library ? " in this library" : "";
   }
 
   void unknownVariable(String name, SourceRange range, FunctionScope scope) {
-    String message = "variable " + name + " is never assigned";
+    String message = "variable " + name + " is never assigned" + here();
     if (scope.function(name).isPresent() || builtin(name).isPresent()) {
       message += "; the function " + name + " needs parentheses";
     } else {
-      message += suggestion(name, () -> variables(scope));
+      message += offer(variableOffers, name, () -> variables(scope));
     }
-    failsWhenItRuns("unknown-variable", range, message);
+    failsWhenItRuns(MissingNames.VARIABLE, range, message);
   }
 
   private List<String> functions(FunctionScope scope) {
@@ -165,6 +184,12 @@ final class CheckRun {
     variables.addAll(scope.locals());
     variables.addAll(scope.globals());
     return variables;
+  }
+
+  /** The same for a name wherever it is missing, as only so many are looked for. */
+  private String offer(
+      Map<String, String> offers, String name, Supplier<? extends Collection<String>> candidates) {
+    return offers.computeIfAbsent(name, _ -> suggestion(name, candidates));
   }
 
   /** The end of a message that offers the name probably meant. */

@@ -13,8 +13,9 @@ import org.pendant.language.syntax.Statement.DefinitionKind;
  * Finds what is certainly wrong with a program before it runs.
  *
  * <p>Errors are certain: a program without them may still fail, but every error is a statement that
- * fails if it runs. Warnings name what runs but is hardly meant, and what fails if it runs but does
- * not keep a robot from starting the program. The text must have been parsed without syntax errors.
+ * fails if it runs. Warnings name what runs but is hardly meant, what fails if it runs but does not
+ * keep a robot from starting the program, and names that a library lacks: the program that takes it
+ * in may have them. The text must have been parsed without syntax errors.
  */
 public final class Checker {
   /** Warnings about statements that fail if they run. */
@@ -43,7 +44,7 @@ public final class Checker {
    */
   public static List<Diagnostic> check(ProgramForm form, Scopes scopes, Catalogue catalogue) {
     Survey survey = Survey.of(form, scopes, new Inference(catalogue));
-    CheckRun run = new CheckRun(catalogue, survey, false);
+    CheckRun run = new CheckRun(catalogue, survey, false, form.kind() == ProgramForm.Kind.LIBRARY);
     DefinitionCheck definitions = new DefinitionCheck(run);
     Set<String> defined = new HashSet<>();
     for (Definition sibling : form.siblings()) {
@@ -74,7 +75,7 @@ public final class Checker {
   public static List<Diagnostic> checkLine(Script line, FunctionScope scope, Catalogue catalogue) {
     FunctionScope extended = scope.extendedBy(line.statements());
     Survey survey = Survey.nothingKnown(new Inference(catalogue));
-    CheckRun run = new CheckRun(catalogue, survey, true);
+    CheckRun run = new CheckRun(catalogue, survey, true, false);
     FunctionState state = new FunctionState(extended, new CallGraph.Node());
     new StatementCheck(run, state).block(line.statements());
     return run.finished().sorted();
