@@ -3,21 +3,17 @@ package org.pendant.language.parse;
 import static org.pendant.language.parse.UrScriptParser.*;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.Deque;
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
+import java.util.Optional;
 import org.antlr.v4.runtime.Token;
 import org.pendant.language.source.Source;
 
 /**
  * Balances blocks: adds the {@code end}s that are missing and drops those that close nothing, each
  * reported once. Indentation has no meaning in URScript, but where the count of {@code end}s is
- * wrong it usually tells which one; it is believed only if it explains the whole difference.
+ * wrong it usually tells which one; it is believed only if it explains the whole difference, first
+ * with the slips that most texts have ({@link IndentedRegions}), then to the letter.
  */
 final class BlockRepair {
   private final Source source;
@@ -29,31 +25,34 @@ final class BlockRepair {
   }
 
   List<ScriptToken> balance(List<ScriptToken> tokens) {
-    Pairing plain = new Pairing(tokens, false, 0);
-    plain.run();
-    Pairing chosen = plain;
-    if (!plain.perfect() && plain.problems() <= Complaints.LIMIT) {
-      Pairing byIndentation = new Pairing(tokens, true, plain.strayEnds.size());
-      byIndentation.run();
-      if (byIndentation.problems() <= plain.problems()) {
-        chosen = byIndentation;
-      }
-    }
-    chosen.report();
-    return complaints.full() ? tokens : chosen.mended();
+    BlockFaults faults = faults(tokens);
+    faults.report(source, complaints);
+    return complaints.full() ? tokens : faults.mended(tokens);
   }
 
-  /** A block whose {@code end} is missing, and the token in front of which it is noticed. */
-  private record Unclosed(ScriptToken opener, ScriptToken before) {}
+  private BlockFaults faults(List<ScriptToken> tokens) {
+    BlockFaults plain = new Pairing(tokens, false, 0).run();
+    if (plain.count() == 0 || plain.count() > Complaints.LIMIT) {
+      return plain;
+    }
+    IndentedRegions regions = new IndentedRegions(source, tokens);
+    Optional<BlockFaults> likely = regions.single();
+    if (likely.isEmpty() && plain.openToDoubt()) {
+      likely = regions.faults(plain.count());
+    }
+    if (likely.isPresent()) {
+      return likely.get();
+    }
+    BlockFaults exact = new Pairing(tokens, true, plain.countStrayEnds()).run();
+    return exact.count() <= plain.count() ? exact : plain;
+  }
 
   /** One attempt at pairing openers with ends. */
   private final class Pairing {
     private final List<ScriptToken> tokens;
     private final boolean indentationCounts;
     private final Deque<ScriptToken> open = new ArrayDeque<>();
-    private final List<Unclosed> unclosed = new ArrayList<>();
-    private final List<ScriptToken> strayEnds = new ArrayList<>();
-    private final List<ScriptToken> strayElses = new ArrayList<>();
+    private final BlockFaults faults = new BlockFaults();
     private int strayEndsToFind;
 
     Pairing(List<ScriptToken> tokens, boolean indentationCounts, int strayEndsToFind) {
@@ -62,15 +61,7 @@ final class BlockRepair {
       this.strayEndsToFind = strayEndsToFind;
     }
 
-    boolean perfect() {
-      return problems() == 0;
-    }
-
-    int problems() {
-      return unclosed.size() + strayEnds.size() + strayElses.size();
-    }
-
-    void run() {
+    BlockFaults run() {
       for (ScriptToken token : tokens) {
         int type = token.getType();
         if (TokenKinds.opensBlock(type)) {
@@ -81,23 +72,24 @@ final class BlockRepair {
           alternative(token);
         } else if (type == Token.EOF) {
           while (!open.isEmpty()) {
-            unclosed.add(new Unclosed(open.pop(), token));
+            faults.unclosed(open.pop(), token);
           }
         }
       }
+      return faults;
     }
 
     private void end(ScriptToken end) {
       leaveDeeperBlocks(end);
       if (open.isEmpty()) {
-        strayEnds.add(end);
+        faults.strayEnd(end);
       } else if (indentationCounts
           && strayEndsToFind > 0
           && end.firstOnLine()
           && open.peek().firstOnLine()
           && column(end) > column(open.peek())) {
         strayEndsToFind--;
-        strayEnds.add(end);
+        faults.strayEnd(end);
       } else {
         open.pop();
       }
@@ -106,20 +98,18 @@ final class BlockRepair {
     private void alternative(ScriptToken word) {
       leaveDeeperBlocks(word);
       if (open.stream().noneMatch(opener -> opener.is(IF))) {
-        strayElses.add(word);
+        faults.strayElse(word);
         return;
       }
-      if (open.stream().takeWhile(opener -> !opener.is(IF)).anyMatch(this::definition)) {
-        strayElses.add(word);
+      if (open.stream()
+          .takeWhile(opener -> !opener.is(IF))
+          .anyMatch(opener -> TokenKinds.opensDefinition(opener.getType()))) {
+        faults.strayElse(word);
         return;
       }
       while (!open.peek().is(IF)) {
-        unclosed.add(new Unclosed(open.pop(), word));
+        faults.unclosed(open.pop(), word);
       }
-    }
-
-    private boolean definition(ScriptToken opener) {
-      return opener.is(DEF) || opener.is(SEC) || opener.is(THREAD);
     }
 
     /** An end exactly below an outer opener closes that one: the inner ones lack theirs. */
@@ -130,68 +120,8 @@ final class BlockRepair {
         return;
       }
       while (open.peek().firstOnLine() && column(open.peek()) > column(word)) {
-        unclosed.add(new Unclosed(open.pop(), word));
+        faults.unclosed(open.pop(), word);
       }
-    }
-
-    void report() {
-      unclosed.sort(Comparator.comparingInt(block -> block.opener().startOffset()));
-      for (Unclosed block : unclosed) {
-        ScriptToken opener = block.opener();
-        complaints.addForBlock(
-            "missing-end",
-            opener.range(),
-            source.text().length(),
-            "`"
-                + source.text(opener.range())
-                + "` on line "
-                + opener.getLine()
-                + " has no `end`"
-                + (block.before().is(Token.EOF)
-                    ? ": the text ends inside its block"
-                    : ": the `"
-                        + source.text(block.before().range())
-                        + "` on line "
-                        + block.before().getLine()
-                        + " belongs to an outer block"));
-      }
-      for (ScriptToken end : strayEnds) {
-        complaints.add(
-            "stray-end",
-            end.range(),
-            "this `end` closes nothing: every block before it has its `end` already");
-      }
-      for (ScriptToken word : strayElses) {
-        complaints.add(
-            "stray-else", word.range(), "`" + source.text(word.range()) + "` belongs to no `if`");
-      }
-    }
-
-    List<ScriptToken> mended() {
-      if (perfect()) {
-        return tokens;
-      }
-      Map<ScriptToken, Integer> missingBefore = new HashMap<>();
-      unclosed.forEach(block -> missingBefore.merge(block.before(), 1, Integer::sum));
-      Set<ScriptToken> dropped = new HashSet<>(strayEnds);
-      dropped.addAll(strayElses);
-      List<ScriptToken> mended = new ArrayList<>(tokens.size());
-      boolean inDroppedHead = false;
-      for (ScriptToken token : tokens) {
-        for (int i = missingBefore.getOrDefault(token, 0); i > 0; i--) {
-          mended.add(ScriptToken.missing(END, token));
-        }
-        // A stray else takes the rest of its head along.
-        inDroppedHead &= !token.firstOnLine() && !token.is(Token.EOF);
-        if (dropped.contains(token)) {
-          inDroppedHead = !token.is(END);
-        } else if (!inDroppedHead) {
-          mended.add(token);
-        } else if (token.is(COLON)) {
-          inDroppedHead = false;
-        }
-      }
-      return mended;
     }
 
     private int column(ScriptToken token) {

@@ -58,6 +58,10 @@ final class TokenKinds {
     };
   }
 
+  static boolean opensDefinition(int type) {
+    return type == DEF || type == SEC || type == THREAD;
+  }
+
   static boolean opensBracket(int type) {
     return switch (type) {
       case LPAREN, LBRACK, LINE_LPAREN, LINE_LBRACK -> true;
