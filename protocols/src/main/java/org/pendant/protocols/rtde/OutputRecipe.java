@@ -20,7 +20,7 @@ record OutputRecipe(List<OutputField> fields, boolean numbered) {
 
   /** The data package for a snapshot. */
   byte[] encode(ControllerState state) {
-    byte[] bytes = new byte[Packet.HEADER_BYTES + payloadBytes()];
+    byte[] bytes = new byte[packetBytes()];
     ByteBuffer packet = ByteBuffer.wrap(bytes);
     packet.putShort((short) bytes.length).put((byte) PacketType.DATA);
     if (numbered) {
@@ -32,8 +32,9 @@ record OutputRecipe(List<OutputField> fields, boolean numbered) {
     return bytes;
   }
 
-  private int payloadBytes() {
-    int bytes = numbered ? 1 : 0;
+  /** How long a data package is; more than {@link Packet#MOST_BYTES} cannot be sent. */
+  int packetBytes() {
+    int bytes = Packet.HEADER_BYTES + (numbered ? 1 : 0);
     for (int i = 0; i < fields.size(); i++) {
       bytes += fields.get(i).type().bytes();
     }

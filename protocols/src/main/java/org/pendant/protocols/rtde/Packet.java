@@ -11,4 +11,7 @@ import java.nio.ByteBuffer;
 record Packet(int type, ByteBuffer payload) {
   /** Size and type. */
   static final int HEADER_BYTES = 3;
+
+  /** The size has two bytes. */
+  static final int MOST_BYTES = 0xFFFF;
 }

@@ -36,6 +36,14 @@ sealed interface Request {
     }
   }
 
+  /**
+   * A recipe that is not looked at, but answered.
+   *
+   * @param type of the package: outputs or inputs
+   * @param reason what was found and what was expected
+   */
+  record RefusedSetup(int type, String reason) implements Request {}
+
   /** To get data packages. */
   record Start() implements Request {}
 

@@ -8,7 +8,7 @@ import java.util.List;
 /** Packages of clients as requests. */
 final class RequestCodec {
   /** Most bytes that the names of a recipe may take together. */
-  static final int LONGEST_NAMES = 2048;
+  static final int LONGEST_NAMES = 16_384;
 
   /** How often version 1 sends, Hz: its requests name no frequency. */
   static final double VERSION_1_HZ = 125;
@@ -61,27 +61,31 @@ final class RequestCodec {
 
   private static Request outputs(ByteBuffer payload, int version) {
     if (version == 1) {
-      return names(payload, names -> new Request.SetupOutputs(VERSION_1_HZ, names));
+      return names(
+          PacketType.SETUP_OUTPUTS,
+          payload,
+          names -> new Request.SetupOutputs(VERSION_1_HZ, names));
     }
     if (payload.remaining() < Double.BYTES) {
       return wrongLength("an output recipe", payload, "at least 8");
     }
     double frequencyHz = payload.getDouble();
-    return names(payload, names -> new Request.SetupOutputs(frequencyHz, names));
+    return names(
+        PacketType.SETUP_OUTPUTS, payload, names -> new Request.SetupOutputs(frequencyHz, names));
   }
 
   private static Request inputs(ByteBuffer payload) {
-    return names(payload, Request.SetupInputs::new);
+    return names(PacketType.SETUP_INPUTS, payload, Request.SetupInputs::new);
   }
 
   private interface Named {
     Request with(List<String> names);
   }
 
-  private static Request names(ByteBuffer payload, Named request) {
+  private static Request names(int type, ByteBuffer payload, Named request) {
     if (payload.remaining() > LONGEST_NAMES) {
-      return new Request.Malformed(
-          TextLevel.ERROR,
+      return new Request.RefusedSetup(
+          type,
           "the names of a recipe take "
               + payload.remaining()
               + " bytes, must be at most "

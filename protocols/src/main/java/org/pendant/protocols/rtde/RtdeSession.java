@@ -84,6 +84,7 @@ final class RtdeSession implements Session {
           connection.send(ReplyCodec.controllerVersion(SoftwareVersion.REPORTED));
       case Request.SetupOutputs wanted -> setUpOutputs(wanted);
       case Request.SetupInputs wanted -> setUpInputs(wanted.names());
+      case Request.RefusedSetup wanted -> refuseSetup(wanted);
       case Request.Start _ -> start();
       case Request.Pause _ -> {
         flow.pause();
@@ -113,19 +114,50 @@ final class RtdeSession implements Session {
       field.ifPresent(fields::add);
       types.add(field.map(each -> each.type().name()).orElse(NOT_FOUND));
     }
-    boolean usable =
-        fields.size() == wanted.names().size() && Double.isFinite(wanted.frequencyHz());
+    OutputRecipe recipe = new OutputRecipe(fields, version > 1);
+    boolean known = fields.size() == wanted.names().size() && Double.isFinite(wanted.frequencyHz());
+    boolean usable = known && recipe.packetBytes() <= Packet.MOST_BYTES;
     if (usable) {
-      double frequencyHz = Math.clamp(wanted.frequencyHz(), LEAST_HZ, Pacing.FRAMES_HZ);
-      flow.setUp(new OutputRecipe(fields, version > 1), frequencyHz);
+      flow.setUp(recipe, Math.clamp(wanted.frequencyHz(), LEAST_HZ, Pacing.FRAMES_HZ));
     } else {
       flow.clear();
     }
-    connection.send(
-        version == 1
-            ? ReplyCodec.recipe(PacketType.SETUP_OUTPUTS, types)
-            : ReplyCodec.recipe(
-                PacketType.SETUP_OUTPUTS, usable ? OutputRecipe.ID : UNUSABLE, types));
+    answerSetup(PacketType.SETUP_OUTPUTS, usable ? OutputRecipe.ID : UNUSABLE, types);
+    if (known && !usable) {
+      complain(
+          TextLevel.ERROR,
+          "a data package of the recipe would take "
+              + recipe.packetBytes()
+              + " bytes, must be at most "
+              + Packet.MOST_BYTES);
+    }
+  }
+
+  private void refuseSetup(Request.RefusedSetup wanted) {
+    if (wanted.type() == PacketType.SETUP_OUTPUTS) {
+      flow.clear();
+    }
+    answerSetup(wanted.type(), UNUSABLE, List.of());
+    complain(TextLevel.ERROR, wanted.reason());
+  }
+
+  /** Answers a recipe: clients wait for it. Types that one package cannot hold are left out. */
+  private void answerSetup(int type, int id, List<String> types) {
+    boolean numbered = version > 1 || type == PacketType.SETUP_INPUTS;
+    byte[] answer = numbered ? ReplyCodec.recipe(type, id, types) : ReplyCodec.recipe(type, types);
+    if (answer.length <= Packet.MOST_BYTES) {
+      connection.send(answer);
+    } else {
+      refuseSetup(
+          new Request.RefusedSetup(
+              type,
+              "the types of a recipe of "
+                  + types.size()
+                  + " variables take "
+                  + answer.length
+                  + " bytes, must be at most "
+                  + Packet.MOST_BYTES));
+    }
   }
 
   private void setUpInputs(List<String> names) throws InterruptedException {
@@ -138,7 +170,7 @@ final class RtdeSession implements Session {
             .map(field -> field.map(each -> type(each, inUse)).orElse(NOT_FOUND))
             .toList();
     int id = known && inUse.isEmpty() ? inputs.add(recipe) : UNUSABLE;
-    connection.send(ReplyCodec.recipe(PacketType.SETUP_INPUTS, id, types));
+    answerSetup(PacketType.SETUP_INPUTS, id, types);
     if (!inputs.hasRoom() && id == UNUSABLE) {
       tell(
           TextLevel.ERROR,

@@ -115,19 +115,19 @@ class RequestCodecTest {
     List<Packet> packets = cut(new PacketCutter(), longest, 0, longest.length);
     assertEquals(1, packets.size());
     assertEquals(
-        new Request.Malformed(
-            TextLevel.ERROR, "the names of a recipe take 65532 bytes, must be at most 2048"),
+        new Request.RefusedSetup(
+            'I', "the names of a recipe take 65532 bytes, must be at most 16384"),
         RequestCodec.decode(packets.getFirst(), 2));
   }
 
   @Test
-  void namesTakeAtMost2048Bytes() {
-    assertInstanceOf(Request.SetupInputs.class, decode('I', "61".repeat(2048), 2));
-    assertInstanceOf(Request.Malformed.class, decode('I', "61".repeat(2049), 2));
+  void namesTakeAtMost16384Bytes() {
+    assertInstanceOf(Request.SetupInputs.class, decode('I', "61".repeat(16_384), 2));
+    assertInstanceOf(Request.RefusedSetup.class, decode('I', "61".repeat(16_385), 2));
     assertInstanceOf(
-        Request.SetupOutputs.class, decode('O', "405f400000000000" + "61".repeat(2048), 2));
+        Request.SetupOutputs.class, decode('O', "405f400000000000" + "61".repeat(16_384), 2));
     assertInstanceOf(
-        Request.Malformed.class, decode('O', "405f400000000000" + "61".repeat(2049), 2));
+        Request.RefusedSetup.class, decode('O', "405f400000000000" + "61".repeat(16_385), 2));
   }
 
   @Test

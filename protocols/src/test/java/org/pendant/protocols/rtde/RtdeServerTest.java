@@ -17,6 +17,8 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.WallClock;
+import org.pendant.controller.rtde.OutputField;
+import org.pendant.controller.rtde.OutputFields;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.SoftwareVersion;
 import org.pendant.controller.state.StateFeed;
@@ -183,6 +185,62 @@ class RtdeServerTest {
       assertEquals("1 DOUBLE", client.outputs(9999, "timestamp"));
       client.send('S');
       assertEquals("S 01", client.answer());
+    }
+  }
+
+  @Test
+  void aClientMayAskForAllOutputsTogether() throws Exception {
+    String names = String.join(",", OutputFields.all().stream().map(OutputField::name).toList());
+    int bytes = OutputFields.all().stream().mapToInt(each -> each.type().bytes()).sum();
+    try (Client client = client()) {
+      String types = client.outputs(500, names);
+      assertTrue(types.startsWith("1 "), types);
+      assertEquals(OutputFields.all().size(), types.split(",").length);
+      client.send('S');
+      assertEquals("S 01", client.answer());
+      assertEquals(1 + bytes, client.next().payload().remaining());
+    }
+  }
+
+  @Test
+  void aRecipeWhoseDataNoPackageCanHoldIsAnsweredAndCannotBeStarted() throws Exception {
+    String names = "actual_q,".repeat(1500);
+    try (Client client = client()) {
+      assertEquals("0 " + "VECTOR6D,".repeat(1499) + "VECTOR6D", client.outputs(500, names));
+      assertEquals(
+          "a data package of the recipe would take 72004 bytes, must be at most 65535",
+          client.text());
+      client.send('S');
+      assertEquals("S 00", client.answer());
+      assertEquals("1 DOUBLE", client.outputs(500, "timestamp"));
+    }
+  }
+
+  @Test
+  void aRecipeWhoseTypesNoPackageCanHoldIsAnsweredWithoutThem() throws Exception {
+    String names = "a,".repeat(8000);
+    String text = "the types of a recipe of 8000 variables take 80003 bytes, must be at most 65535";
+    try (Client client = client()) {
+      assertEquals("0 ", client.outputs(500, names));
+      assertEquals(text, client.text());
+      assertEquals("0 ", client.inputs(names));
+      assertEquals(text, client.text());
+    }
+  }
+
+  @Test
+  void aRecipeOfTooManyNamesIsAnsweredAndTheConnectionGoesOn() throws Exception {
+    String names = "timestamp,".repeat(1639);
+    try (Client client = client()) {
+      assertEquals("1 DOUBLE", client.outputs(500, "timestamp"));
+      assertEquals("0 ", client.outputs(500, names));
+      String text = "the names of a recipe take 16390 bytes, must be at most 16384";
+      assertEquals(text, client.text());
+      client.send('S');
+      assertEquals("S 00", client.answer());
+      assertEquals("0 ", client.inputs(names));
+      assertEquals(text, client.text());
+      assertEquals("1 INT32", client.inputs("input_int_register_0"));
     }
   }
 
