@@ -111,7 +111,7 @@ def explicit_messages():
     assert identity["product_name"] == "Universal Robots", identity
     assert identity["revision"] == {"major": 5, "minor": 24}, identity
     with CIPDriver(HOST) as driver:
-        assert get(driver, 1, 1, 1) == struct.pack("<H", 1283)
+        assert get(driver, 1, 1, 1) == struct.pack("<H", 1399)
         state = get(driver, 4, 100, 3)
         assert len(state) == 480 and state[4] == 7, state
         assert len(get(driver, 4, 112, 3)) == 224

@@ -13,7 +13,7 @@ record DeviceIdentity(
   /** Every box of ours; docs/protocols/ethernet-ip.md has the reasons. */
   static final DeviceIdentity OWN =
       new DeviceIdentity(
-          1283,
+          1399,
           0x2B,
           1,
           SoftwareVersion.REPORTED.major(),

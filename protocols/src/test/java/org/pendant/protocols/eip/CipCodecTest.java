@@ -79,11 +79,11 @@ class CipCodecTest {
     CipPath path =
         CipPath.decode(
             Hex.buffer(
-                "0100 1203 31323300 34 04 0305 2B00 0100 85 18 2100 0401 2500 F401 2C70 2D00 6500"
+                "0100 1203 31323300 34 04 7705 2B00 0100 85 18 2100 0401 2500 F401 2C70 2D00 6500"
                     + " 3103 0500 8002 AABBCCDD"));
     assertEquals(
         new CipPath(
-            Optional.of(new ElectronicKey(1283, 43, 1, true, 5, 24)),
+            Optional.of(new ElectronicKey(1399, 43, 1, true, 5, 24)),
             OptionalInt.of(0x104),
             List.of(500, 112, 101),
             OptionalInt.of(5),
@@ -175,10 +175,10 @@ class CipCodecTest {
   @ParameterizedTest
   @CsvSource({
     "0, 0, 0, false, 0, 0, ''",
-    "1283, 43, 1, false, 5, 24, ''",
-    "1283, 43, 1, true, 5, 3, ''",
+    "1399, 43, 1, false, 5, 24, ''",
+    "1399, 43, 1, true, 5, 3, ''",
     "1, 0, 0, false, 0, 0, WRONG_VENDOR_OR_PRODUCT",
-    "1283, 0, 7, false, 0, 0, WRONG_VENDOR_OR_PRODUCT",
+    "1399, 0, 7, false, 0, 0, WRONG_VENDOR_OR_PRODUCT",
     "0, 12, 0, false, 0, 0, WRONG_DEVICE_TYPE",
     "0, 0, 0, false, 4, 0, WRONG_REVISION",
     "0, 0, 0, false, 5, 3, WRONG_REVISION",
