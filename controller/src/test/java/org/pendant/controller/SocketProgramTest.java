@@ -81,6 +81,61 @@ class SocketProgramTest {
   }
 
   @Test
+  void readsOfDataThatAreThereTakeNoFrame() {
+    FakeSocket peer =
+        connected(
+            """
+              sleep(0.002)
+              i = 0
+              while i < 200:
+                i = i + socket_read_binary_integer(1)[0]
+              end
+              textmsg(i, socket_read_ascii_float(2))
+              textmsg(socket_read_line(), socket_read_string(prefix="<", suffix=">"))
+              textmsg(socket_read_byte_list(1), socket_read_string())
+            """);
+    peer.say("\0\0\0\1".repeat(200) + "(1.5, 2)line\n<text>Arest");
+    program.advance(2);
+    assertEquals(List.of("200[2, 1.5, 2]", "linetext", "[1, 65]rest"), program.said());
+  }
+
+  @Test
+  void manyReadsAreBoundedByTheComputingTimeOfAFrame() {
+    FakeSocket peer =
+        connected(
+            """
+              sleep(0.002)
+              i = 0
+              while i < 20000:
+                i = i + socket_read_byte_list(1)[0]
+                if i % 1000 == 0:
+                  textmsg(i)
+                end
+              end
+            """);
+    peer.say("a".repeat(20_000));
+    program.advance(3);
+    int early = program.said().size();
+    assertTrue(early < 5, () -> early + " thousand reads in two frames");
+    program.finish();
+    assertEquals(20, program.said().size());
+  }
+
+  @Test
+  void aReadThatFailsTakesItsFrame() {
+    FakeSocket peer =
+        connected(
+            """
+              while True:
+                textmsg(socket_read_string())
+              end
+            """);
+    peer.reset();
+    program.advance(10);
+    assertEquals(10, program.said().size());
+  }
+
+  @Test
   void aReadWaitsAsLongAsItsTimeoutAndKeepsWhatThereIs() {
     FakeSocket peer =
         connected(

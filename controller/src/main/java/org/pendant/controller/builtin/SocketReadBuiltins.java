@@ -1,11 +1,13 @@
 package org.pendant.controller.builtin;
 
+import java.util.Optional;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.call.Call;
 import org.pendant.controller.call.Declaration;
 import org.pendant.controller.call.Outcome;
-import org.pendant.controller.call.Wait;
 import org.pendant.controller.motion.FrameTime;
+import org.pendant.controller.outside.OutsideSocket;
+import org.pendant.controller.outside.ReceivedBytes;
 import org.pendant.controller.outside.SocketRead;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
@@ -18,6 +20,9 @@ final class SocketReadBuiltins {
   private static final int MOST_VALUES = 30;
 
   private static final int INT_BYTES = 4;
+
+  /** Computing time for a byte that is looked at. */
+  private static final long NS_A_BYTE = 2;
 
   /** How long an answer to GET may take, s. */
   private static final double VARIABLE_TIMEOUT_S = 2;
@@ -167,10 +172,23 @@ final class SocketReadBuiltins {
     return wait(call, function, index, read, SocketArguments.deadline(call, index + 1));
   }
 
+  /**
+   * Answers with what is there already, or waits. What fails takes its frame, so that a loop over a
+   * socket that is lost leaves time to others.
+   */
   private static Outcome wait(Call call, String function, int index, SocketRead read, long deadline)
       throws ScriptError {
-    return SocketArguments.socket(call, function, index)
-        .<Wait>map(socket -> new SocketReadWait(socket, read, deadline))
-        .orElseGet(() -> SocketReadWait.notOpen(read));
+    Optional<OutsideSocket> socket = SocketArguments.socket(call, function, index);
+    if (socket.isEmpty()) {
+      return SocketReadWait.notOpen(read);
+    }
+    ReceivedBytes received = socket.get().received();
+    int before = received.length();
+    Optional<Value> value = read.from(received);
+    int lookedAt = Math.max(before - received.length(), Math.min(before, SocketRead.LONGEST));
+    call.charge(lookedAt * NS_A_BYTE);
+    return value.isPresent()
+        ? call.answer(value.get())
+        : new SocketReadWait(socket.get(), read, deadline);
   }
 }
