@@ -136,6 +136,32 @@ class SocketProgramTest {
   }
 
   @Test
+  void whatStandsBehindAStopAtRestIsSentThoughTheThreadIsKilledInThatFrame() {
+    FakeSocket peer =
+        connected(
+            """
+              thread worker():
+                socket_read_byte_list(1)
+                stopj(2)
+                socket_send_byte(33)
+                sync()
+                socket_send_byte(63)
+              end
+              thread killer():
+                socket_read_byte_list(1)
+                kill w
+              end
+              w = run worker()
+              k = run killer()
+              join k
+            """);
+    program.advance(2);
+    peer.say("ab");
+    program.finish();
+    assertEquals("!", peer.heard());
+  }
+
+  @Test
   void aReadWaitsAsLongAsItsTimeoutAndKeepsWhatThereIs() {
     FakeSocket peer =
         connected(

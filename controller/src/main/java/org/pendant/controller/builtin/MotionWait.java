@@ -57,10 +57,11 @@ final class MotionWait implements Wait {
     return call.answer();
   }
 
-  /** Starts a stop from whatever the arm does. */
-  static MotionWait stop(Call call, String function, MotionPlan plan) throws ScriptError {
+  /** Starts a stop from whatever the arm does; an arm at rest takes no time. */
+  static Outcome stop(Call call, String function, MotionPlan plan) throws ScriptError {
     try {
-      return new MotionWait(call, function, call.box().motion().takeOver(plan), false);
+      MotionTicket ticket = call.box().motion().takeOver(plan);
+      return ticket.finished() ? call.answer() : new MotionWait(call, function, ticket, false);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }

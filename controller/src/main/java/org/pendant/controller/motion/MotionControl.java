@@ -92,7 +92,8 @@ public final class MotionControl {
   }
 
   /**
-   * Starts a motion that goes on from the present speed; for stops.
+   * Starts a motion that goes on from the present speed; for stops. Of an arm at rest it is over at
+   * once.
    *
    * @throws ScriptError when it cannot be planned, or another thread's motion is under way
    */

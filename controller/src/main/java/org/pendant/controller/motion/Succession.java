@@ -172,7 +172,13 @@ final class Succession {
   MotionTicket takeOver(MotionPlan plan) throws ScriptError {
     refuseSecondOwner();
     MotionTicket ticket = new MotionTicket(this);
-    begin(plan.from(path.position().joints(), path.speed().joints()), Optional.of(ticket), true);
+    if (path.speed().largest() > AT_REST_RAD_PER_S) {
+      begin(plan.from(path.position().joints(), path.speed().joints()), Optional.of(ticket), true);
+    } else {
+      guidance.endTorque();
+      forget();
+      ticket.finish();
+    }
     return ticket;
   }
 
