@@ -257,8 +257,13 @@ public sealed interface Command {
   /** Releases the brakes of a powered arm; programs may start then. */
   record ReleaseBrakes() implements Command {}
 
-  /** Ends a protective stop; the program stays paused. */
-  record UnlockProtectiveStop() implements Command {}
+  /**
+   * Ends a protective stop; the program stays paused.
+   *
+   * @param early also within 5 s of the stop, the time that people have to look at what has
+   *     happened
+   */
+  record UnlockProtectiveStop(boolean early) implements Command {}
 
   /**
    * Starts the safety functions again after a violation or a fault; the arm is powered off then.

@@ -252,7 +252,8 @@ final class CommandDesk {
         case Command.PowerOn on -> granted(box.safety().powerOn());
         case Command.PowerOff off -> powerOff();
         case Command.ReleaseBrakes release -> granted(box.safety().releaseBrakes());
-        case Command.UnlockProtectiveStop unlock -> granted(box.safety().unlockProtectiveStop());
+        case Command.UnlockProtectiveStop unlock ->
+            granted(box.safety().unlockProtectiveStop(unlock.early()));
         case Command.RestartSafety restart -> granted(box.safety().restartSafety());
         case Command.StartBackdrive start -> granted(box.safety().startBackdrive());
         case Command.EndBackdrive end -> granted(box.safety().endBackdrive());

@@ -110,7 +110,7 @@ final class ForceModeProgramTest {
     Pose held = free.target();
     free.frames(2600);
     assertEquals(held, free.target());
-    free.running.done(new Command.UnlockProtectiveStop());
+    free.running.done(new Command.UnlockProtectiveStop(false));
     free.running.done(new Command.ResumeProgram());
     free.frames(400);
     assertEquals(SafetyMode.NORMAL, free.running.state().safety().safetyMode());

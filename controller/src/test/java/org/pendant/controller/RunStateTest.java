@@ -111,7 +111,7 @@ class RunStateTest {
     assertEquals(SafetyMode.PROTECTIVE_STOP, robot.state().safety().safetyMode());
     assertEquals("11000101", binary(robot.state().io().standardOut()));
     robot.advance(3000);
-    robot.done(new Command.UnlockProtectiveStop());
+    robot.done(new Command.UnlockProtectiveStop(false));
     robot.done(new Command.ResumeProgram());
     assertEquals("11101101", binary(robot.state().io().standardOut()));
   }

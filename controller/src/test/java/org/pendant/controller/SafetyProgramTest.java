@@ -24,7 +24,7 @@ final class SafetyProgramTest {
 
   private void resume() {
     running.advance(UNLOCK_FRAMES);
-    running.done(new Command.UnlockProtectiveStop());
+    running.done(new Command.UnlockProtectiveStop(false));
     running.done(new Command.ResumeProgram());
   }
 

@@ -150,9 +150,9 @@ final class StopsTest {
     double where = state().arm().targetPositionRad().get(0);
     assertTrue(where > 0.4 && where < 0.7, "rests on its way at " + where);
     assertTrue(refusal(new Command.ResumeProgram()).contains("protective stop"));
-    assertTrue(refusal(new Command.UnlockProtectiveStop()).contains(" s"));
+    assertTrue(refusal(new Command.UnlockProtectiveStop(false)).contains(" s"));
     frames(UNLOCK_FRAMES);
-    done(new Command.UnlockProtectiveStop());
+    done(new Command.UnlockProtectiveStop(false));
     assertEquals(SafetyMode.NORMAL, safety().safetyMode());
     assertEquals(ProgramState.PAUSED, state().program().state());
     done(new Command.ResumeProgram());

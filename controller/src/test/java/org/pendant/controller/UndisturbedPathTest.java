@@ -68,7 +68,7 @@ final class UndisturbedPathTest {
           running.done(new Command.RunSecondary(running.program(stop)));
           follow(running, UNLOCK_FRAMES, points);
           assertEquals(SafetyMode.PROTECTIVE_STOP, running.state().safety().safetyMode());
-          running.done(new Command.UnlockProtectiveStop());
+          running.done(new Command.UnlockProtectiveStop(false));
           running.done(new Command.ResumeProgram());
         }
       }

@@ -189,9 +189,13 @@ public final class SafetySystem {
     return refusal;
   }
 
-  /** Ends a protective stop, at the earliest 5 s after it. Answers why not, empty if it does. */
-  public Optional<String> unlockProtectiveStop() {
-    return stops.unlock();
+  /**
+   * Ends a protective stop. Answers why not, empty if it does.
+   *
+   * @param early also within 5 s of the stop
+   */
+  public Optional<String> unlockProtectiveStop(boolean early) {
+    return stops.unlock(early);
   }
 
   /**

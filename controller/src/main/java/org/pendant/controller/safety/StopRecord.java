@@ -9,7 +9,7 @@ import org.pendant.models.arm.Joints;
 
 /** The present stop: how it begins, what replaces it, and what ends it. */
 final class StopRecord {
-  /** Shortest time between a protective stop and its end, s. */
+  /** Shortest time between a protective stop and its end by people, s. */
   static final double UNLOCK_S = 5;
 
   /** Longest time until an emergency stop cuts the power, s. */
@@ -202,13 +202,17 @@ final class StopRecord {
     }
   }
 
-  /** Ends a protective stop, or says why not. */
-  Optional<String> unlock() {
+  /**
+   * Ends a protective stop, or says why not.
+   *
+   * @param early also within {@link #UNLOCK_S} of the stop
+   */
+  Optional<String> unlock(boolean early) {
     if (!is(SafetyMode.PROTECTIVE_STOP)) {
       return Optional.of("there is no protective stop to unlock");
     }
     double leftS = present.get().timeS() + UNLOCK_S - nowS;
-    if (leftS > ROUNDING_S) {
+    if (!early && leftS > ROUNDING_S) {
       return Optional.of(
           "the protective stop can be unlocked "
               + Math.round(UNLOCK_S)

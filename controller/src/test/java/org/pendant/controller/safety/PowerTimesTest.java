@@ -79,7 +79,7 @@ final class PowerTimesTest {
     SafetyBench bench = new SafetyBench(PowerTimes.REAL);
     bench.safety.protectiveStop();
     bench.steps(UNLOCK_FRAMES);
-    assertEquals(Optional.empty(), bench.safety.unlockProtectiveStop());
+    assertEquals(Optional.empty(), bench.safety.unlockProtectiveStop(false));
     bench.steps(49);
     assertEquals(SafetyMode.PROTECTIVE_STOP, bench.safety.safetyMode());
     bench.steps(2);
@@ -91,7 +91,7 @@ final class PowerTimesTest {
     SafetyBench bench = new SafetyBench(PowerTimes.REAL);
     bench.safety.protectiveStop();
     bench.steps(UNLOCK_FRAMES);
-    bench.safety.unlockProtectiveStop();
+    bench.safety.unlockProtectiveStop(false);
     bench.safety.setInput(SafetyInput.EMERGENCY_STOP, true);
     bench.steps(200);
     assertEquals(SafetyMode.ROBOT_EMERGENCY_STOP, bench.safety.safetyMode());

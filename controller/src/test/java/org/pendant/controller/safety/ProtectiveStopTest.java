@@ -80,11 +80,20 @@ final class ProtectiveStopTest {
     bench.steps(900);
     assertEquals(
         Optional.of("the protective stop can be unlocked 5 s after it happened, 3.2 s are left"),
-        safety.unlockProtectiveStop());
+        safety.unlockProtectiveStop(false));
     bench.steps(1599);
-    assertTrue(safety.unlockProtectiveStop().isPresent());
+    assertTrue(safety.unlockProtectiveStop(false).isPresent());
     bench.step();
-    assertEquals(Optional.empty(), safety.unlockProtectiveStop());
+    assertEquals(Optional.empty(), safety.unlockProtectiveStop(false));
+    assertEquals(SafetyMode.NORMAL, safety.safetyMode());
+    assertEquals(SafetyAction.NONE, bench.step());
+  }
+
+  @Test
+  void whoNeedNotLookUnlocksAtOnce() {
+    safety.protectiveStop();
+    bench.step();
+    assertEquals(Optional.empty(), safety.unlockProtectiveStop(true));
     assertEquals(SafetyMode.NORMAL, safety.safetyMode());
     assertEquals(SafetyAction.NONE, bench.step());
   }
@@ -92,7 +101,7 @@ final class ProtectiveStopTest {
   @Test
   void nothingToUnlock() {
     assertEquals(
-        Optional.of("there is no protective stop to unlock"), safety.unlockProtectiveStop());
+        Optional.of("there is no protective stop to unlock"), safety.unlockProtectiveStop(false));
   }
 
   @Test
@@ -212,7 +221,7 @@ final class ProtectiveStopTest {
     bench.readings.setExternalTorque(0, 0);
     bench.steps(2500);
     safety.setInput(SafetyInput.SAFEGUARD_STOP, false);
-    safety.unlockProtectiveStop();
+    safety.unlockProtectiveStop(false);
     assertEquals(SafetyAction.NONE, bench.step());
   }
 
@@ -223,7 +232,7 @@ final class ProtectiveStopTest {
     safety.setInput(SafetyInput.SAFEGUARD_STOP, true);
     bench.program(false).steps(2500);
     assertEquals(SafetyMode.PROTECTIVE_STOP, safety.safetyMode());
-    safety.unlockProtectiveStop();
+    safety.unlockProtectiveStop(false);
     assertEquals(SafetyAction.STOP_ON_PATH, bench.step());
     assertEquals(SafetyMode.SAFEGUARD_STOP, safety.safetyMode());
     safety.setInput(SafetyInput.SAFEGUARD_STOP, false);
@@ -277,7 +286,7 @@ final class ProtectiveStopTest {
     safety.protectiveStop();
     bench.step();
     bench.at(SafetyBench.START.with(0, 0.1)).steps(2500);
-    safety.unlockProtectiveStop();
+    safety.unlockProtectiveStop(false);
     assertEquals(SafetyAction.NONE, bench.step());
   }
 }

@@ -81,7 +81,7 @@ public record Readiness(
         Light.STOPPED,
         text,
         "Unlock",
-        Optional.of(new Command.UnlockProtectiveStop()),
+        Optional.of(new Command.UnlockProtectiveStop(false)),
         "Ends the protective stop; a program stays paused");
   }
 

@@ -171,7 +171,7 @@ final class DashboardDesk {
   private String unlockProtectiveStop() {
     boolean stopped = state().safety().safetyMode() == SafetyMode.PROTECTIVE_STOP;
     boolean unlocked =
-        done("unlock protective stop", panel.ask(new Command.UnlockProtectiveStop()));
+        done("unlock protective stop", panel.ask(new Command.UnlockProtectiveStop(false)));
     return unlocked || !stopped
         ? "Protective stop releasing"
         : "Cannot unlock protective stop until 5s after occurrence."

@@ -8,16 +8,15 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.machine.ProgramEvent;
 import org.pendant.controller.machine.ProgramLabel;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.variables.VariableSamples;
 import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.script.ScriptTrouble;
 
 /**
- * Sends the same to all clients of a kind: the state every 50 frames, messages in the frame in
- * which something happens. One at a time changes who listens or sends, so that a new client gets
- * its greeting first and misses nothing behind it.
+ * Sends the same to all clients of a kind: the state every 50 frames and when a mode changes,
+ * messages in the frame in which something happens. One at a time changes who listens or sends, so
+ * that a new client gets its greeting first and misses nothing behind it.
  */
 final class PrimaryFeed {
   /** Frames from one state to the next: ten a second. */
@@ -88,11 +87,15 @@ final class PrimaryFeed {
 
   /** A frame has ended. */
   synchronized void frame(ControllerState state) {
-    SafetyMode before = last.safety().safetyMode();
+    ControllerState before = last;
     List<LogEntry> entries = entries(state);
     last = state;
+    if (modesDiffer(before, state)) {
+      // first, so that whoever acts on a message finds the state that belongs to it
+      sendState(state);
+    }
     if (!primary.isEmpty()) {
-      for (RobotMessage message : EventMessages.of(state, entries, before)) {
+      for (RobotMessage message : EventMessages.of(state, entries, before.safety().safetyMode())) {
         byte[] bytes = RobotMessageCodec.encode(message);
         primary.forEach(client -> client.send(bytes));
       }
@@ -103,6 +106,11 @@ final class PrimaryFeed {
       frames = 0;
       sendState(state);
     }
+  }
+
+  private static boolean modesDiffer(ControllerState one, ControllerState other) {
+    return one.safety().safetyMode() != other.safety().safetyMode()
+        || one.safety().robotMode() != other.safety().robotMode();
   }
 
   /** Tells when the main thread has passed another label. */

@@ -201,7 +201,7 @@ public final class ScriptDesk {
       }
       case RawCommand.Freedrive freedrive -> run(source(FREEDRIVE), client);
       case RawCommand.UnlockProtectiveStop unlock ->
-          submit(new Command.UnlockProtectiveStop(), "set unlock protective stop", client);
+          submit(new Command.UnlockProtectiveStop(true), "set unlock protective stop", client);
       case RawCommand.StopProgram stop -> submit(new Command.StopProgram(), "stop program", client);
       case RawCommand.SetSpeed speed ->
           submit(new Command.SetSpeedFraction(client, speed.fraction()), "set speed", client);

@@ -181,7 +181,7 @@ class HostilePeersTest {
       ask(new Command.SetSafetyInput(each, false));
     }
     ask(new Command.RestartSafety());
-    ask(new Command.UnlockProtectiveStop());
+    ask(new Command.UnlockProtectiveStop(false));
     ask(new Command.PowerOn());
     ask(new Command.ReleaseBrakes());
     try (Socket socket =

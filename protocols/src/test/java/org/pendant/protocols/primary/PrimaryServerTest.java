@@ -208,6 +208,31 @@ class PrimaryServerTest {
   }
 
   @Test
+  void theStateOfAStopComesBeforeItsCodeAndTheStopCanBeUnlockedAtOnce() throws Exception {
+    try (PrimaryClient client = client(PRIMARY)) {
+      client.send("def p():\n  protective_stop()\n  sleep(1)\nend\n");
+      boolean stopped = false;
+      Packet next = client.next();
+      while (next.message() != 6) {
+        stopped = next.type() == 16 ? isStopped(next) : stopped;
+        next = client.next();
+      }
+      assertTrue(stopped, "the state before the code is the one of the stop");
+      client.send("set unlock protective stop\n");
+      client.next(each -> each.type() == 16 && !isStopped(each));
+      double unlockedS = box.controller().state().timeS();
+      assertTrue(unlockedS < 4, "unlocked after " + unlockedS + " s");
+      client.send("def next():\n  sync()\nend\n");
+      client.next(each -> each.key("PROGRAM_XXX_STOPPED", "next"));
+    }
+  }
+
+  /** The flag of the robot mode data, which come first in a state. */
+  private static boolean isStopped(Packet state) {
+    return state.bytes().get(22) != 0;
+  }
+
+  @Test
   void whichArmIsMeantIsOnlyNoted() throws Exception {
     try (PrimaryClient client = client(SECONDARY)) {
       client.send("set real\nset sim\n");
