@@ -5,10 +5,15 @@ import java.util.List;
 import java.util.Optional;
 import org.apache.xmlrpc.XmlRpcException;
 import org.pendant.controller.eip.AssemblyPair;
+import org.pendant.protocols.http.HttpCall;
+import org.pendant.protocols.http.HttpReply;
+import org.pendant.protocols.http.HttpService;
+import org.pendant.protocols.http.HttpStatus;
 import org.pendant.protocols.xmlrpc.CallReader;
 
 /** What can be called (manual 21.1.1, 21.1.2). */
-final class AssemblyCalls {
+final class AssemblyCalls implements HttpService {
+  private static final String POST = "POST";
   private static final int NOT_XML_RPC = 1;
   private static final int UNKNOWN_METHOD = 2;
   private static final int WRONG_PARAMETERS = 3;
@@ -17,6 +22,13 @@ final class AssemblyCalls {
 
   AssemblyCalls(Configuration configuration) {
     this.configuration = configuration;
+  }
+
+  @Override
+  public HttpReply answer(HttpCall call) throws InterruptedException {
+    return call.method().equals(POST)
+        ? new HttpReply(HttpStatus.OK, "text/xml", answer(call.body()))
+        : new HttpReply(HttpStatus.METHOD_NOT_ALLOWED, "text/plain", "only POST\n", List.of(POST));
   }
 
   /** Carries a call out; answers the XML that is sent back. */

@@ -2,6 +2,7 @@ package org.pendant.protocols.eip.service;
 
 import java.io.IOException;
 import java.time.Duration;
+import org.pendant.protocols.http.HttpSession;
 import org.pendant.protocols.net.IdleLimits;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.TcpPort;
@@ -24,9 +25,10 @@ public final class AssemblyService {
    */
   public static TcpPort open(PortNumbers numbers, Configuration configuration, PeerLog log)
       throws IOException {
+    AssemblyCalls calls = new AssemblyCalls(configuration);
     return TcpPort.open(
         numbers.listening("Fieldbus configuration", STANDARD_PORT).with(IdleLimits.of(IDLE)),
-        connection -> new ServiceSession(connection, new AssemblyCalls(configuration)),
+        connection -> new HttpSession(connection, calls),
         log);
   }
 }

@@ -1,4 +1,4 @@
-package org.pendant.protocols.eip.service;
+package org.pendant.protocols.http;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -16,7 +16,7 @@ import org.pendant.protocols.net.ProtocolException;
 class HttpCutterTest {
   private static final String TWO =
       "POST /RPC2 HTTP/1.1\r\nHost: x\r\nContent-Length: 5\r\n\r\nhello"
-          + "GET / HTTP/1.0\n\n"
+          + "GET /a/b?c=d HTTP/1.0\n\n"
           + "POST / HTTP/1.1\r\nConnection: close\r\ncontent-length: 0\r\n\r\n";
 
   private static List<String> cut(HttpCutter cutter, String... pieces) throws ProtocolException {
@@ -27,7 +27,8 @@ class HttpCutterTest {
           next.isPresent();
           next = cutter.next(bytes)) {
         String body = StandardCharsets.ISO_8859_1.decode(next.get().body()).toString();
-        calls.add(next.get().method() + " " + next.get().keep() + " " + body);
+        calls.add(
+            next.get().method() + " " + next.get().path() + " " + next.get().keep() + " " + body);
       }
     }
     return calls;
@@ -35,7 +36,7 @@ class HttpCutterTest {
 
   @Test
   void takesRequestsThatAreCutAnywhere() throws ProtocolException {
-    List<String> expected = List.of("POST true hello", "GET false ", "POST false ");
+    List<String> expected = List.of("POST /RPC2 true hello", "GET /a/b false ", "POST / false ");
     for (int i = 0; i <= TWO.length(); i++) {
       assertEquals(
           expected, cut(new HttpCutter(), TWO.substring(0, i), TWO.substring(i)), "cut at " + i);

@@ -1,4 +1,4 @@
-package org.pendant.protocols.eip.service;
+package org.pendant.protocols.http;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
@@ -14,7 +14,7 @@ final class HttpCutter {
   /** Most bytes of a head. */
   static final int LONGEST_HEAD = 8192;
 
-  /** Most bytes of a body; a call has a few hundred. */
+  /** Most bytes of a body; a request has a few hundred. */
   static final int LONGEST_BODY = 65_536;
 
   private static final String LENGTH = "content-length";
@@ -23,7 +23,7 @@ final class HttpCutter {
   private Optional<Head> known = Optional.empty();
   private ByteBuffer body = ByteBuffer.allocate(0);
 
-  private record Head(String method, boolean keep) {}
+  private record Head(String method, String path, Map<String, String> headers, boolean keep) {}
 
   /**
    * Takes bytes, cut anywhere, up to the end of a request.
@@ -44,7 +44,9 @@ final class HttpCutter {
     if (body.hasRemaining()) {
       return Optional.empty();
     }
-    HttpCall call = new HttpCall(known.get().method(), known.get().keep(), body.flip());
+    Head read = known.get();
+    HttpCall call =
+        new HttpCall(read.method(), read.path(), read.headers(), read.keep(), body.flip());
     known = Optional.empty();
     return Optional.of(call);
   }
@@ -85,7 +87,10 @@ final class HttpCutter {
       throw new ProtocolException("a request in chunks, must have a Content-Length");
     }
     body = ByteBuffer.allocate(length(headers.getOrDefault(LENGTH, "0")));
-    known = Optional.of(new Head(lines[0].substring(0, lines[0].indexOf(' ')), keep));
+    String[] words = lines[0].split(" ");
+    int query = words[1].indexOf('?');
+    String path = query < 0 ? words[1] : words[1].substring(0, query);
+    known = Optional.of(new Head(words[0], path, headers, keep));
   }
 
   private static int length(String text) throws ProtocolException {

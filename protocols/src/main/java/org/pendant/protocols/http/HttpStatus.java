@@ -1,0 +1,31 @@
+package org.pendant.protocols.http;
+
+/** What came of a request (RFC 9110, 15). */
+public enum HttpStatus {
+  OK(200, "OK"),
+  FORBIDDEN(403, "Forbidden"),
+  NOT_FOUND(404, "Not Found"),
+  METHOD_NOT_ALLOWED(405, "Method Not Allowed"),
+  CONFLICT(409, "Conflict"),
+  UNPROCESSABLE(422, "Unprocessable Content"),
+  INTERNAL(500, "Internal Server Error"),
+  GATEWAY_TIMEOUT(504, "Gateway Timeout");
+
+  private final int code;
+  private final String reason;
+
+  HttpStatus(int code, String reason) {
+    this.code = code;
+    this.reason = reason;
+  }
+
+  /** Its number. */
+  public int code() {
+    return code;
+  }
+
+  /** Its words. */
+  String reason() {
+    return reason;
+  }
+}
