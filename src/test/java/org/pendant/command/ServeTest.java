@@ -244,6 +244,7 @@ final class ServeTest {
         "--port-offset=-1 | --port-offset is -1, must be a number from 0 to 11214",
         "--robots=0 | --robots is 0, must be a number from 1 to 100",
         "--modbus-port=x | --modbus-port is x, must be a number from 1 to 65535",
+        "--robot-api=0 | --robot-api is 0, must be a number from 1 to 65535",
         "--programs=none | must be a folder",
         "--remote-control=on | --remote-control is on, must be enabled or disabled",
         "--power-time=-1 | --power-time is -1, must be 0 to 60 seconds",

@@ -12,6 +12,7 @@ import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.panel.Panel;
 import org.pendant.protocols.primary.PrimaryServer;
 import org.pendant.protocols.realtime.RealtimeServer;
+import org.pendant.protocols.robotapi.RobotApiServer;
 import org.pendant.protocols.rtde.RtdeServer;
 import org.pendant.protocols.script.ScriptDesk;
 import org.pendant.protocols.serve.MissingPort;
@@ -36,7 +37,8 @@ public final class BoxPorts implements AutoCloseable {
   }
 
   /**
-   * Opens all ports that can be had; {@link #missing} says which cannot.
+   * Opens all ports that can be had; {@link #missing} says which cannot. There is a Robot API where
+   * a port is chosen for it: boxes with PolyScope 5 have none.
    *
    * @param panel works the box for the dashboard's clients
    */
@@ -52,6 +54,9 @@ public final class BoxPorts implements AutoCloseable {
         () -> InterpreterServer.open(outside, numbers, panel.setup().logs()));
     ports.open(ModbusServer.STANDARD_PORT, () -> ModbusServer.open(outside, numbers));
     ports.open(EipServer.STANDARD_PORT, () -> EipServer.open(outside, numbers));
+    if (numbers.chosen().containsKey(RobotApiServer.STANDARD_PORT)) {
+      ports.open(RobotApiServer.STANDARD_PORT, () -> RobotApiServer.open(outside, numbers, panel));
+    }
     return ports;
   }
 

@@ -24,6 +24,7 @@ import org.pendant.protocols.modbus.ModbusServer;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.panel.Panel;
 import org.pendant.protocols.panel.PanelSetup;
+import org.pendant.protocols.robotapi.RobotApiServer;
 import org.pendant.protocols.script.RunningBox;
 import org.pendant.protocols.serve.MissingPort;
 import org.pendant.protocols.serve.PortNumbers;
@@ -79,6 +80,22 @@ class BoxPortsTest {
       }
       assertEquals(ports.ports().size(), names.size());
       assertTrue(names.contains("Dashboard"), names.toString());
+    }
+  }
+
+  @Test
+  void theRobotApiIsThereWhereAPortIsChosenForIt() throws IOException {
+    try (BoxPorts ports = BoxPorts.open(box.outside(), PortNumbers.anyFree(), panel)) {
+      assertTrue(ports.ports().stream().noneMatch(each -> each.name().equals("Robot API")));
+    }
+    PortNumbers numbers = PortNumbers.anyFree().with(RobotApiServer.STANDARD_PORT, 0);
+    try (BoxPorts ports = BoxPorts.open(box.outside(), numbers, panel)) {
+      connect(
+          ports.ports().stream()
+              .filter(each -> each.name().equals("Robot API"))
+              .findFirst()
+              .orElseThrow()
+              .number());
     }
   }
 

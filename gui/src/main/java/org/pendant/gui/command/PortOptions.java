@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.gui.ports.PortWishes;
 import org.pendant.protocols.modbus.ModbusServer;
+import org.pendant.protocols.robotapi.RobotApiServer;
 import org.pendant.protocols.serve.PortNumbers;
 
 /** The options that say where servers listen. */
@@ -23,6 +24,8 @@ final class PortOptions {
   static final Option OFFSET = new Option("--port-offset", "N", "add N to every port, default 0");
   static final Option MODBUS_PORT =
       new Option("--modbus-port", "P", "port of Modbus, default 502, or 1502 without the right");
+  static final Option ROBOT_API =
+      new Option("--robot-api", "P", "open the Robot API of PolyScope X at this port");
   static final Option PROGRAMS =
       new Option("--programs", "DIR", "folder of the programs, default the present one");
 
@@ -31,11 +34,13 @@ final class PortOptions {
 
   private PortOptions() {}
 
-  /** Where the servers listen; Modbus apart only when that was chosen. */
+  /** Where the servers listen; Modbus and the Robot API apart only when that was chosen. */
   static PortNumbers numbers(Arguments arguments) throws UsageException {
     PortNumbers numbers = new PortNumbers(host(arguments), offset(arguments), false);
     OptionalInt modbus = number(arguments, MODBUS_PORT, 1, PortWishes.LARGEST_PORT);
-    return modbus.isPresent() ? numbers.with(MODBUS, modbus.getAsInt()) : numbers;
+    PortNumbers known = modbus.isPresent() ? numbers.with(MODBUS, modbus.getAsInt()) : numbers;
+    OptionalInt api = number(arguments, ROBOT_API, 1, PortWishes.LARGEST_PORT);
+    return api.isPresent() ? known.with(RobotApiServer.STANDARD_PORT, api.getAsInt()) : known;
   }
 
   /** The same for the desktop, where people may change it. */

@@ -23,7 +23,7 @@ import org.pendant.protocols.serve.RemoteControl;
  *
  * @param controller how the controller is switched on
  * @param hosts where programs may connect to
- * @param numbers where its servers listen; Modbus only when that was chosen
+ * @param numbers where its servers listen; Modbus and the Robot API only when that was chosen
  * @param modbusChosen whether the port of Modbus was chosen
  * @param remote who may control it at first
  * @param panel folders of programs and of log files
@@ -64,6 +64,7 @@ record ServeOptions(
                   PortOptions.HOST,
                   PortOptions.OFFSET,
                   PortOptions.MODBUS_PORT,
+                  PortOptions.ROBOT_API,
                   PortOptions.PROGRAMS,
                   ROBOTS,
                   LOGS,

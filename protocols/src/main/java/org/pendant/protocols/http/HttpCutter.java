@@ -87,10 +87,11 @@ final class HttpCutter {
       throw new ProtocolException("a request in chunks, must have a Content-Length");
     }
     body = ByteBuffer.allocate(length(headers.getOrDefault(LENGTH, "0")));
-    String[] words = lines[0].split(" ");
-    int query = words[1].indexOf('?');
-    String path = query < 0 ? words[1] : words[1].substring(0, query);
-    known = Optional.of(new Head(words[0], path, headers, keep));
+    int blank = lines[0].indexOf(' ');
+    String target = lines[0].substring(blank + 1, lines[0].lastIndexOf(' '));
+    int query = target.indexOf('?');
+    String path = query < 0 ? target : target.substring(0, query);
+    known = Optional.of(new Head(lines[0].substring(0, blank), path, headers, keep));
   }
 
   private static int length(String text) throws ProtocolException {

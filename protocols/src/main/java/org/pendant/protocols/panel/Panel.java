@@ -1,5 +1,6 @@
 package org.pendant.protocols.panel;
 
+import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
@@ -114,6 +115,38 @@ public final class Panel {
     } finally {
       changing.unlock();
     }
+  }
+
+  /**
+   * As {@link #load}, also by the name of a file without its ending.
+   *
+   * @param name bytes, one {@code char} a byte
+   */
+  public LoadedProgram loadNamed(String name) throws LoadTrouble {
+    if (ProgramFile.isProgram(name)) {
+      return load(name);
+    }
+    for (String ending : ProgramFile.ENDINGS) {
+      try {
+        return load(name + ending);
+      } catch (LoadTrouble e) {
+        if (!e.missing()) {
+          throw e;
+        }
+      }
+    }
+    throw new LoadTrouble(
+        true,
+        name + " is not there, with none of the endings " + String.join(", ", ProgramFile.ENDINGS));
+  }
+
+  /**
+   * The programs that stand in the programs folder itself, by name.
+   *
+   * @throws IOException if the folder cannot be read
+   */
+  public List<ProgramFile> programs() throws IOException {
+    return shelf.programs();
   }
 
   private void setUp(LoadedProgram program) {

@@ -1,11 +1,17 @@
 package org.pendant.protocols.panel;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.pendant.controller.Controller;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.Installation;
@@ -26,6 +32,9 @@ import org.pendant.language.source.Source;
 final class ProgramShelf {
   private static final long LARGEST_BYTES = 32 << 20;
   private static final String SCRIPT = ".script";
+
+  /** Programs that are listed: more are of no use to anybody. */
+  private static final int MOST_LISTED = 1000;
 
   private final ProgramsFolder folder;
   private final Controller controller;
@@ -56,6 +65,39 @@ final class ProgramShelf {
     }
     Program program = compiled(Source.of(lastPart(name), read(name, SCRIPT)));
     return loaded(name, program, "", Optional.empty(), Optional.empty());
+  }
+
+  /**
+   * The programs that stand in the folder itself, at most {@link #MOST_LISTED}, by name.
+   *
+   * @throws IOException if the folder cannot be read
+   */
+  List<ProgramFile> programs() throws IOException {
+    if (folder.folder().isEmpty()) {
+      return List.of();
+    }
+    List<Path> found;
+    try (Stream<Path> files = Files.list(folder.folder().get())) {
+      found =
+          files
+              .filter(each -> ProgramFile.isProgram(each.getFileName().toString()))
+              .filter(Files::isRegularFile)
+              .limit(MOST_LISTED)
+              .toList();
+    } catch (UncheckedIOException e) {
+      throw e.getCause();
+    }
+    List<ProgramFile> programs = new ArrayList<>();
+    for (Path each : found) {
+      BasicFileAttributes facts = Files.readAttributes(each, BasicFileAttributes.class);
+      programs.add(
+          new ProgramFile(
+              each.getFileName().toString(),
+              facts.creationTime().toInstant(),
+              facts.lastModifiedTime().toInstant()));
+    }
+    programs.sort(ProgramFile.ORDER);
+    return programs;
   }
 
   private LoadedProgram tree(String name) throws LoadTrouble {

@@ -136,9 +136,22 @@ final class Dialect {
               latin("POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n")),
           latin("GET / HTTP/1.1\r\n\r\n"));
 
+  private static final Dialect ROBOT_API =
+      new Dialect(
+          "Robot API",
+          List.of(
+              put("/robotstate/v1/state", "{\"action\":\"POWER_ON\"}"),
+              put("/robotstate/v1/state", "{\"action\":\"UNLOCK_PROTECTIVE_STOP\"}"),
+              put("/program/v1/state", "{\"action\":\"play\"}"),
+              put("/program/v1/loaded", "{\"name\":\"nothing\"}"),
+              latin("GET /universal-robots/robot-api/programs/v1 HTTP/1.1\r\n\r\n"),
+              latin("GET /universal-robots/robot-api/openapi.json HTTP/1.0\r\n\r\n"),
+              latin("PUT / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n")),
+          latin("GET / HTTP/1.1\r\n\r\n"));
+
   /** The last one is for every port that has none of its own. */
   private static final List<Dialect> ALL =
-      List.of(MODBUS, RTDE, DASHBOARD, INTERPRETER, ETHERNET_IP, FIELDBUS, SCRIPT);
+      List.of(MODBUS, RTDE, DASHBOARD, INTERPRETER, ETHERNET_IP, FIELDBUS, ROBOT_API, SCRIPT);
 
   private final String port;
 
@@ -254,6 +267,16 @@ final class Dialect {
             .putInt(command == 0x6F ? 1 : 0)
             .array();
     return joined(header, content);
+  }
+
+  private static byte[] put(String path, String body) {
+    return latin(
+        "PUT /universal-robots/robot-api"
+            + path
+            + " HTTP/1.1\r\nContent-Length: "
+            + body.length()
+            + "\r\n\r\n"
+            + body);
   }
 
   private static byte[] call(String xml) {

@@ -42,6 +42,7 @@ import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.panel.Panel;
 import org.pendant.protocols.panel.PanelSetup;
+import org.pendant.protocols.robotapi.RobotApiServer;
 import org.pendant.protocols.serve.Outside;
 import org.pendant.protocols.serve.PortNumbers;
 import org.pendant.protocols.serve.RemoteControl;
@@ -80,7 +81,7 @@ class HostilePeersTest {
     ports =
         BoxPorts.open(
             new Outside(controller, frames, log, RemoteControl.disabled()),
-            PortNumbers.anyFree(),
+            PortNumbers.anyFree().with(RobotApiServer.STANDARD_PORT, 0),
             new Panel(
                 controller,
                 new PanelSetup(

@@ -1,0 +1,59 @@
+package org.pendant.protocols.robotapi;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.protocols.http.HttpCall;
+import org.pendant.protocols.http.HttpReply;
+import org.pendant.protocols.http.HttpService;
+import org.pendant.protocols.http.HttpStatus;
+import org.pendant.protocols.serve.RemoteControl;
+
+/** Finds out what a request asks for, and whether its sender may. */
+final class RobotApi implements HttpService {
+  /** In front of every path. */
+  static final String ADDRESS = "/universal-robots/robot-api";
+
+  private static final String FORBIDDEN = "Forbidden - Operation Not Allowed";
+
+  private final RobotApiDesk desk;
+  private final RemoteControl remote;
+
+  RobotApi(RobotApiDesk desk, RemoteControl remote) {
+    this.desk = desk;
+    this.remote = remote;
+  }
+
+  @Override
+  public HttpReply answer(HttpCall call) throws InterruptedException {
+    String path = path(call.path());
+    Optional<Operation> operation = Operation.of(call.method(), path);
+    if (operation.isEmpty()) {
+      List<String> methods =
+          Arrays.stream(Operation.values())
+              .filter(each -> each.path().equals(path))
+              .map(Operation::method)
+              .toList();
+      return methods.isEmpty()
+          ? ApiReply.refused(HttpStatus.NOT_FOUND, "Not Found", "there is no " + call.path())
+          : ApiReply.otherMethod(methods);
+    }
+    if (operation.get().acts()) {
+      if (call.headers().containsKey("origin")) {
+        // a page in the browser of somebody who can reach this port, by whatever name
+        return ApiReply.refused(HttpStatus.FORBIDDEN, FORBIDDEN, "web pages may not control it");
+      }
+      if (!remote.mayControl()) {
+        return ApiReply.refused(
+            HttpStatus.FORBIDDEN, FORBIDDEN, "the robot is in local control, must be in remote");
+      }
+    }
+    return desk.answer(operation.get(), call.body());
+  }
+
+  /** Below the address of the API; empty if it is not there. A slash at the end does not count. */
+  private static String path(String path) {
+    String rest = path.startsWith(ADDRESS + "/") ? path.substring(ADDRESS.length()) : "";
+    return rest.endsWith("/") ? rest.substring(0, rest.length() - 1) : rest;
+  }
+}

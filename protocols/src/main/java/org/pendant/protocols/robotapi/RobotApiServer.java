@@ -1,0 +1,48 @@
+package org.pendant.protocols.robotapi;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import org.pendant.protocols.http.HttpSession;
+import org.pendant.protocols.net.IdleLimits;
+import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.panel.Panel;
+import org.pendant.protocols.serve.Outside;
+import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.serve.Server;
+
+/** The Robot API of a control box with PolyScope X. */
+public final class RobotApiServer implements Server {
+  /** Where it listens on a real box. */
+  public static final int STANDARD_PORT = 80;
+
+  /** Clients ask at once; who wants something later connects again. */
+  private static final Duration IDLE = Duration.ofSeconds(30);
+
+  private final TcpPort port;
+
+  private RobotApiServer(TcpPort port) {
+    this.port = port;
+  }
+
+  /**
+   * Begins to listen.
+   *
+   * @param panel works the box for the clients
+   * @throws IOException if the port cannot be had
+   */
+  public static RobotApiServer open(Outside outside, PortNumbers numbers, Panel panel)
+      throws IOException {
+    RobotApi api = new RobotApi(new RobotApiDesk(panel, outside.remote()), outside.remote());
+    return new RobotApiServer(
+        TcpPort.open(
+            numbers.listening("Robot API", STANDARD_PORT).with(IdleLimits.of(IDLE)),
+            connection -> new HttpSession(connection, api),
+            outside.log()));
+  }
+
+  @Override
+  public List<TcpPort> ports() {
+    return List.of(port);
+  }
+}
