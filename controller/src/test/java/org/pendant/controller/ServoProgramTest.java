@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyInput;
@@ -213,6 +214,25 @@ final class ServoProgramTest {
     // torques are not scaled
     double factor = steering == Steering.TORQUE ? 1 : 2;
     assertEquals(full, factor * half, 0.1 * full);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1, 0.99, 0.7, 0.25})
+  void aStreamOfSpeedsLeadsToTheSamePlaceAtEverySliderPosition(double slider) {
+    ask(new Command.SetSpeedFraction(slider));
+    running.run(
+        """
+        begin = get_target_joint_positions()
+        i = 0
+        while i < 500:
+          speedj([0, 0, 0, 0, 0, 0.2], 40, t=0.002)
+          i = i + 1
+        end
+        stopj(40)
+        end_of_way = get_target_joint_positions()
+        textmsg(end_of_way[5] - begin[5])
+        """);
+    assertEquals(0.2, running.numbers().getFirst(), 0.001);
   }
 
   @ParameterizedTest

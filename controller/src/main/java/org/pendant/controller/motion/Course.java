@@ -25,6 +25,12 @@ final class Course {
   private Optional<Motion> active = Optional.empty();
   private double frames;
 
+  /** How much of {@link #frames} the last frame added. */
+  private double step;
+
+  /** What the motion before took of the time of this one, in frames. */
+  private double spent;
+
   /** How long the scaling has been falling. */
   private int slowingFrames;
 
@@ -78,6 +84,24 @@ final class Course {
     active = Optional.of(motion);
     time.setFactor(motion.speedFactor());
     frames = 0;
+    spent = 0;
+  }
+
+  /**
+   * The part of the last frame behind the hand-over of a motion that was to last a time, in frames
+   * of its own; 0 where all of the frame is, since every motion lasts one at least.
+   */
+  double overrun() {
+    if (!motion().timed()) {
+      return 0;
+    }
+    double over = frames + spent - motion().handOverS() / FrameTime.FRAME_S;
+    return over < step - FrameTime.ROUNDING ? over : 0;
+  }
+
+  /** A motion that is to last a time has lasted {@code overrun} frames of it when it begins. */
+  void takeOff(double overrun) {
+    spent = motion().timed() ? overrun : 0;
   }
 
   /** The motion planned anew, or none any more. */
@@ -145,14 +169,15 @@ final class Course {
     }
     double reachable = ramps.reachableScaling(last, sample, before, wanted);
     if (reachable != wanted) {
-      time.limitTo(reachable);
+      time.changeTo(reachable);
     }
     return reachable != wanted;
   }
 
   /** Samples the motion a frame further, its time running evenly from one scaling to the next. */
   private Optional<MotionFailure> sampleAfter(Motion motion, double framesBefore, double before) {
-    frames = framesBefore + 0.5 * (before + time.scaling());
+    step = 0.5 * (before + time.scaling());
+    frames = framesBefore + step;
     double timeS = atEnd(motion) ? motion.durationS() : frames * FrameTime.FRAME_S;
     sample.forgetFrames();
     return motion.sample(timeS, sample);
@@ -188,7 +213,7 @@ final class Course {
       return false;
     }
     double atFrame = motion.handOverS() / FrameTime.FRAME_S - FrameTime.ROUNDING;
-    return motion.leaving().isPresent() ? frames + 1 > atFrame : frames >= atFrame;
+    return motion.leaving().isPresent() ? frames + 1 > atFrame : frames + spent >= atFrame;
   }
 
   /** Whether a motion that slows down from now on comes to rest behind its hand-over. */

@@ -34,6 +34,14 @@ public interface Motion {
   }
 
   /**
+   * Whether it is handed over after a time that was asked for, so that what it lasts longer, up to
+   * the end of the frame, counts for the next one.
+   */
+  default boolean timed() {
+    return false;
+  }
+
+  /**
    * What the arm does when nobody takes the motion over in the frame after the hand-over; empty for
    * going on to its own end.
    */

@@ -17,6 +17,9 @@ final class PathTime {
   /** The motion is a stop: neither slider nor pause makes it longer. */
   private boolean stopping;
 
+  /** In the last frame a limit of the arm allowed less than there would have been. */
+  private boolean limited;
+
   /** Nobody wants the motion any more: it ends where the scaling reaches 0. */
   private boolean releasing;
 
@@ -34,15 +37,19 @@ final class PathTime {
   }
 
   /**
-   * The scaling at which a motion takes over from whatever moves the arm: no less than wanted, so
-   * that it does not crawl up again, and no less than what is there, so that no joint jumps.
+   * The scaling at which a motion takes over from whatever moves the arm: what is there, so that no
+   * joint jumps and a ramp of the slider goes on; but no less than wanted where a limit or an end
+   * that nobody wants any more has kept it down, or there was none, so that it does not crawl up.
    *
    * @param unscaled whether the arm moves without scaling now
    * @param share of what the joints can do that the arm moves at; an unscaled speed counts as no
    *     more than all of it in the new motion's own time
    */
   double goingOn(boolean unscaled, double share) {
-    return Math.max(unscaled ? Math.min(1, share) : scaling, wanted());
+    if (unscaled) {
+      return Math.max(Math.min(1, share), wanted());
+    }
+    return limited || releasing ? Math.max(scaling, wanted()) : scaling;
   }
 
   /** A motion begins at a scaling. */
@@ -69,6 +76,7 @@ final class PathTime {
    * @param fastestRadPerS speed of the fastest joint when the scaling is 1
    */
   void step(double fastestRadPerS) {
+    limited = false;
     double goal = goal();
     if (goal != scaling) {
       double step = rampRadPerS2 * FrameTime.FRAME_S / fastestRadPerS;
@@ -81,9 +89,15 @@ final class PathTime {
     return 0.5 * scaling * scaling * fastestRadPerS / rampRadPerS2;
   }
 
-  /** The limits of the arm allow no more, or no greater change, in this frame. */
+  /** The limits of the arm allow no more in this frame. */
   void limitTo(double possible) {
     scaling = possible;
+    limited = true;
+  }
+
+  /** No greater change is allowed in this frame. */
+  void changeTo(double reachable) {
+    scaling = reachable;
   }
 
   double scaling() {

@@ -191,7 +191,9 @@ final class Succession {
     Joints own = scaling > 0 && scaling != 1 ? path.speedInOwnTime(scaling) : path.speed().joints();
     Motion motion = plan.from(path.position().joints(), own);
     MotionTicket ticket = new MotionTicket(this);
+    double overrun = handedOver ? course.overrun() : 0;
     begin(motion, Optional.of(ticket));
+    course.takeOff(overrun);
     course.goOnAt(own, scaling);
     return ticket;
   }

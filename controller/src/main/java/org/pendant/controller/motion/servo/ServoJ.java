@@ -88,6 +88,11 @@ final class ServoJ implements Motion {
   }
 
   @Override
+  public boolean timed() {
+    return true;
+  }
+
+  @Override
   public Optional<MotionPlan> ending() {
     return ENDING;
   }

@@ -17,6 +17,7 @@ final class SpeedJ implements Motion {
   private final Joints end;
   private final double rampS;
   private final double returnS;
+  private final boolean timed;
   private final Optional<MotionPlan> ending;
 
   SpeedJ(
@@ -26,6 +27,7 @@ final class SpeedJ implements Motion {
     this.end = end;
     rampS = begin.maxAbsDifference(end) / accelerationRadPerS2;
     this.returnS = returnS.orElse(rampS);
+    timed = returnS.isPresent();
     ending = Optional.of((q, qd) -> new StopJ(q, qd, accelerationRadPerS2));
   }
 
@@ -37,6 +39,11 @@ final class SpeedJ implements Motion {
   @Override
   public double handOverS() {
     return returnS;
+  }
+
+  @Override
+  public boolean timed() {
+    return timed;
   }
 
   @Override

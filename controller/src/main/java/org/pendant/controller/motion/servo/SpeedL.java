@@ -1,6 +1,7 @@
 package org.pendant.controller.motion.servo;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.pendant.controller.motion.Motion;
 import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.motion.MotionPlan;
@@ -12,17 +13,20 @@ import org.pendant.models.pose.Pose;
 final class SpeedL implements Motion {
   private final ToolPathFollower follower;
   private final double returnS;
+  private final boolean timed;
   private final Optional<MotionPlan> ending;
 
   /**
    * A motion on a curve whose parameter is time.
    *
-   * @param returnS when the program goes on, s
+   * @param rampS how long the velocity changes, s
+   * @param returnS when the program goes on, s; empty for when the velocity is reached
    * @param ending when nothing follows then
    */
-  SpeedL(ToolPathFollower follower, double returnS, MotionPlan ending) {
+  SpeedL(ToolPathFollower follower, double rampS, OptionalDouble returnS, MotionPlan ending) {
     this.follower = follower;
-    this.returnS = returnS;
+    this.returnS = returnS.orElse(rampS);
+    timed = returnS.isPresent();
     this.ending = Optional.of(ending);
   }
 
@@ -34,6 +38,11 @@ final class SpeedL implements Motion {
   @Override
   public double handOverS() {
     return returnS;
+  }
+
+  @Override
+  public boolean timed() {
+    return timed;
   }
 
   @Override

@@ -69,7 +69,7 @@ final class ToolSpeeds {
     follower.restart(from);
     MotionPlan ending =
         (q, qd) -> new StopL(arm, q, qd, tcpInFlange, acceleration, angularAcceleration);
-    return new SpeedL(follower, returnS.orElse(rampS), ending);
+    return new SpeedL(follower, rampS, returnS, ending);
   }
 
   private void take(Pose tcpInFlange) {

@@ -75,6 +75,16 @@ class ServoJTest {
   }
 
   @Test
+  void callsOfAFrameTakeAsMuchLongerAsTheSliderIsLower() throws ScriptError {
+    rig.control.setSpeedFraction(0.99);
+    int frames = 0;
+    for (int i = 0; i < 500; i++) {
+      frames += rig.run(to(Rig.READY.with(0, 0.001 * i), 0.002, 0.1, 300));
+    }
+    assertEquals(500 / 0.99, frames, 1);
+  }
+
+  @Test
   void atHalfSpeedACallOfAFrameTakesTwoAndTheProgressIsHalved() throws ScriptError {
     Rig half = new Rig();
     half.control.setSpeedFraction(0.5);

@@ -1,12 +1,16 @@
 package org.pendant.controller.motion.servo;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.OptionalDouble;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.motion.MotionPlan;
 import org.pendant.controller.motion.MotionTicket;
@@ -17,6 +21,11 @@ import org.pendant.models.arm.Joints;
 
 class SpeedJTest {
   private static final Joints TURNING = new Joints(0.2, -0.4, 0.1, 0.05, 0, 0.3);
+  private static final Joints SPIN = new Joints(0, 0, 0, 0, 0, 0.2);
+
+  /** The way of 1 s of {@link #SPIN}, less half of the 5 ms in which the joint speeds up. */
+  private static final double SPUN_RAD = 0.2 * (1 - 0.0025);
+
   private static final OptionalDouble UNTIL_REACHED = OptionalDouble.empty();
 
   private final Rig rig = new Rig();
@@ -91,6 +100,68 @@ class SpeedJTest {
     assertEquals(4, rig.run(speed(TURNING, 0.5, 0.002)), "a call of a frame stretches over four");
     rig.stream(499, i -> speed(TURNING, 0.5, 0.002));
     assertEquals(-0.1, rig.control.speedRadPerS().q1(), 1e-9);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1, 0.9999999999, 0.99, 0.9, 0.75, 2 / 3.0, 0.51, 0.5, 0.37, 0.03})
+  void aStreamGoesTheSameWayAtEverySliderPosition(double slider) throws ScriptError {
+    rig.control.setSpeedFraction(slider);
+    int frames = 0;
+    for (int i = 0; i < 500; i++) {
+      frames += rig.run(speed(SPIN, 40, 0.002));
+    }
+    assertEquals(500 / slider, frames, 1, "1 s of the motion's own time");
+    assertEquals(SPUN_RAD, spun(), SPUN_RAD * 0.003);
+    assertEquals(slider * 0.2, rig.control.speedRadPerS().q5(), 1e-9);
+    assertTrue(rig.largestAcceleration <= 40 + 1e-6, "by " + rig.largestAcceleration);
+  }
+
+  @Test
+  void aStreamGoesTheSameWayWhileTheSliderMoves() throws ScriptError {
+    Random random = new Random(2403);
+    for (int run = 0; run < 40; run++) {
+      Rig moved = new Rig();
+      double start = moved.control.positionRad().q5();
+      for (int i = 0; i < 500; i++) {
+        if (random.nextInt(50) == 0) {
+          moved.control.setSpeedFraction(0.05 + 0.95 * random.nextDouble());
+        }
+        moved.run(moved.servoing.speedJ(SPIN, 40, OptionalDouble.of(0.002)));
+      }
+      double spun = moved.control.positionRad().q5() - start;
+      assertEquals(SPUN_RAD, spun, SPUN_RAD * 0.003, "run " + run + " of seed 2403");
+      assertTrue(moved.largestAcceleration <= 48, "by " + moved.largestAcceleration);
+    }
+  }
+
+  private double spun() {
+    return rig.control.positionRad().q5() - Rig.READY.q5();
+  }
+
+  @Test
+  void whatACallLastsLongerThanItsTimeIsTakenOffTheNextOne() throws ScriptError {
+    int[] frames = new int[6];
+    for (int i = 0; i < frames.length; i++) {
+      frames[i] = rig.run(speed(TURNING, 0.5, 0.0048));
+    }
+    assertArrayEquals(new int[] {3, 2, 3, 2, 2, 3}, frames, "2.4 frames each");
+  }
+
+  @Test
+  void callsOfLessThanAFrameLastOneAndOweNothing() throws ScriptError {
+    rig.stream(10, i -> speed(TURNING, 0.5, 0));
+    assertEquals(50, rig.run(speed(TURNING, 0.5, 0.1)));
+    rig.stream(10, i -> speed(TURNING, 0.5, 0.0002));
+    assertEquals(50, rig.run(speed(TURNING, 0.5, 0.1)), 1);
+  }
+
+  @Test
+  void aPauseBetweenTwoCallsIsNotTakenOffTheNextOne() throws ScriptError {
+    rig.stream(400, i -> speed(TURNING, 0.5, 0.002));
+    rig.control.halt(15);
+    rig.steps(100);
+    rig.control.resume();
+    assertEquals(51, rig.run(speed(TURNING, 0.5, 0.1)), 1);
   }
 
   @Test

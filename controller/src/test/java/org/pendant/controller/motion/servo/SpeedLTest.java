@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.motion.MotionPlan;
@@ -80,6 +82,22 @@ class SpeedLTest {
     for (int i = 0; i < Joints.COUNT; i++) {
       assertEquals(wanted[i], twist[i], 1e-9);
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1, 0.99, 0.9, 0.75, 0.5, 0.37, 0.03})
+  void aStreamGoesTheSameWayAtEverySliderPosition(double slider) throws ScriptError {
+    Pose start = rig.tcp();
+    rig.control.setSpeedFraction(slider);
+    double[] wanted = {0.06, 0, -0.08, 0, 0, 0.2};
+    int frames = 0;
+    for (int i = 0; i < 500; i++) {
+      frames += rig.run(speed(20, 40, 0.002, wanted));
+    }
+    assertEquals(500 / slider, frames, 1);
+    // 1 s, less half of the 5 ms in which the tool speeds up
+    assertEquals(0.1 * 0.9975, Poses.pointDistance(start, rig.tcp()), 0.1 * 0.003);
+    assertEquals(0.2 * 0.9975, Poses.rotationAngle(start, rig.tcp()), 0.2 * 0.003);
   }
 
   @Test
