@@ -154,6 +154,21 @@ final class ArmAndSafetyTest {
   }
 
   @Test
+  void aProtectiveStopThatIsTheLastThingAProgramDoesIsAnErrorToo() {
+    script("stop.script", "def stop():", "  textmsg(\"before\")", "  protective_stop()", "end");
+
+    Result result = Launcher.pendant(folder, "run", "stop.script");
+
+    assertAll(
+        () -> assertEquals(1, result.exitCode()),
+        () -> assertEquals("before\n", result.output()),
+        () ->
+            assertTrue(
+                result.errors().contains("stopped in line 3: C209A0 protective stop"),
+                result.errors()));
+  }
+
+  @Test
   void powerdownEndsTheProgramWithoutAnError() {
     script(
         "off.script",

@@ -71,7 +71,7 @@ final class RobotWindowTest {
     desk.program("sleep(0.1)", "protective_stop()", "sleep(1)");
     window.press("F5");
     window.awaitWords("safety-mode", "rotective stop");
-    window.awaitWords("stop-card", "C0");
+    window.awaitWords("stop-card", "C209");
     window.awaitWords("stop-card", "the program asks for it");
     makeReady();
     window.awaitHidden("stop-card");

@@ -232,6 +232,10 @@ final class Frame {
       case PAUSE -> pauseProgram();
       case STOP_ON_PATH -> {
         heldBySafety |= pauseProgram();
+        if (box.safety().stoppedByProgram() && machine.nothingLeft()) {
+          // it would wait to be resumed, to do nothing
+          stopProgram();
+        }
         box.motion().halt(box.safety().stopDecelerationRadPerS2());
       }
       case STOP_ON_PATH_THEN_OFF -> {

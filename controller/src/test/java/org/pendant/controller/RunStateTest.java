@@ -117,6 +117,16 @@ class RunStateTest {
   }
 
   @Test
+  void aProtectiveStopThatEndsTheProgramIsAnUnexpectedEnd() {
+    robot.run(CHOOSE);
+    setAll(true);
+    robot.start("def stops():\n  sleep(0.1)\n  protective_stop()\nend\n");
+    robot.finish();
+    assertEquals(ProgramState.STOPPED, robot.programState());
+    assertEquals("11000101", binary(robot.state().io().standardOut()));
+  }
+
+  @Test
   void aSafeguardStopIsNotUnexpected() {
     robot.run(CHOOSE);
     setAll(true);

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.machine.Ending;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.RobotMode;
@@ -49,6 +51,82 @@ final class SafetyProgramTest {
     assertEquals(ProgramState.STOPPED, running.programState());
     assertEquals(SafetyMode.NORMAL, running.state().safety().safetyMode());
     assertEquals(List.of("before", "after"), running.said());
+  }
+
+  /** Programs whose last statement is a protective stop, whatever is around it. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "textmsg(\"before\")\nprotective_stop()\n",
+        """
+        def last():
+          if True:
+            textmsg("before")
+            protective_stop()
+          else:
+            textmsg("not")
+          end
+        end
+        last()
+        """,
+        """
+        while True:
+          textmsg("before")
+          protective_stop()
+          break
+        end
+        """,
+        """
+        thread other():
+          sleep(0.1)
+          textmsg("not")
+        end
+        run other()
+        textmsg("before")
+        protective_stop()
+        """
+      })
+  void aProtectiveStopEndsAProgramThatHasNothingLeftToDo(String program) {
+    running.start(program);
+    running.finish();
+    assertEquals(ProgramState.STOPPED, running.programState());
+    assertInstanceOf(Ending.Stopped.class, running.state().program().ending().orElseThrow());
+    assertEquals(SafetyMode.PROTECTIVE_STOP, running.state().safety().safetyMode());
+    running.advance(UNLOCK_FRAMES);
+    running.done(new Command.UnlockProtectiveStop());
+    assertEquals(List.of("before"), running.said());
+    running.run(MOVE);
+  }
+
+  @Test
+  void aProtectiveStopInALoopHoldsTheProgram() {
+    running.start("i = 0\nwhile i < 2:\n  i = i + 1\n  protective_stop()\nend\n");
+    running.finish();
+    assertEquals(ProgramState.PAUSED, running.programState());
+    resume();
+    running.finish();
+    assertEquals(ProgramState.PAUSED, running.programState());
+    resume();
+    running.finish();
+    assertEquals(ProgramState.STOPPED, running.programState());
+  }
+
+  @Test
+  void aProtectiveStopThatEndsTheProgramStopsItsMoveToo() {
+    running.run(
+        """
+        thread mover():
+          movej([1, -1, -1, -1, 1, 1])
+        end
+        run mover()
+        sleep(0.5)
+        protective_stop()
+        """);
+    assertEquals(SafetyMode.PROTECTIVE_STOP, running.state().safety().safetyMode());
+    assertTrue(moving());
+    running.advance(200);
+    assertFalse(moving());
+    assertFalse(running.state().arm().moving());
   }
 
   @Test

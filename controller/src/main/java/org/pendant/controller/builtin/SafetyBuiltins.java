@@ -56,7 +56,9 @@ final class SafetyBuiltins {
     builtins
         .declare("protective_stop")
         .manual(MODULE, "16.43")
-        .doc("Stops the arm on its path as a protective stop does, and pauses the program.")
+        .doc(
+            "Stops the arm on its path as a protective stop does, and pauses the program, or ends"
+                + " it where nothing is left to do.")
         .does(SafetyBuiltins::protectiveStop);
     builtins
         .declare("set_safety_mode_transition_hardness")

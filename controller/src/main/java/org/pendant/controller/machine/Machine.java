@@ -345,6 +345,11 @@ public final class Machine {
     }
   }
 
+  /** Whether the program would end at once if it went on: its last statement is done. */
+  public boolean nothingLeft() {
+    return state != ProgramState.STOPPED && run.orElseThrow().main().nothingLeft();
+  }
+
   public ProgramState state() {
     return state;
   }

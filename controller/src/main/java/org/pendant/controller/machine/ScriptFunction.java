@@ -152,6 +152,26 @@ final class ScriptFunction {
     return slotCount;
   }
 
+  /** Whether nothing is left to do from instruction {@code pc} on but to return. */
+  boolean returnsFrom(int pc) {
+    int at = pc;
+    while (passes(instructions[at])) {
+      boolean jump = Instruction.operation(instructions[at]) == Op.JUMP;
+      at += 1 + (jump ? Instruction.distance(instructions[at]) : 0);
+    }
+    int operation = Instruction.operation(instructions[at]);
+    return operation == Op.RETURN || operation == Op.RETURN_NONE;
+  }
+
+  /** Leads on to another instruction, and does nothing else. */
+  private static boolean passes(long instruction) {
+    return switch (Instruction.operation(instruction)) {
+      case Op.STRETCH -> true;
+      case Op.JUMP -> Instruction.distance(instruction) >= 0;
+      default -> false;
+    };
+  }
+
   /** What a call costs, see {@link Cost}. */
   int callNs() {
     return callNs;

@@ -146,6 +146,19 @@ final class ScriptThread {
     return trapped || interrupted;
   }
 
+  /** Whether it would only return from all that it has entered, and end. */
+  boolean nothingLeft() {
+    if (state != State.RUNNABLE || before()) {
+      return false;
+    }
+    for (int i = 0; i < depth; i++) {
+      if (!functions[i].returnsFrom(pcs[i])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   /** The instruction that the function of call frame {@code index} has reached. */
   int reached(int index) {
     return before() && index == depth - 1 ? pcs[index] : Math.max(0, pcs[index] - 1);

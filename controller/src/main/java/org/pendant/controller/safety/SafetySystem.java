@@ -114,6 +114,11 @@ public final class SafetySystem {
     return stops.present();
   }
 
+  /** Whether a program asked for the present stop. */
+  public boolean stoppedByProgram() {
+    return stop().isPresent() && stop().get().code() == StopReason.PROGRAM.code();
+  }
+
   /** The limits that hold now. */
   public SafetyLimits limits() {
     return limits.active();

@@ -7,8 +7,8 @@ import java.util.OptionalInt;
 
 /**
  * Everything that stops the arm or warns, with its code and words; docs/safety.md has the same
- * table. Codes 153, 157, 173 and 204 are those of the real controller; the others are not published
- * and are our choice.
+ * table. Codes 153, 157, 173, 204 and 209 are those of the real controller; the others are not
+ * published and are our choice.
  */
 public enum StopReason {
   JOINT_LIMIT_NEAR(150, Kind.PROTECTIVE, "comes too close to its position limit", "rad"),
@@ -20,7 +20,7 @@ public enum StopReason {
   COLLISION(157, Kind.PROTECTIVE, "is pushed from outside", "Nm"),
   TARGET_POSITION_JUMP(204, 1, Kind.PROTECTIVE, "has a target position that jumps", "rad"),
   TARGET_SPEED_JUMP(204, 3, Kind.PROTECTIVE, "has a target speed that jumps", "rad/s"),
-  PROGRAM(0, 0, Kind.PROTECTIVE, "asks for it", ""),
+  PROGRAM(209, 0, Kind.PROTECTIVE, "asks for it", ""),
 
   ROBOT_EMERGENCY_STOP(100, Kind.ROBOT_EMERGENCY, "is active", ""),
   SYSTEM_EMERGENCY_STOP(100, Kind.SYSTEM_EMERGENCY, "is active", ""),

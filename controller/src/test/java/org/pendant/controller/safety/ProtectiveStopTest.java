@@ -25,7 +25,7 @@ final class ProtectiveStopTest {
     assertEquals(SafetyAction.STOP_ON_PATH, bench.step());
     assertEquals(SafetyMode.PROTECTIVE_STOP, safety.safetyMode());
     assertEquals(
-        "C0A0 protective stop at 0.004 s: the program asks for it", bench.stop().message());
+        "C209A0 protective stop at 0.004 s: the program asks for it", bench.stop().message());
     assertEquals(List.of(bench.stop().message()), bench.warnings());
     assertEquals(SafetyAction.NONE, bench.step());
   }
@@ -110,7 +110,7 @@ final class ProtectiveStopTest {
     bench.step();
     assertEquals(
         Optional.of(
-            "C0A0 protective stop at 0.002 s: the program asks for it;"
+            "C209A0 protective stop at 0.002 s: the program asks for it;"
                 + " unlock the protective stop first"),
         safety.programRefusal());
   }

@@ -17,6 +17,7 @@ import org.pendant.controller.message.Popup;
 import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.StopPlace;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
 
@@ -189,16 +190,27 @@ final class HeadlessRun {
                 .or(this::safetyStop)
                 .map(SafetyStop::message)
                 .or(() -> controller.state().arm().fault().map(MotionFailure::message));
+        int line = stoppedInLine();
         why.ifPresent(
             reason ->
-                console.complain(
-                    Report.error(source, "stopped in line " + lastLine + ": " + reason)));
+                console.complain(Report.error(source, "stopped in line " + line + ": " + reason)));
         if (why.isPresent()) {
-          file.nodeAt(lastLine).ifPresent(node -> console.complain(node + "stopped here"));
+          file.nodeAt(line).ifPresent(node -> console.complain(node + "stopped here"));
         }
         yield why.isPresent() ? ExitCode.PROGRAM_FAILED : ExitCode.DONE;
       }
     };
+  }
+
+  /** The line of the program that a safety stop met, or the last one that it reached. */
+  private int stoppedInLine() {
+    return controller
+        .state()
+        .safety()
+        .stopPlace()
+        .map(StopPlace::line)
+        .filter(line -> line > 0)
+        .orElse(lastLine);
   }
 
   /** One frame, and what it brought to print and record. */

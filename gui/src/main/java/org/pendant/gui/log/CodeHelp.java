@@ -27,7 +27,6 @@ record CodeHelp(String meaning, String suggestion) {
 
   private static Optional<String> meaning(int code, int argument) {
     return switch (code) {
-      case 0 -> Optional.of("The program called protective_stop().");
       case 100 -> Optional.of("An input demands an emergency stop or a safeguard stop.");
       case 150 -> Optional.of("The target of a joint could hardly stop any more before its limit.");
       case 151 ->
@@ -42,6 +41,7 @@ record CodeHelp(String meaning, String suggestion) {
       case 192 -> Optional.of("A joint reports no number, so the safety functions cannot work.");
       case 204 ->
           Optional.of(argument == 3 ? "The target speed jumps." : "The target position jumps.");
+      case 209 -> Optional.of("The program called protective_stop().");
       default -> Optional.empty();
     };
   }

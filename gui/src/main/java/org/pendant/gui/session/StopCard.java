@@ -105,7 +105,7 @@ public record StopCard(
       case 191 -> "A safety limit was exceeded: lower speed or force, or change the limits.";
       case 192 -> "A sensor reports no number: restart the safety functions.";
       case 204 -> "The target jumps: check servoj, speedj and the poses that the program computes.";
-      case 0 -> "The program asked for this stop.";
+      case 209 -> "The program asked for this stop.";
       default -> "Look at the log for what happened before.";
     };
   }

@@ -85,7 +85,7 @@ final class ReadinessTest {
     start("sleep(0.1)\nprotective_stop()\nsleep(5)\n");
     controller.runUntil(() -> controller.state().safety().stop().isPresent(), 200);
     StopCard card = StopCard.of(controller.state()).orElseThrow();
-    assertEquals("Protective stop C0A0", card.title());
+    assertEquals("Protective stop C209A0", card.title());
     assertEquals(2, card.line());
     assertEquals("The program asked for this stop.", card.suggestion());
     assertEquals(

@@ -193,10 +193,15 @@ class PrimaryServerTest {
     try (PrimaryClient client = client(PRIMARY)) {
       client.send("protective_stop()\n");
       Packet code = client.next(each -> each.message() == 6);
+      assertEquals(209, code.bytes().getInt(15));
+      assertEquals(0, code.bytes().getInt(19));
       assertEquals(2, code.bytes().getInt(23), "warning");
       Packet mode = client.nextMessage();
       assertEquals(5, mode.message());
       assertEquals(3, mode.bytes().get(23));
+      Packet ended = client.nextMessage();
+      assertEquals(7, ended.message());
+      assertTrue(ended.text(24).startsWith("PROGRAM_XXX_STOPPED"), ended.text(24));
       client.send("def late():\n  sync()\nend\n");
       Packet refusal = client.next(each -> each.message() == 10);
       assertTrue(refusal.text(23).contains("stop"), refusal.text(23));
