@@ -34,12 +34,7 @@ final class MotionRunTest {
       delimiter = '|',
       textBlock =
           """
-          movel(p[1.4, 0, 0.4, 3.14, 0, 0], r=0.02)  | p[1.4, 0, 0.4, 3.14, 0, 0] is out of reach
           movej(p[2, 0, 0, 0, 0, 0])                 | p[2, 0, 0, 0, 0, 0] is out of reach
-          movel(p[0, 0.05, 0.3, 3.14, 0, 0])         | too close to the axis of the base
-          movel(p[-0.492, 0.133, 0.488, -2.22, 2.22, 0]) | singularity
-          movel(p[-0.492, 0.133, 0.488, -2.22, 2.22, 0]) | way to p[-0.492, 0.133, 0.488, -2.22, 2.22, 0]
-          movej([7, 0, 0, 0, 0, 0])                  | q[0] (base) is 7 rad, must be -6.283185 to
           movej([1, 0, 0, 0, 0, 0], a=0)             | a is 0 rad/s², must be above 0
           movej([1, 0, 0, 0, 0, 0], v=-1)            | v is -1 rad/s, must be above 0
           movel(p[0.4, 0, 0.4, 3.14, 0, 0], t=-1)    | t is -1 s, must not be negative
@@ -55,6 +50,36 @@ final class MotionRunTest {
         () -> assertEquals("  " + call, errors.get(1)));
   }
 
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          movel(p[1.4, 0, 0.4, 3.14, 0, 0], r=0.02)  | C154A0 | the tool must stay nearer
+          movel(p[10, 0, 0, 0, 0, 0])                | C154A0 | the elbow is straight
+          movel(p[10, 0, 0, 0, 0, 0], t=2)           | C154A0 | on the way to p[10, 0, 0, 0, 0, 0]
+          movep(p[0, 0.05, 0.3, 3.14, 0, 0])         | C154A0 | too close to a singularity
+          movel(p[-0.492, 0.133, 0.488, -2.22, 2.22, 0]) | C154A0 | singularity
+          movel(p[-0.492, 0.133, 0.488, -2.22, 2.22, 0]) | C154A0 | way to p[-0.492, 0.133, 0.488, -2.22, 2.22, 0]
+          movej([7, -1.57, -1.57, -1.57, 1.57, 0])   | C150A0 | base (joint 0) comes too close to its position limit
+          """)
+  void whereTheArmCannotGoOnAProtectiveStopSaysWhy(String call, String code, String expected) {
+    Result result = run("def move():\n" + READY + "  " + call + "\n  textmsg(1)\nend\n");
+    List<String> errors = result.errors().lines().toList();
+    assertAll(
+        () -> assertEquals(1, result.exitCode()),
+        () -> assertEquals("", result.output()),
+        () ->
+            assertTrue(
+                errors.getFirst().startsWith("move.script:3: error: " + code + " protective stop"),
+                result.errors()),
+        () -> assertTrue(errors.getFirst().contains(expected), result.errors()),
+        () ->
+            assertTrue(
+                errors.getLast().startsWith("move.script: error: stopped in line 3: " + code),
+                result.errors()));
+  }
+
   @Test
   void aJointThatReachesTheEndOfItsRangeIsNamed() {
     Result result =
@@ -67,7 +92,8 @@ final class MotionRunTest {
             """);
     assertEquals(1, result.exitCode());
     String error = result.errors().lines().findFirst().orElseThrow();
-    assertTrue(error.startsWith("move.script:3:3: error: movel: joint 0 reaches the end"), error);
+    assertTrue(error.startsWith("move.script:3: error: C150A0 protective stop"), error);
+    assertTrue(error.contains("joint 0 reaches the end"), error);
   }
 
   @Test

@@ -10,9 +10,9 @@ import org.pendant.controller.machine.Ending;
 import org.pendant.controller.machine.Machine;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.machine.ScriptFailure;
-import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.motion.MotionControl;
+import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.rtde.PublishedState;
 import org.pendant.controller.safety.FrameFacts;
 import org.pendant.controller.state.ArmGeometry;
@@ -49,7 +49,6 @@ final class Frame {
   private ProgramState followed = ProgramState.STOPPED;
   private ProgramStatus program = ProgramStatus.NONE;
   private Optional<Ending> internalEnding = Optional.empty();
-  private long faultFrame;
 
   /** A debugger holds the frame that has begun. */
   private boolean held;
@@ -223,7 +222,8 @@ final class Frame {
 
   private void checkSafety() {
     int line = machine.line();
-    endAfterLostPath();
+    Optional<MotionFailure> lost = box.motion().takeNewFault();
+    lost.ifPresent(box.safety()::lostPath);
     if (box.isShutDown()) {
       stopProgram();
     }
@@ -232,8 +232,8 @@ final class Frame {
       case PAUSE -> pauseProgram();
       case STOP_ON_PATH -> {
         heldBySafety |= pauseProgram();
-        if (box.safety().stoppedByProgram() && machine.nothingLeft()) {
-          // it would wait to be resumed, to do nothing
+        if (lost.isPresent() || (box.safety().stoppedByProgram() && machine.nothingLeft())) {
+          // it could not go on, or would wait to be resumed and do nothing
           stopProgram();
         }
         box.motion().halt(box.safety().stopDecelerationRadPerS2());
@@ -244,6 +244,10 @@ final class Frame {
       }
       case OFF_NOW -> stopProgram();
       case RESUME -> goOn();
+    }
+    if (lost.isPresent()) {
+      // whatever stop there was before
+      stopProgram();
     }
     followStop();
     witness.look(box, line);
@@ -283,22 +287,6 @@ final class Frame {
     boolean waits = machine.state() == ProgramState.PAUSED || machine.pausing();
     if (heldBySafety && waits && !box.popups().blocked()) {
       machine.resume();
-      followProgram();
-    }
-  }
-
-  /**
-   * A motion that could not follow its path has stopped by itself. The thread that waits for it
-   * fails in the next frame; without one the program is stopped here.
-   */
-  private void endAfterLostPath() {
-    if (box.motion().fault().isEmpty()) {
-      faultFrame = 0;
-    } else if (faultFrame == 0) {
-      faultFrame = box.clock().frame();
-    } else if (box.clock().frame() == faultFrame + 2 && !failed()) {
-      box.log().safety(Level.ERROR, "", "protective stop: " + box.motion().fault().get().message());
-      machine.stop();
       followProgram();
     }
   }

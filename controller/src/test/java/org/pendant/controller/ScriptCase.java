@@ -21,6 +21,8 @@ import org.pendant.language.source.Source;
  *   <li>{@code # expect: text}: the next message of the program is exactly this; messages are
  *       compared in the order of the lines
  *   <li>{@code # error: part}: the program stops here with an error that contains this
+ *   <li>{@code # stop: part}: the safety functions stop the arm and hold or end the program here,
+ *       with a reason that contains this
  *   <li>{@code # compile-error: part}: a diagnostic of this line contains this
  *   <li>{@code # warning: part}: a warning of this line contains this
  *   <li>{@code # fails: part}: one of the two errors; for faults of which the manual does not say
@@ -32,12 +34,13 @@ import org.pendant.language.source.Source;
  */
 record ScriptCase(String name, String text, List<Mark> marks) {
   private static final Pattern MARK =
-      Pattern.compile("# (expect|error|compile-error|warning|fails):(?: (.*))?$");
+      Pattern.compile("# (expect|error|stop|compile-error|warning|fails):(?: (.*))?$");
 
   /** What a comment expects. */
   enum Kind {
     EXPECT,
     ERROR,
+    STOP,
     COMPILE_ERROR,
     WARNING,
     FAILS

@@ -25,6 +25,8 @@ import org.pendant.controller.machine.Program;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.machine.ScriptFailure;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.safety.SafetyStop;
+import org.pendant.controller.state.SafetyStatus;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
 
@@ -107,9 +109,13 @@ final class ScriptFilesTest {
       controller.state().newEntries().stream()
           .filter(entry -> entry.origin() == LogEntry.Origin.SCRIPT)
           .forEach(entry -> messages.add(entry.text()));
-      if (controller.state().program().state() == ProgramState.STOPPED) {
+      boolean ended = controller.state().program().state() == ProgramState.STOPPED;
+      if (ended || controller.state().safety().stop().isPresent()) {
         compareMessages(script.marks(Kind.EXPECT), messages);
-        compareEnding(script, controller.state().program().ending().orElseThrow());
+        compareStop(script.marks(Kind.STOP), controller.state().safety());
+        if (ended) {
+          compareEnding(script, controller.state().program().ending().orElseThrow());
+        }
         return;
       }
     }
@@ -121,6 +127,18 @@ final class ScriptFilesTest {
       assertEquals(expected.get(i).text(), messages.get(i), "line " + expected.get(i).line());
     }
     assertEquals(expected.stream().map(Mark::text).toList(), messages);
+  }
+
+  private static void compareStop(List<Mark> expected, SafetyStatus safety) {
+    Optional<String> reason = safety.stop().map(SafetyStop::message);
+    if (expected.isEmpty()) {
+      assertEquals(Optional.empty(), reason);
+      return;
+    }
+    Mark stop = expected.getFirst();
+    assertTrue(reason.isPresent(), "no safety stop, expected " + stop);
+    assertTrue(reason.get().contains(stop.text()), reason.get());
+    assertEquals(stop.line(), safety.stopPlace().orElseThrow().line(), reason.get());
   }
 
   private static void compareEnding(ScriptCase script, Ending ending) {

@@ -15,6 +15,9 @@ final class MotionArguments {
   /** Products of larger numbers would overflow, and make a pose of NaN of a finite one. */
   private static final double LARGEST_IN_POSE = 1e100;
 
+  /** Farthest position of a joint, rad: positions stay exact. */
+  private static final double FARTHEST_RAD = 10_000;
+
   private static final List<String> JOINT_NAMES =
       List.of("base", "shoulder", "elbow", "wrist 1", "wrist 2", "wrist 3");
 
@@ -80,6 +83,14 @@ final class MotionArguments {
       throw call.refuse(index, "must be finite");
     }
     return joints;
+  }
+
+  /**
+   * Six joint positions to go to or to be near to. They may lie beyond the ranges of the joints:
+   * the arm stops before.
+   */
+  static Joints jointGoal(Call call, int index) throws ScriptError {
+    return Joints.of(bounded(call, index, Joints.COUNT, FARTHEST_RAD, "rad"));
   }
 
   /** Six joint positions, each within the range of its joint. */

@@ -29,9 +29,6 @@ import org.pendant.models.pose.Pose;
 final class MotionBuiltins {
   private static final String MODULE = "motion";
 
-  /** Farthest position that the turns of a joint are counted to, rad: positions stay exact. */
-  private static final double FARTHEST_COUNT_RAD = 10_000;
-
   private MotionBuiltins() {}
 
   static void declareIn(Builtins builtins) {
@@ -111,7 +108,7 @@ final class MotionBuiltins {
       return move(
           call, "movej", from -> toJoints(box, from, reach(box, goal, tcp, from), goal, headroom));
     }
-    Joints goal = MotionArguments.jointsInRange(call, 0, "q");
+    Joints goal = MotionArguments.jointGoal(call, 0);
     Pose waypoint = box.forward().tcpPose(goal, tcp);
     return move(call, "movej", from -> toJoints(box, from, goal, waypoint, headroom));
   }
@@ -139,15 +136,15 @@ final class MotionBuiltins {
     Pose goal =
         call.kind(0) == Kind.POSE
             ? MotionArguments.pose(call, 0)
-            : box.forward().tcpPose(MotionArguments.jointsInRange(call, 0, "pose"), tcp);
-    return move(
-        call,
-        "movel",
-        from -> {
-          Joints end = reach(box, goal, tcp, from);
-          Pose start = box.forward().tcpPose(from, tcp);
-          return Routes.line(box.armDescription(), from, start, goal, end, tcp, headroom);
-        });
+            : box.forward().tcpPose(MotionArguments.jointGoal(call, 0), tcp);
+    return move(call, "movel", from -> toPose(box, from, goal, tcp, headroom));
+  }
+
+  /** A straight line of the TCP, which may lead out of reach: the arm stops where it does. */
+  static MotionPath toPose(
+      ControlBox box, Joints from, Pose goal, Pose tcpInFlange, Headroom headroom) {
+    Pose start = box.forward().tcpPose(from, tcpInFlange);
+    return Routes.line(box.armDescription(), from, start, goal, tcpInFlange, headroom);
   }
 
   /** Arguments a, v, t and r of movej and movel, from the second on. */
@@ -182,7 +179,7 @@ final class MotionBuiltins {
   }
 
   private static Outcome resetRevolutions(Call call) throws ScriptError {
-    double[] near = MotionArguments.bounded(call, 0, Joints.COUNT, FARTHEST_COUNT_RAD, "rad");
+    double[] near = MotionArguments.jointGoal(call, 0).toArray();
     ControlBox box = call.box();
     Joints target = box.motion().positionRad();
     Joints reset = target;

@@ -54,9 +54,7 @@ final class MoveGoal {
               Frame.FIXED,
               Pose.ZERO,
               box.forward()
-                  .tcpPose(
-                      MotionArguments.jointsInRange(call, index, "goal"),
-                      box.flange().tool().inFlange()));
+                  .tcpPose(MotionArguments.jointGoal(call, index), box.flange().tool().inFlange()));
       case STRUCT -> inFrame(call, index, call.struct(index));
       case STRING -> new MoveGoal(box, Frame.FIXED, object(call, call.text(index)), Pose.ZERO);
       case NONE, BOOL, INT, FLOAT, MATRIX, HANDLE ->

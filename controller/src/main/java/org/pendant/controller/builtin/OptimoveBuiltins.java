@@ -8,7 +8,6 @@ import org.pendant.controller.call.Outcome;
 import org.pendant.controller.motion.Headroom;
 import org.pendant.controller.motion.Move;
 import org.pendant.controller.motion.MoveLimits;
-import org.pendant.controller.motion.Routes;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
@@ -61,7 +60,7 @@ final class OptimoveBuiltins {
     Pose tcp = box.flange().tool().inFlange();
     Headroom headroom = headroom(call);
     if (call.kind(0) == Kind.LIST) {
-      Joints goal = MotionArguments.jointsInRange(call, 0, "goal");
+      Joints goal = MotionArguments.jointGoal(call, 0);
       Pose waypoint = box.forward().tcpPose(goal, tcp);
       return move(
           call, "optimovej", from -> MotionBuiltins.toJoints(box, from, goal, waypoint, headroom));
@@ -85,12 +84,7 @@ final class OptimoveBuiltins {
     return move(
         call,
         "optimovel",
-        from -> {
-          Pose waypoint = goal.inBase(from);
-          MotionBuiltins.reach(box, waypoint, tcp, from);
-          Pose start = box.forward().tcpPose(from, tcp);
-          return Routes.line(box.armDescription(), from, start, waypoint, tcp, headroom);
-        });
+        from -> MotionBuiltins.toPose(box, from, goal.inBase(from), tcp, headroom));
   }
 
   private static Headroom headroom(Call call) throws ScriptError {

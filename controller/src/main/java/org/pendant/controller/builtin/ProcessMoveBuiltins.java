@@ -9,7 +9,6 @@ import org.pendant.controller.motion.ArcRoute;
 import org.pendant.controller.motion.Headroom;
 import org.pendant.controller.motion.Move;
 import org.pendant.controller.motion.MoveLimits;
-import org.pendant.controller.motion.Routes;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
@@ -57,41 +56,24 @@ final class ProcessMoveBuiltins {
   private static Outcome movep(Call call) throws ScriptError {
     ControlBox box = call.box();
     Pose tcp = box.flange().tool().inFlange();
-    Pose goal = pose(call, 0, "pose");
+    Pose goal = pose(call, 0);
     MoveLimits limits = limits(call, 1);
     Headroom headroom = box.headroom().asAsked(limits);
     return move(
-        call,
-        "movep",
-        limits,
-        3,
-        from -> {
-          MotionBuiltins.reach(box, goal, tcp, from);
-          Pose start = box.forward().tcpPose(from, tcp);
-          return Routes.line(box.armDescription(), from, start, goal, tcp, headroom);
-        });
+        call, "movep", limits, 3, from -> MotionBuiltins.toPose(box, from, goal, tcp, headroom));
   }
 
   private static Outcome movec(Call call) throws ScriptError {
     ControlBox box = call.box();
     Pose tcp = box.flange().tool().inFlange();
-    Pose via = pose(call, 0, "pose_via");
-    Pose goal = pose(call, 1, "pose_to");
+    Pose via = pose(call, 0);
+    Pose goal = pose(call, 1);
     MoveLimits limits = limits(call, 2);
     boolean fixed = call.integer(5, 0, 1) == 1;
     Headroom headroom = box.headroom().asAsked(limits);
     ArcRoute route = new ArcRoute(box.armDescription(), via, goal, fixed, tcp, headroom);
     return move(
-        call,
-        "movec",
-        limits,
-        4,
-        from -> {
-          if (!fixed) {
-            MotionBuiltins.reach(box, goal, tcp, from);
-          }
-          return route.from(from, box.forward().tcpPose(from, tcp));
-        });
+        call, "movec", limits, 4, from -> route.from(from, box.forward().tcpPose(from, tcp)));
   }
 
   private static MoveLimits limits(Call call, int index) throws ScriptError {
@@ -100,13 +82,13 @@ final class ProcessMoveBuiltins {
   }
 
   /** A pose of the TCP, or the one that joint positions give. */
-  private static Pose pose(Call call, int index, String name) throws ScriptError {
+  private static Pose pose(Call call, int index) throws ScriptError {
     if (call.kind(index) == Kind.POSE) {
       return MotionArguments.pose(call, index);
     }
     ControlBox box = call.box();
     return box.forward()
-        .tcpPose(MotionArguments.jointsInRange(call, index, name), box.flange().tool().inFlange());
+        .tcpPose(MotionArguments.jointGoal(call, index), box.flange().tool().inFlange());
   }
 
   private static Outcome move(

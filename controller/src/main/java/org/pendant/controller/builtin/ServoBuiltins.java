@@ -15,7 +15,6 @@ import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.arm.Joints;
-import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
 
 /** Speeds, positions and torques that programs stream (manual 15.2, 15.44, 15.48, 15.49). */
@@ -144,7 +143,7 @@ final class ServoBuiltins {
   }
 
   private static Outcome servoj(Call call) throws ScriptError {
-    Joints goal = MotionArguments.jointsInRange(call, 0, "q");
+    Joints goal = MotionArguments.jointGoal(call, 0);
     unused(call, 1);
     unused(call, 2);
     double timeS = MotionArguments.notNegative(call, 3);
@@ -177,15 +176,10 @@ final class ServoBuiltins {
     Pose goal =
         call.kind(0) == Kind.POSE
             ? MotionArguments.pose(call, 0)
-            : box.forward().tcpPose(MotionArguments.jointsInRange(call, 0, "pose"), tcp);
+            : box.forward().tcpPose(MotionArguments.jointGoal(call, 0), tcp);
     double acceleration = MotionArguments.positive(call, 1);
     double speed = MotionArguments.positive(call, 2);
     double radiusM = MotionArguments.notNegative(call, 3);
-    Pose flange = InverseKinematics.flangeOf(goal, tcp);
-    if (box.inverse().closest(flange, box.motion().positionRad()).isEmpty()) {
-      throw call.failure(
-          "no-solution", "the goal " + KinematicsBuiltins.text(goal) + " is out of reach");
-    }
     return MotionWait.goOn(
         call, "servoc", box.servoing().servoC(goal, tcp, acceleration, speed, radiusM));
   }

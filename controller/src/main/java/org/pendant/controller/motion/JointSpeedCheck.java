@@ -68,7 +68,7 @@ final class JointSpeedCheck {
   /** The path goes on only where the joint stands a turn farther back. */
   private static MotionFailure rangeEnds(int joint, double atRad) {
     return new MotionFailure(
-        "joint-out-of-range",
+        MotionFailure.RANGE_ENDS,
         "joint "
             + joint
             + " reaches the end of its range at "
@@ -78,7 +78,7 @@ final class JointSpeedCheck {
 
   private MotionFailure tooFast(int joint, double needed, String why) {
     return new MotionFailure(
-        "joint-speed",
+        MotionFailure.TOO_FAST,
         "joint "
             + joint
             + " would turn at "
@@ -105,7 +105,7 @@ final class JointSpeedCheck {
     double most = BEYOND_SLOWING * maxSpeed[joint];
     String needed = speed > most ? "more than " + Value.of(most).text() : Value.of(speed).text();
     return new MotionFailure(
-        "singularity",
+        MotionFailure.SINGULARITY,
         where(q)
             + ": joint "
             + joint

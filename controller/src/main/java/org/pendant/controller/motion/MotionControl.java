@@ -37,6 +37,7 @@ public final class MotionControl {
   private final PathTime time;
   private final Succession succession;
   private Optional<MotionFailure> fault = Optional.empty();
+  private Optional<MotionFailure> newFault = Optional.empty();
   private int framesAtRest = STEADY_FRAMES;
 
   /** At rest at {@code positionRad}, limited by nothing but the arm's own joint speeds. */
@@ -278,6 +279,7 @@ public final class MotionControl {
   /** The path cannot be followed: all joints stop from what they do now. */
   private void stopBeside(MotionFailure failure) {
     fault = Optional.of(failure);
+    newFault = fault;
     succession.giveUpAll(failure);
     if (path.moves()) {
       succession.stop(FAULT_DECELERATION_RAD_PER_S2);
@@ -355,6 +357,14 @@ public final class MotionControl {
   /** A new program starts: what stopped the last one is over. */
   public void clearFault() {
     fault = Optional.empty();
+    newFault = Optional.empty();
+  }
+
+  /** What made the arm leave its path since this was last asked; empty if nothing did. */
+  public Optional<MotionFailure> takeNewFault() {
+    Optional<MotionFailure> taken = newFault;
+    newFault = Optional.empty();
+    return taken;
   }
 
   /** What made the arm leave its path and stop. */

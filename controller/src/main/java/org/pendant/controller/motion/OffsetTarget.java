@@ -105,7 +105,8 @@ final class OffsetTarget {
     }
     if (!solveNear(position.numbers())) {
       return Optional.of(
-          new MotionFailure("no-solution", "an offset takes the tool out of the arm's reach"));
+          new MotionFailure(
+              MotionFailure.OUT_OF_REACH, "an offset takes the tool out of the arm's reach"));
     }
     hold.leadBack(position.numbers(), q);
     propose(q);

@@ -4,14 +4,14 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
-/** The paths that moves take; a goal has been checked before. */
+/** The paths that moves take, whether the arm can follow them to their ends or not. */
 public final class Routes {
   private Routes() {}
 
   /**
    * A straight line in joint space.
    *
-   * @param goal joint positions at its end, rad, within the ranges of the arm
+   * @param goal joint positions at its end, rad
    * @param waypoint pose of the TCP at its end, in the base frame
    */
   public static MotionPath joints(
@@ -22,7 +22,7 @@ public final class Routes {
   /**
    * A straight line in joint space that an arm has limited means for.
    *
-   * @param goal joint positions at its end, rad, within the ranges of the arm
+   * @param goal joint positions at its end, rad
    * @param waypoint pose of the TCP at its end, in the base frame
    */
   public static MotionPath joints(
@@ -44,24 +44,6 @@ public final class Routes {
   public static MotionPath line(
       ArmDescription arm, Joints from, Pose start, Pose goal, Pose tcpInFlange, Headroom headroom) {
     return new ToolPath(arm, from, start, goal, tcpInFlange, headroom);
-  }
-
-  /**
-   * A straight line of the TCP that an arm has limited means for.
-   *
-   * @param start pose of the TCP at its begin, in the base frame
-   * @param goal pose of the TCP at its end, in the base frame
-   * @param end joint positions that reach the goal from near {@code from}, rad
-   */
-  public static MotionPath line(
-      ArmDescription arm,
-      Joints from,
-      Pose start,
-      Pose goal,
-      Joints end,
-      Pose tcpInFlange,
-      Headroom headroom) {
-    return new ToolPath(arm, from, start, goal, tcpInFlange, headroom).endingAt(end);
   }
 
   /**

@@ -33,6 +33,9 @@ final class Succession {
   /** The plan of a move that has just begun, and that would gain from an outlook. */
   private Optional<Planning> unforeseen = Optional.empty();
 
+  /** Why the next frame cannot lead on, found when a motion was to take over. */
+  private Optional<MotionFailure> lost = Optional.empty();
+
   private record Pending(MotionPlan plan, MotionTicket ticket) {}
 
   /** Whether the pending move would gain from an outlook, and what is known of it. */
@@ -80,7 +83,13 @@ final class Succession {
       return Optional.of(ticket);
     }
     Planning planning = handedOver ? joining(move) : fromRest(move);
-    Optional<Motion> motion = planning.knowing(List.of());
+    Optional<Motion> motion;
+    try {
+      motion = planning.knowing(List.of());
+    } catch (ScriptError e) {
+      lose(e, ticket);
+      return Optional.of(ticket);
+    }
     if (motion.isEmpty()) {
       return Optional.empty();
     }
@@ -189,13 +198,32 @@ final class Succession {
     double scaling =
         path.moves() ? time.goingOn(unscaled, jointSpeeds.share(path.speed())) : time.wanted();
     Joints own = scaling > 0 && scaling != 1 ? path.speedInOwnTime(scaling) : path.speed().joints();
-    Motion motion = plan.from(path.position().joints(), own);
     MotionTicket ticket = new MotionTicket(this);
+    Motion motion;
+    try {
+      motion = plan.from(path.position().joints(), own);
+    } catch (ScriptError e) {
+      lose(e, ticket);
+      return ticket;
+    }
     double overrun = handedOver ? course.overrun() : 0;
     begin(motion, Optional.of(ticket));
     course.takeOff(overrun);
     course.goOnAt(own, scaling);
     return ticket;
+  }
+
+  /**
+   * The arm cannot go on where a motion was to take over: that ends in the next frame.
+   *
+   * @throws ScriptError {@code why}, if the arm could go on but not as it was asked to
+   */
+  private void lose(ScriptError why, MotionTicket ticket) throws ScriptError {
+    if (!MotionFailure.isOfPath(why.code())) {
+      throw why;
+    }
+    lost = Optional.of(new MotionFailure(why.code(), why.getMessage()));
+    owner = Optional.of(ticket);
   }
 
   /** Refuses when a thread's motion is under way, or the arm is guided by hand. */
@@ -238,8 +266,9 @@ final class Succession {
    * @return why it does not end as it should
    */
   Optional<MotionFailure> settle() {
-    Optional<MotionFailure> failure = Optional.empty();
-    if (handedOver && !heldInPause()) {
+    Optional<MotionFailure> failure = lost;
+    lost = Optional.empty();
+    if (failure.isEmpty() && handedOver && !heldInPause()) {
       handedOver = false;
       failure = endUncontinued();
     }

@@ -68,12 +68,6 @@ final class ToolPath implements ToolWay {
     curve = new ToolLine(line, length == 0 ? 1 : length);
   }
 
-  /** This path, whose last joint positions are known. */
-  ToolPath endingAt(Joints positionRad) {
-    end = Optional.of(positionRad);
-    return this;
-  }
-
   @Override
   public ArmDescription arm() {
     return arm;

@@ -82,7 +82,8 @@ public final class ToolPathFollower {
     Transforms.multiply(tcp, flangeInTcp, flange);
     if (!inverse.track(flange, q)) {
       return Optional.of(
-          new MotionFailure("no-solution", "no joint positions reach a point on the path"));
+          new MotionFailure(
+              MotionFailure.OUT_OF_REACH, "no joint positions reach a point on the path"));
     }
     System.arraycopy(q, 0, sample.position, 0, N);
     if (atPerS == 0 && atPerS2 == 0) {
@@ -158,6 +159,7 @@ public final class ToolPathFollower {
   private static Optional<MotionFailure> singular() {
     return Optional.of(
         new MotionFailure(
-            "singularity", "the path leads through a singularity; a joint move can pass it"));
+            MotionFailure.SINGULARITY,
+            "the path leads through a singularity; a joint move can pass it"));
   }
 }

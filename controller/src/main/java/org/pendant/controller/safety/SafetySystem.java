@@ -7,6 +7,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.MessageLog;
+import org.pendant.controller.motion.MotionFailure;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
@@ -33,6 +34,7 @@ public final class SafetySystem {
   private final double[] atRest = new double[Joints.COUNT];
   private boolean holdingTorque = true;
   private boolean stopAsked;
+  private Optional<MotionFailure> lostPath = Optional.empty();
   private OptionalDouble wrongPayloadN = OptionalDouble.empty();
   private double payloadToleranceN;
   private boolean jumped;
@@ -299,6 +301,11 @@ public final class SafetySystem {
     stopAsked = true;
   }
 
+  /** The target has left a path that it could not follow: a protective stop in this frame. */
+  public void lostPath(MotionFailure why) {
+    lostPath = Optional.of(why);
+  }
+
   /**
    * Freedrive has found that the declared payload is wrong: a protective stop in this frame.
    *
@@ -385,6 +392,7 @@ public final class SafetySystem {
     stops.setTime(facts.timeS());
     Optional<SafetyStop> demanded = demanded(facts);
     stopAsked = false;
+    lostPath = Optional.empty();
     wrongPayloadN = OptionalDouble.empty();
     jumped = false;
     if (demanded.isPresent() && stops.begin(demanded.get(), facts.programRunning())) {
@@ -488,6 +496,11 @@ public final class SafetySystem {
     if (stopAsked) {
       checks.acceptTarget();
       return Optional.of(StopReason.PROGRAM.of("the program", facts.timeS()));
+    }
+    if (lostPath.isPresent()) {
+      checks.acceptTarget();
+      double[] q = facts.targetPositionRad().toArray();
+      return Optional.of(LostPath.stop(lostPath.get(), q, limits(), facts.timeS()));
     }
     if (wrongPayloadN.isPresent()) {
       checks.acceptTarget();

@@ -15,9 +15,11 @@ public enum StopReason {
   TOOL_DIRECTION_NEAR(151, Kind.PROTECTIVE, "comes too close to its largest tilt", "rad"),
   PLANE_NEAR(152, Kind.PROTECTIVE, "comes too close to safety plane", "m"),
   POSITION_DEVIATION(153, Kind.PROTECTIVE, "is away from its target", "rad"),
+  SINGULARITY(154, 0, Kind.PROTECTIVE, "", ""),
   WRONG_PAYLOAD(
       155, 0, Kind.PROTECTIVE, "is not what the flange carries, or somebody pushes the tool", "N"),
   COLLISION(157, Kind.PROTECTIVE, "is pushed from outside", "Nm"),
+  OUT_OF_REACH(200, 0, Kind.PROTECTIVE, "", ""),
   TARGET_POSITION_JUMP(204, 1, Kind.PROTECTIVE, "has a target position that jumps", "rad"),
   TARGET_SPEED_JUMP(204, 3, Kind.PROTECTIVE, "has a target speed that jumps", "rad/s"),
   PROGRAM(209, 0, Kind.PROTECTIVE, "asks for it", ""),
@@ -127,8 +129,24 @@ public enum StopReason {
     return stop(subject + " " + words, kind.mode.code(), OptionalInt.empty(), timeS, 0, 0);
   }
 
+  /** A stop because a path cannot be followed, in words that have what was measured. */
+  SafetyStop because(String sentence, OptionalInt joint, double timeS) {
+    return stop(sentence, joint.orElse(0), joint, timeS, 0, 0, "");
+  }
+
   private SafetyStop stop(
       String sentence, int varying, OptionalInt joint, double timeS, double value, double limit) {
+    return stop(sentence, varying, joint, timeS, value, limit, unit);
+  }
+
+  private SafetyStop stop(
+      String sentence,
+      int varying,
+      OptionalInt joint,
+      double timeS,
+      double value,
+      double limit,
+      String measuredIn) {
     int chosen = argument == VARIES ? varying : argument;
     StringBuilder message = new StringBuilder();
     message.append('C').append(code).append('A').append(chosen).append(' ');
@@ -138,9 +156,9 @@ public enum StopReason {
         .append(milliseconds(timeS))
         .append(" s: ")
         .append(sentence);
-    if (!unit.isEmpty()) {
-      message.append(": ").append(number(value)).append(' ').append(unit);
-      message.append(", limit ").append(number(limit)).append(' ').append(unit);
+    if (!measuredIn.isEmpty()) {
+      message.append(": ").append(number(value)).append(' ').append(measuredIn);
+      message.append(", limit ").append(number(limit)).append(' ').append(measuredIn);
     }
     return new SafetyStop(
         kind.mode,
@@ -151,7 +169,7 @@ public enum StopReason {
         timeS,
         value,
         limit,
-        unit,
+        measuredIn,
         message.toString());
   }
 

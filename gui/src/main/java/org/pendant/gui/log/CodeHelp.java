@@ -33,12 +33,15 @@ record CodeHelp(String meaning, String suggestion) {
           Optional.of("The target could hardly stop any more before the largest tilt of the tool.");
       case 152 -> Optional.of("The target could hardly stop any more before a safety plane.");
       case 153 -> Optional.of("A joint was away from its target for 20 ms.");
+      case 154 ->
+          Optional.of("The path led through a singularity, or to where the arm is stretched.");
       case 155 ->
           Optional.of("Freedrive found another payload on the flange than the declared one.");
       case 157 -> Optional.of("A joint was pushed from outside for 10 ms.");
       case 173 -> Optional.of("Warning only: a joint is away from its target.");
       case 191 -> Optional.of("A safety limit was exceeded: " + limit(argument) + ".");
       case 192 -> Optional.of("A joint reports no number, so the safety functions cannot work.");
+      case 200 -> Optional.of("No joint positions reach a point of the path.");
       case 204 ->
           Optional.of(argument == 3 ? "The target speed jumps." : "The target position jumps.");
       case 209 -> Optional.of("The program called protective_stop().");

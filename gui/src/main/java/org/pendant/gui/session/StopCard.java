@@ -96,6 +96,7 @@ public record StopCard(
       case 153, 173 ->
           "The arm could not follow: check payload and centre of gravity, or lower the"
               + " acceleration.";
+      case 154 -> "Choose a path that stays clear of the singularity, or a joint move past it.";
       case 155 ->
           "Declare what hangs on the flange with set_target_payload, and let go of the tool until"
               + " freedrive has begun.";
@@ -104,6 +105,7 @@ public record StopCard(
               + " set_target_payload.";
       case 191 -> "A safety limit was exceeded: lower speed or force, or change the limits.";
       case 192 -> "A sensor reports no number: restart the safety functions.";
+      case 200 -> "Choose a goal that the arm reaches.";
       case 204 -> "The target jumps: check servoj, speedj and the poses that the program computes.";
       case 209 -> "The program asked for this stop.";
       default -> "Look at the log for what happened before.";
