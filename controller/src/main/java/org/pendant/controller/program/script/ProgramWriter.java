@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.Section;
+import org.pendant.controller.program.TreeNames;
 
 /** Writes a program as a whole: the sections of the tree, and what they need around them. */
 final class ProgramWriter {
@@ -125,7 +126,11 @@ final class ProgramWriter {
   }
 
   private void start(String thread) {
-    lines.line(names.unique("threadId_" + thread, "threadId") + " = run " + thread + "()");
+    start(thread, names.unique("threadId_" + thread, "threadId"));
+  }
+
+  private void start(String thread, String handle) {
+    lines.line(handle + " = run " + thread + "()");
   }
 
   private void thread(ProgramNode section, Section.ThreadSection step) {
@@ -133,7 +138,7 @@ final class ProgramWriter {
     lines.open("thread " + thread + "():");
     apart(section, step.forever());
     lines.close();
-    start(thread);
+    start(thread, names.handle("threadId_" + TreeNames.word(step.name(), thread)));
   }
 
   /** One thread watches all events. */

@@ -33,6 +33,7 @@ final class ScriptNames {
   private final Map<String, String> variables = new HashMap<>();
   private final Map<String, String> waypoints = new HashMap<>();
   private final Map<String, String> functions = new HashMap<>();
+  private final Set<String> handles = new HashSet<>();
   private final Map<String, Integer> counts = new HashMap<>();
 
   /** Keeps names for what people have typed; they are given to nothing else. */
@@ -108,6 +109,16 @@ final class ScriptNames {
       name = stem + "_" + i;
     }
     taken.add(name);
+    return name;
+  }
+
+  /**
+   * The variable with the handle of a thread: the wanted one, also where people have typed it to
+   * stop the thread, unless another thread has it.
+   */
+  String handle(String wanted) {
+    String name = handles.add(wanted) ? variable(wanted) : unique(wanted, "threadId");
+    handles.add(name);
     return name;
   }
 

@@ -39,6 +39,20 @@ final class SectionRunTest {
   }
 
   @Test
+  void theHandleOfAThreadIsCalledAfterIt() {
+    TreeRun run =
+        TreeRun.of(
+            tree(
+                node(
+                    new Section.MainProgram(false),
+                    sleep(0.1),
+                    node(new ActionStep.ScriptLine("kill threadId_Thread_1")),
+                    sleep(0.1)),
+                thread("Thread_1", true, say("tick"), sleep(0.03))));
+    assertEquals(4, run.said().size(), () -> run.said().toString());
+  }
+
+  @Test
   void initialValuesComeFirstThenTheSequenceBeforeTheStart() {
     TreeRun run =
         TreeRun.of(
