@@ -17,6 +17,8 @@ import org.pendant.models.pose.Poses;
 
 /** Writes moves and the places that they go to. */
 final class MotionWriter {
+  private static final String ACTIVE_TOOL = "get_tcp_offset()";
+
   private final ScriptContext context;
   private final StepWriter steps;
   private final ScriptLines lines;
@@ -56,7 +58,9 @@ final class MotionWriter {
 
   private void writeMove(ProgramNode node, MotionStep.Move step) {
     lines.begin(node);
-    tool.use(step.tool());
+    if (!(step.tool() instanceof ToolChoice.Flange)) {
+      tool.use(step.tool());
+    }
     Optional<MotionStep.Move> outer = move;
     move = Optional.of(step);
     steps.writeAll(node.children());
@@ -118,10 +122,11 @@ final class MotionWriter {
       case LINEAR -> text.append("movel(").append(goal.place());
       case PROCESS -> text.append("movep(").append(goal.place());
     }
-    text.append(", a=").append(ScriptText.number(acceleration));
-    text.append(", v=").append(ScriptText.number(speed));
     if (timeS.isPresent() && kind != MoveKind.PROCESS) {
       text.append(", t=").append(ScriptText.number(timeS.getAsDouble()));
+    } else {
+      text.append(", a=").append(ScriptText.number(acceleration));
+      text.append(", v=").append(ScriptText.number(speed));
     }
     return text.append(blend(blendRadiusM)).append(')').toString();
   }
@@ -158,7 +163,7 @@ final class MotionWriter {
           variable.expression().isBlank()
               ? Optional.empty()
               : Optional.of(
-                  new Goal(variable(variable.expression(), in.feature()), Optional.empty()));
+                  new Goal(variable(in, variable.expression()), Optional.empty()));
     };
   }
 
@@ -190,12 +195,19 @@ final class MotionWriter {
   }
 
   /** A pose in a feature, by what the expression says it is; joint positions stay as they are. */
-  private String variable(String expression, String feature) {
+  private String variable(MotionStep.Move in, String expression) {
     String place = ScriptText.oneLine(expression.strip());
     boolean joints = place.startsWith("[") || place.endsWith("_q");
-    return joints || feature.equals(WaypointPosition.BASE) || frame(feature).isEmpty()
-        ? place
-        : "pose_trans(" + frame(feature).get() + ", " + place + ")";
+    if (joints) {
+      return place;
+    }
+    boolean inBase = in.feature().equals(WaypointPosition.BASE) || frame(in.feature()).isEmpty();
+    String pose = inBase ? place : trans(frame(in.feature()).get(), place);
+    return in.tool() instanceof ToolChoice.Flange ? trans(pose, ACTIVE_TOOL) : pose;
+  }
+
+  private static String trans(String from, String to) {
+    return "pose_trans(" + from + ", " + to + ")";
   }
 
   /**
@@ -222,19 +234,25 @@ final class MotionWriter {
         .flatMap(each -> context.installation().feature(each.feature()))
         .filter(Feature::variable)
         .flatMap(each -> frame(each.name()))
-        .map(
-            frame ->
-                "pose_trans(" + frame + ", " + ScriptText.pose(taught.orElseThrow().tcp()) + ")")
+        .map(frame -> trans(frame, ScriptText.pose(taught.orElseThrow().tcp())))
         .orElseGet(() -> context.names().pose(waypoint));
   }
 
-  /** As {@link #pose(String)}; for the flange where the arm stood, if that is chosen. */
+  /**
+   * As {@link #pose(String)}; if the flange is chosen, where the active TCP is once the flange is
+   * where it was taught. Which TCP is active stays as it is.
+   */
   private String pose(String waypoint, ToolChoice choice) {
+    if (!(choice instanceof ToolChoice.Flange)) {
+      return pose(waypoint);
+    }
     Pose taughtTool =
         context.taught(waypoint).map(WaypointPosition::toolInFlange).orElse(Pose.ZERO);
-    return choice instanceof ToolChoice.Flange && !taughtTool.equals(Pose.ZERO)
-        ? "pose_trans(" + pose(waypoint) + ", " + ScriptText.pose(Poses.inverse(taughtTool)) + ")"
-        : pose(waypoint);
+    String toTool =
+        taughtTool.equals(Pose.ZERO)
+            ? ACTIVE_TOOL
+            : trans(ScriptText.pose(Poses.inverse(taughtTool)), ACTIVE_TOOL);
+    return trans(pose(waypoint), toTool);
   }
 
   private void writeCircle(ProgramNode node, MotionStep.CircleMove circle) {

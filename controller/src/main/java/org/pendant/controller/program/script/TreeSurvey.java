@@ -52,7 +52,12 @@ final class TreeSurvey {
       case ActionStep.Timer timer -> timers.add(timer.name());
       case ActionStep.SetAction set -> setsTool |= set.setting() instanceof Setting.Tcp;
       case Section.SubProgram sub -> subPrograms.putIfAbsent(sub.name(), node);
-      case MotionStep.Move move -> tools.add(move.tool());
+      case MotionStep.Move move -> {
+        // a move of the flange leaves the active TCP as it is
+        if (!(move.tool() instanceof ToolChoice.Flange)) {
+          tools.add(move.tool());
+        }
+      }
       case TemplateStep.Screwdriving each -> tools.add(each.tool());
       case FlowStep.Loop loop when loop.rule() instanceof LoopRule.Times times ->
           unnamedLoops.addAll(times.variable().isBlank() ? List.of(node) : List.of());

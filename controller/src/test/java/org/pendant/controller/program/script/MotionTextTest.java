@@ -100,12 +100,31 @@ final class MotionTextTest {
         $ 3 "A" "breakAfter"
         movel(A_p, a=0.3, v=0.1)
         $ 4 "A" "breakAfter"
-        movel(A_p, a=1.2, v=0.5, t=2.5)
+        movel(A_p, t=2.5)
         """,
         body(
             moveL(
                 waypoint(target, new Timing.Own(0.1, 0.3)),
                 waypoint(target, new Timing.Duration(2.5)))));
+  }
+
+  @Test
+  void aMoveOfTheFlangeLeavesTheActiveTcpAsItIs() {
+    assertEquals(
+        """
+        $ 2 "MoveL"
+        $ 3 "A" "breakAfter"
+        movel(pose_trans(A_p, get_tcp_offset()), a=1.2, v=0.5)
+        $ 4 "spot" "breakAfter"
+        movel(pose_trans(spot, get_tcp_offset()), a=1.2, v=0.5)
+        """,
+        body(
+            move(
+                MoveKind.LINEAR,
+                new ToolChoice.Flange(),
+                "Base",
+                waypoint("A"),
+                waypoint(new WaypointTarget.Variable("spot")))));
   }
 
   @Test
@@ -162,7 +181,7 @@ final class MotionTextTest {
     assertEquals(
         """
         $ 2 "Home" "breakAfter"
-        movej(%s, a=1.4, v=1.05, t=3.0)
+        movej(%s, t=3.0)
         """
             .formatted(joints),
         body(node(new MotionStep.Home(1.05, 1.4, OptionalDouble.of(3)))));
