@@ -50,6 +50,8 @@ public sealed interface MotionStep extends Step {
    *
    * @param feature whose axes are meant
    * @param x of the direction; only the direction of the three counts
+   * @param expression for a list or pose that begins with x, y and z, in place of these; empty for
+   *     none
    * @param speedMPerS of the tool; empty for the move's
    * @param accelerationMPerS2 of the tool; empty for the move's
    */
@@ -58,9 +60,21 @@ public sealed interface MotionStep extends Step {
       double x,
       double y,
       double z,
+      String expression,
       OptionalDouble speedMPerS,
       OptionalDouble accelerationMPerS2)
-      implements MotionStep {}
+      implements MotionStep {
+    /** A direction that three numbers say. */
+    public Direction(
+        String feature,
+        double x,
+        double y,
+        double z,
+        OptionalDouble speedMPerS,
+        OptionalDouble accelerationMPerS2) {
+      this(feature, x, y, z, "", speedMPerS, accelerationMPerS2);
+    }
+  }
 
   /** Ends the way of a direction, or the way to a waypoint, early; its children run after that. */
   record Until(UntilRule rule) implements MotionStep {}

@@ -65,12 +65,21 @@ public final class StepCode {
               var blendRadiusM) ->
           new MotionStep.Waypoint(
               new WaypointTarget.Variable(change.apply(expression)), timing, blendRadiusM);
+      case MotionStep.Direction(
+              String feature,
+              double x,
+              double y,
+              double z,
+              String expression,
+              var speed,
+              var acceleration) ->
+          new MotionStep.Direction(
+              feature, x, y, z, change.apply(expression), speed, acceleration);
       case MotionStep.Until(UntilRule.Expression(String condition)) ->
           new MotionStep.Until(new UntilRule.Expression(change.apply(condition)));
       case MotionStep.Move _,
           MotionStep.Waypoint _,
           MotionStep.CircleMove _,
-          MotionStep.Direction _,
           MotionStep.Until _,
           MotionStep.Home _ ->
           step;

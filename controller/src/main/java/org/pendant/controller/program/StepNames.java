@@ -80,6 +80,9 @@ public final class StepNames {
   }
 
   private static String direction(MotionStep.Direction direction) {
+    if (!direction.expression().isBlank()) {
+      return name(direction.feature()) + " " + condition(direction.expression());
+    }
     double[] parts = {direction.x(), direction.y(), direction.z()};
     String axes = "XYZ";
     int axis = -1;

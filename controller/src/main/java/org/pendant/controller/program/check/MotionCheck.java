@@ -142,7 +142,11 @@ final class MotionCheck {
 
   private void direction(ProgramNode node, MotionStep.Direction direction) {
     findings.feature(node, "feature", direction.feature());
-    vector(node, "x", direction.x(), direction.y(), direction.z());
+    if (direction.expression().isBlank()) {
+      vector(node, "x", direction.x(), direction.y(), direction.z());
+    } else {
+      findings.expression(node, "expression", "direction", direction.expression());
+    }
     direction
         .speedMPerS()
         .ifPresent(

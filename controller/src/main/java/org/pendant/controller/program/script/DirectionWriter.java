@@ -63,8 +63,12 @@ final class DirectionWriter {
    */
   void write(ProgramNode node, MotionStep.Direction direction, MotionStep.Move move) {
     List<ProgramNode> untils = untils(node.children());
+    boolean computed = !direction.expression().isBlank();
+    String given = computed ? context.names().numbered("move_direction") : "";
     Optional<String> vector =
-        vector(direction.feature(), direction.x(), direction.y(), direction.z());
+        computed
+            ? along(direction.feature(), unit(given))
+            : vector(direction.feature(), direction.x(), direction.y(), direction.z());
     if (untils.isEmpty() || vector.isEmpty()) {
       lines.begin(node, ScriptLines.NO_BREAK);
       lines.line("# this direction needs a length and something that ends it");
@@ -78,6 +82,11 @@ final class DirectionWriter {
     String way = context.names().numbered("move_way");
     OptionalDouble distance = distance(untils);
     lines.begin(node);
+    if (computed) {
+      String expression = ScriptText.oneLine(direction.expression().strip());
+      lines.line("global " + given + " = " + expression);
+      lines.line("global " + given + " = normalize(" + first(given) + ")");
+    }
     lines.line("global " + way + " = " + vector.get());
     WatchedMove watched = new WatchedMove(context);
     watched.startMove(
@@ -146,7 +155,17 @@ final class DirectionWriter {
     if (!(length > 0 && Double.isFinite(length))) {
       return Optional.empty();
     }
-    String unit = "p" + ScriptText.list(x / length, y / length, z / length, 0, 0, 0);
+    return along(
+        feature, "p" + ScriptText.list(x / length, y / length, z / length, 0, 0, 0));
+  }
+
+  /** A variable with three numbers as a pose. */
+  private static String unit(String three) {
+    return "p[" + three + "[0], " + three + "[1], " + three + "[2], 0, 0, 0]";
+  }
+
+  /** A direction in a feature, seen from the base frame; empty if there is no such feature. */
+  private Optional<String> along(String feature, String unit) {
     return feature.equals(WaypointPosition.BASE)
         ? Optional.of(unit)
         : steps

@@ -21,6 +21,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.program.ActionStep;
 import org.pendant.controller.program.MotionStep.Direction;
 import org.pendant.controller.program.MotionStep.Until;
 import org.pendant.controller.program.MotionStep.Waypoint;
@@ -96,6 +97,27 @@ final class DirectionRunTest {
             ControllerOptions.headless());
     run.finish();
     assertEquals(0, run.distance(0, 0.05, 0), 1e-6);
+  }
+
+  @Test
+  void anExpressionMaySayTheDirection() {
+    ArmRun run =
+        new ArmRun(
+            program(
+                node(new ActionStep.Assignment("way", "[[0, 0, 1], [0, 3, -4]]")),
+                moveL(
+                    node(
+                        new Direction(
+                            WaypointPosition.BASE,
+                            0,
+                            0,
+                            0,
+                            "way[1]",
+                            OptionalDouble.of(0.2),
+                            OptionalDouble.of(1)),
+                        distance(0.05)))));
+    run.finish();
+    assertEquals(0, run.distance(0, 0.03, -0.04), 1e-6);
   }
 
   @Test

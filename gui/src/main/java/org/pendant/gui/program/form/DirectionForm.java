@@ -27,16 +27,24 @@ final class DirectionForm {
             context.features(),
             step.feature(),
             MotionForms.NO_FEATURE,
-            feature -> at(step, feature, step.x(), step.y(), step.z()));
+            feature -> in(step, feature));
     vector(
         form,
         List.of(step.x(), step.y(), step.z()),
         List.of("x", "y", "z"),
-        v -> at(step, step.feature(), v.get(0), v.get(1), v.get(2)));
-    form.drawing(
-        "direction-drawing",
-        new Sketch.Arrow(step.x(), step.y(), step.z()),
-        "The direction in " + step.feature());
+        v -> along(step, v));
+    form.expression(
+        "expression",
+        "or computed",
+        step.expression(),
+        "such as [1, 0, -0.5]",
+        text -> computed(step, text));
+    if (step.expression().isBlank()) {
+      form.drawing(
+          "direction-drawing",
+          new Sketch.Arrow(step.x(), step.y(), step.z()),
+          "The direction in " + step.feature());
+    }
     Ranges ranges = new Ranges(context.host().state().arm().description());
     form.part("Motion")
         .optional(
@@ -63,14 +71,43 @@ final class DirectionForm {
         .build();
   }
 
-  private static MotionStep.Direction at(
-      MotionStep.Direction was, String feature, double x, double y, double z) {
-    return new MotionStep.Direction(feature, x, y, z, was.speedMPerS(), was.accelerationMPerS2());
+  private static MotionStep.Direction in(MotionStep.Direction was, String feature) {
+    return new MotionStep.Direction(
+        feature,
+        was.x(),
+        was.y(),
+        was.z(),
+        was.expression(),
+        was.speedMPerS(),
+        was.accelerationMPerS2());
+  }
+
+  /** The numbers take the place of an expression. */
+  private static MotionStep.Direction along(MotionStep.Direction was, List<Double> vector) {
+    return new MotionStep.Direction(
+        was.feature(),
+        vector.get(0),
+        vector.get(1),
+        vector.get(2),
+        was.speedMPerS(),
+        was.accelerationMPerS2());
+  }
+
+  private static MotionStep.Direction computed(MotionStep.Direction was, String expression) {
+    return new MotionStep.Direction(
+        was.feature(),
+        was.x(),
+        was.y(),
+        was.z(),
+        expression,
+        was.speedMPerS(),
+        was.accelerationMPerS2());
   }
 
   private static MotionStep.Direction motion(
       MotionStep.Direction was, OptionalDouble speed, OptionalDouble acceleration) {
-    return new MotionStep.Direction(was.feature(), was.x(), was.y(), was.z(), speed, acceleration);
+    return new MotionStep.Direction(
+        was.feature(), was.x(), was.y(), was.z(), was.expression(), speed, acceleration);
   }
 
   /** A step for a vector. */
