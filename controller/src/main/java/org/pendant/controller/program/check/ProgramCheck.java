@@ -95,13 +95,17 @@ public final class ProgramCheck {
     }
   }
 
-  /** What belongs to a move may also stand deeper below it, as some programs of others have it. */
+  /**
+   * What belongs to a move may also stand deeper below it, and a move in a move, as some programs of
+   * others have it.
+   */
   private void placement(Step parent, ProgramNode node, Optional<MotionStep.Move> move) {
     boolean deeper =
         move.isPresent()
             && Placement.allows(move.get(), node.step())
             && Placement.allows(parent, new ActionStep.Halt());
-    if (!deeper && !(parent instanceof ForeignStep)) {
+    boolean inMove = parent instanceof MotionStep.Move && node.step() instanceof MotionStep.Move;
+    if (!deeper && !inMove && !(parent instanceof ForeignStep)) {
       Placement.whyNot(parent, node.step()).ifPresent(reason -> findings.problem(node, "", reason));
     }
   }

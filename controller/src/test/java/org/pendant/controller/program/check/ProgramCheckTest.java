@@ -389,6 +389,13 @@ final class ProgramCheckTest {
             "3 : nothing ends the direction, expected an Until below it"),
         problems(program(move(MoveKind.LINEAR, node(nowhere)))));
     assertProblem(
+        "3 expression: column 1: variable nowhere is never assigned",
+        move(
+            MoveKind.LINEAR,
+            node(
+                new MotionStep.Direction("Base", 0, 0, 0, "nowhere", NONE, NONE),
+                node(new MotionStep.Until(new UntilRule.Distance(0.1))))));
+    assertProblem(
         "4 rule: distance is 0 mm, must be above 0 and at most 10000 mm",
         move(
             MoveKind.LINEAR,
@@ -403,6 +410,7 @@ final class ProgramCheckTest {
         "2 : Waypoint does not go below Main program, only below a move or a circle",
         waypoint("A"));
     assertFine(move(MoveKind.LINEAR, node(new ActionStep.Folder("f"), waypoint("A"))));
+    assertFine(move(MoveKind.LINEAR, move(MoveKind.JOINT, waypoint("A"))));
     assertEquals(
         List.of("0 : there is no main program"),
         problems(sections(node(new Section.ThreadSection("t", true)))));
