@@ -7,6 +7,9 @@ import org.pendant.controller.packedxml.XmlElement;
 
 /** Reads expressions, which files keep as rows of single characters, tokens and names. */
 final class Expressions {
+  /** Names the feature that a variable stands for. */
+  static final String FEATURE = "featureName";
+
   /** Signs that only screens have. */
   private static final Map<Integer, String> SIGNS =
       Map.of(
@@ -121,6 +124,7 @@ final class Expressions {
         .get()
         .attribute("name")
         .or(() -> found.get().attribute("referencedName"))
+        .or(() -> found.get().attribute(FEATURE))
         .orElseGet(() -> found.get().text().strip());
   }
 

@@ -8,7 +8,7 @@ import org.pendant.controller.program.FlowStep;
 import org.pendant.controller.program.LoopRule;
 import org.pendant.controller.program.Step;
 
-/** Understands the elements that decide what runs. */
+/** Understands the elements that decide what runs, or how what is below them runs. */
 final class FlowReader {
   private final Expressions expressions;
 
@@ -23,6 +23,7 @@ final class FlowReader {
       case "Loop" -> loop(element).map(FlowStep.Loop::new);
       case "Switch" -> Optional.of(new FlowStep.Switch(expressions.in(element)));
       case "Case" -> Optional.of(caseOf(element));
+      case ForceNodes.ELEMENT -> ForceNodes.read(element, expressions);
       case "DefaultCase", "Default" -> Optional.of(new FlowStep.DefaultCase());
       default -> Optional.empty();
     };

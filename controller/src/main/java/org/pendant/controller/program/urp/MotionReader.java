@@ -1,6 +1,5 @@
 package org.pendant.controller.program.urp;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -21,13 +20,36 @@ import org.pendant.controller.program.WaypointTarget;
 final class MotionReader {
   static final String DIRECTION = "gui.program.direction.MoveDirectionNode";
 
+  /** Of a direction: speed and acceleration in place of those of the move. */
+  static final String OWN_SPEEDS = "toolParams";
+
+  /** Of a direction along an axis. */
+  static final String AXIS_NAME = "selectedDirection";
+
+  static final String UNTIL_TYPE = "type";
+  static final String CONTACT = "TOOL_CONTACT_DETECTION";
+  static final String RETRACTION = "retraction";
+  static final String CONTACT_STOP = "decelerationAcceleration";
+  static final String DISTANCE = "Distance";
+
+  /** How long a way takes, s. */
+  static final String MOTION_TIME = "nextMotionTime";
+
+  /** Where a relative way begins and ends. */
+  static final String FROM = "relativeFromPosition";
+
+  static final String TO = "position";
+
+  private static final String MOTION_TYPE = "motionType";
+  private static final String PROCESS = "MoveP";
+  private static final String WAYPOINT = "Waypoint";
   private static final double JOINT_SPEED_RAD_PER_S = Math.toRadians(60);
   private static final double JOINT_ACCELERATION_RAD_PER_S2 = Math.toRadians(80);
   private static final double TOOL_SPEED_M_PER_S = 0.25;
   private static final double TOOL_ACCELERATION_M_PER_S2 = 1.2;
   private static final double STOP_M_PER_S2 = 3;
-  private static final Pattern AXIS =
-      Pattern.compile("(^|[^A-Z])([XYZ])[^A-Z]*(\\+|-|PLUS|MINUS|POS|NEG)");
+  private static final OptionalDouble NONE = OptionalDouble.empty();
+  private static final Pattern AXIS = Pattern.compile("([XYZ])(Plus|Minus)");
 
   private final Expressions expressions;
   private final UrpSignals signals;
@@ -45,12 +67,12 @@ final class MotionReader {
   Optional<Step> step(XmlElement element, Within within) throws UnreadableFile {
     return switch (Values.kind(element)) {
       case "Move" -> Optional.of(move(element));
-      case "Waypoint" -> waypoint(element, within);
+      case WAYPOINT -> waypoint(element, within);
       case "CircleMove" ->
           Optional.of(
               new MotionStep.CircleMove(
                   element.text("OrientationMode").toLowerCase(Locale.ROOT).startsWith("fix"),
-                  blend(element)));
+                  within.blend(blend(element))));
       case DIRECTION -> direction(element);
       case "Until" -> until(element).map(MotionStep.Until::new);
       case "SafeHome" -> Optional.of(home(element));
@@ -67,20 +89,34 @@ final class MotionReader {
               move.speed(),
               move.acceleration(),
               move.feature(),
-              Values.attribute(element, "blendRadius"));
+              blend(element),
+              around.lastOfProcess());
       // the corner of a circle is its own
       case MotionStep.CircleMove _ -> around.without();
       default -> around;
     };
   }
 
+  /** Whether it goes to a waypoint at once, and not as a process move. */
+  static boolean isOtherMove(XmlElement element) {
+    return element.name().equals("Move")
+        && !element.text(MOTION_TYPE).equals(PROCESS)
+        && element
+            .child("children")
+            .filter(each -> !each.children().isEmpty())
+            .map(each -> each.children().getFirst().name())
+            .filter(WAYPOINT::equals)
+            .isPresent();
+  }
+
   private MotionStep.Move move(XmlElement element) throws UnreadableFile {
     MoveKind kind =
-        switch (element.text("motionType")) {
+        switch (element.text(MOTION_TYPE)) {
           case "MoveL" -> MoveKind.LINEAR;
-          case "MoveP" -> MoveKind.PROCESS;
+          case PROCESS -> MoveKind.PROCESS;
           default -> MoveKind.JOINT;
         };
+    optimal(element);
     boolean joint = kind == MoveKind.JOINT;
     double speed =
         Values.attribute(element, "speed")
@@ -95,6 +131,16 @@ final class MotionReader {
         tool(element),
         Features.in(element, expressions),
         element.text("positionType").equals("JointAngles"));
+  }
+
+  /** Shares of what the arm can do, which stand there even where they are not wanted. */
+  private void optimal(XmlElement element) {
+    for (String each : List.of("optiMoveSpeed", "optiMoveAcceleration")) {
+      var _ = element.attribute(each);
+    }
+    if (element.text("optimoveEnabled").equals("true")) {
+      remarks.add(element, "an OptiMove is made as an ordinary move of its speed");
+    }
   }
 
   private ToolChoice tool(XmlElement element) throws UnreadableFile {
@@ -118,7 +164,7 @@ final class MotionReader {
         new MotionStep.Waypoint(
             target.get(),
             parameters.map(each -> timing(each, within)).orElse(new Timing.AsMove()),
-            blend.isPresent() ? blend : within.blendRadiusM()));
+            within.blend(blend)));
   }
 
   private Optional<WaypointTarget> target(XmlElement element, Within within) throws UnreadableFile {
@@ -139,22 +185,17 @@ final class MotionReader {
     };
   }
 
-  /** Two places stand in it, from and to; how they are called is not known for certain. */
   private Optional<WaypointTarget> relative(String name, XmlElement element, Within within)
       throws UnreadableFile {
-    List<XmlElement> places = new ArrayList<>();
-    for (XmlElement each : element.children()) {
-      if (each.name().toLowerCase(Locale.ROOT).endsWith("position")) {
-        places.add(each);
-      }
-    }
-    if (places.size() != 2) {
+    Optional<XmlElement> start = element.child(FROM);
+    Optional<XmlElement> end = element.child(TO);
+    if (start.isEmpty() || end.isEmpty()) {
       return Optional.empty();
     }
     String from = name + "_from";
     String to = name + "_to";
-    positions.add(from, element, places.get(0), within.feature());
-    positions.add(to, element, places.get(1), within.feature());
+    positions.add(from, element, start.get(), within.feature());
+    positions.add(to, element, end.get(), within.feature());
     return Optional.of(new WaypointTarget.Relative(name, from, to));
   }
 
@@ -163,7 +204,6 @@ final class MotionReader {
   }
 
   private static Timing timing(XmlElement parameters, Within within) {
-    OptionalDouble time = Values.attribute(parameters, "time");
     boolean joint = within.kind() == MoveKind.JOINT;
     OptionalDouble speed = Values.attribute(parameters, joint ? "jointSpeed" : "cartesianSpeed");
     OptionalDouble acceleration =
@@ -173,6 +213,11 @@ final class MotionReader {
         List.of("jointSpeed", "jointAcceleration", "cartesianSpeed", "cartesianAcceleration")) {
       var _ = parameters.attribute(each);
     }
+    // a process move has one speed for all of its way
+    OptionalDouble time =
+        within.kind() == MoveKind.PROCESS
+            ? OptionalDouble.empty()
+            : Values.attribute(parameters, MOTION_TIME);
     if (time.isPresent()) {
       return new Timing.Duration(time.getAsDouble());
     }
@@ -182,31 +227,48 @@ final class MotionReader {
   }
 
   private Optional<Step> direction(XmlElement element) throws UnreadableFile {
-    Matcher axis = AXIS.matcher(element.text("selectedDirection").toUpperCase(Locale.ROOT));
-    if (!axis.find()) {
-      return Optional.empty();
+    String feature = Features.in(element, expressions);
+    double[] own = Values.numbers(element.text(OWN_SPEEDS));
+    OptionalDouble speed = own.length == 2 ? OptionalDouble.of(own[0]) : NONE;
+    OptionalDouble acceleration = own.length == 2 ? OptionalDouble.of(own[1]) : NONE;
+    String expression = expressions.in(element);
+    double[] vector = expression.isEmpty() ? axis(element) : literal(expression);
+    if (vector.length == 3) {
+      return Optional.of(
+          new MotionStep.Direction(
+              feature, vector[0], vector[1], vector[2], speed, acceleration));
     }
-    double sign = axis.group(3).startsWith("-") || axis.group(3).matches("MINUS|NEG") ? -1 : 1;
-    Optional<XmlElement> parameters = element.child("motionParameters");
-    OptionalDouble none = OptionalDouble.empty();
-    return Optional.of(
-        new MotionStep.Direction(
-            Features.in(element, expressions),
-            axis.group(2).equals("X") ? sign : 0,
-            axis.group(2).equals("Y") ? sign : 0,
-            axis.group(2).equals("Z") ? sign : 0,
-            parameters.map(each -> Values.attribute(each, "cartesianSpeed")).orElse(none),
-            parameters.map(each -> Values.attribute(each, "cartesianAcceleration")).orElse(none)));
+    return expression.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            new MotionStep.Direction(feature, 0, 0, 0, expression, speed, acceleration));
+  }
+
+  /** The direction of an axis, such as {@code ZMinus}; nothing if it names none. */
+  private static double[] axis(XmlElement element) {
+    Matcher axis = AXIS.matcher(element.text(AXIS_NAME));
+    if (!axis.matches()) {
+      return new double[0];
+    }
+    double[] vector = new double[3];
+    vector["XYZ".indexOf(axis.group(1))] = axis.group(2).equals("Minus") ? -1 : 1;
+    return vector;
+  }
+
+  /** A list of numbers; nothing if it is another expression. */
+  private static double[] literal(String expression) {
+    return expression.startsWith("[") && expression.endsWith("]")
+        ? Values.numbers(expression.substring(1, expression.length() - 1))
+        : new double[0];
   }
 
   private Optional<UntilRule> until(XmlElement element) throws UnreadableFile {
-    String type = element.text("type").toUpperCase(Locale.ROOT);
-    Optional<XmlElement> distance = element.child("Distance", "distance");
+    // whether there are nodes below it, which shows there
+    var _ = element.attribute("allowActions");
+    String type = element.text(UNTIL_TYPE);
+    Optional<XmlElement> distance = element.child(DISTANCE);
     if (distance.isPresent()) {
-      OptionalDouble metres = Values.number(distance.get().text());
-      return metres.isEmpty()
-          ? Optional.empty()
-          : Optional.of(new UntilRule.Distance(metres.getAsDouble()));
+      return distance(element, distance.get());
     }
     if (element.child("pin").isPresent()) {
       return Optional.of(
@@ -215,33 +277,33 @@ final class MotionReader {
     if (element.child("expression").isPresent()) {
       return Optional.of(new UntilRule.Expression(expressions.in(element)));
     }
-    if (!type.contains("CONTACT")) {
+    if (!type.equals(CONTACT)) {
       return Optional.empty();
     }
-    remarks.add(element, "how far the tool goes back after a contact is read by guess");
+    // how fast the tool stops turning, which it does not do on a straight way
+    var _ = element.attribute("decelerationAngularAcceleration");
     return Optional.of(
         new UntilRule.Contact(
-            like(element, "retract", 0), like(element, "deceler", STOP_M_PER_S2)));
+            Values.attribute(element, RETRACTION).orElse(0),
+            Values.attribute(element, CONTACT_STOP).orElse(STOP_M_PER_S2)));
   }
 
-  /** The number of the first attribute or element whose name has a word in it. */
-  private static double like(XmlElement element, String word, double otherwise) {
-    for (String name : element.attributeNames()) {
-      if (name.toLowerCase(Locale.ROOT).contains(word)) {
-        return Values.attribute(element, name).orElse(otherwise);
-      }
+  /** The way ends exactly there, so that its deceleration is that of the move. */
+  private Optional<UntilRule> distance(XmlElement element, XmlElement distance) {
+    var _ = element.attribute("deceleration");
+    double radiusM = element.child("motionParameters").map(MotionReader::blend).orElse(NONE).orElse(0);
+    if (element.text("distanceNodeType").equals("BLEND")) {
+      remarks.add(element, "the way ends with a stop, not with its blend of " + radiusM + " m");
     }
-    for (XmlElement each : element.children()) {
-      if (each.name().toLowerCase(Locale.ROOT).contains(word)) {
-        return Values.number(each.text()).orElse(otherwise);
-      }
-    }
-    return otherwise;
+    OptionalDouble metres = Values.number(distance.text());
+    return metres.isEmpty()
+        ? Optional.empty()
+        : Optional.of(new UntilRule.Distance(metres.getAsDouble()));
   }
 
   private static MotionStep.Home home(XmlElement element) {
     boolean byTime = element.text("positionOptionType").toUpperCase(Locale.ROOT).contains("TIME");
-    OptionalDouble time = Values.attribute(element, "time");
+    OptionalDouble time = Values.attribute(element, MOTION_TIME);
     return new MotionStep.Home(
         Values.attribute(element, "speed").orElse(JOINT_SPEED_RAD_PER_S),
         Values.attribute(element, "acceleration").orElse(JOINT_ACCELERATION_RAD_PER_S2),

@@ -31,12 +31,18 @@ final class ProgramReader {
   /** Holds places that no waypoint in the file has, and the installation, as text. */
   static final String OWN_PROGRAM = "pendant.Program";
 
+  static final String INITIAL_VALUES = "InitVariablesNode";
+
   private static final String CHILDREN = "children";
 
   /** Stands around what is switched off. */
   private static final String SUPPRESSED = "SuppressedNode";
 
   private static final int MOST_NODES = 200_000;
+
+  /** Older files keep the last chosen move in the main program, which means nothing. */
+  private static final List<String> OLD_MOVE =
+      List.of("motionType", "speed", "acceleration", "useActiveTCP", "positionType");
 
   private final XmlElement root;
   private final Remarks remarks = new Remarks();
@@ -142,6 +148,9 @@ final class ProgramReader {
       return Optional.empty();
     }
     XmlElement target = found.get();
+    if (element.name().equals(INITIAL_VALUES)) {
+      return initialValues(target);
+    }
     Optional<Clip> own =
         element.name().equals(OWN_NODE) ? clip(Optional.of(element)) : Optional.empty();
     Optional<Step> step =
@@ -156,8 +165,7 @@ final class ProgramReader {
       return Optional.empty();
     }
     understood.add(target);
-    List<ProgramNode> children =
-        step.get() instanceof Section.InitialValues ? List.of() : nodes(target, Within.NOTHING, 1);
+    List<ProgramNode> children = nodes(target, Within.NOTHING, 1);
     boolean suppressed = own.isPresent() && own.get().nodes().getFirst().suppressed();
     return Optional.of(
         ProgramTree.node(step.get(), children.toArray(ProgramNode[]::new))
@@ -166,7 +174,6 @@ final class ProgramReader {
 
   private Optional<Step> sectionStep(String name, XmlElement element) throws UnreadableFile {
     return switch (name) {
-      case "InitVariablesNode" -> Optional.of(new Section.InitialValues(initialValues(element)));
       case "SpecialSequence" ->
           element.text("type").equals("BeforeStart")
               ? Optional.of(new Section.BeforeStart())
@@ -180,11 +187,11 @@ final class ProgramReader {
   }
 
   private Section.MainProgram main(XmlElement element) {
-    // older files keep the last chosen speed here, which means nothing
-    for (String each : List.of("motionType", "speed", "acceleration", "useActiveTCP")) {
+    var _ = element.child("feature");
+    for (String each : OLD_MOVE) {
       var _ = element.attribute(each);
     }
-    var _ = element.attribute("InitVariablesNode");
+    var _ = element.attribute(INITIAL_VALUES);
     return new Section.MainProgram(!Values.yes(element, "runOnlyOnce"));
   }
 
@@ -229,16 +236,18 @@ final class ProgramReader {
     return sections;
   }
 
-  /** Initial values stand at the variables, wherever these are written in full. */
-  private List<InitialValue> initialValues(XmlElement node) throws UnreadableFile {
-    if (initialValuesOff()) {
-      remarks.add(node, "initial values of variables are switched off in this program");
-      return List.of();
-    }
+  /**
+   * Initial values stand in a list of their own, those of older files at the variables, wherever
+   * these are written in full. A program has a switch for them, and keeps them while it is off.
+   */
+  private Optional<ProgramNode> initialValues(XmlElement node) throws UnreadableFile {
+    understood.add(node);
     List<InitialValue> values = new ArrayList<>();
     Set<String> named = new HashSet<>();
-    for (XmlElement each : node.children("variable")) {
-      values.add(new InitialValue(each.text("name"), expressions.in(each, "initializeExpression")));
+    Optional<XmlElement> listed = node.child("variables");
+    for (XmlElement each : listed.map(list -> list.children("variable")).orElse(List.of())) {
+      understood.add(each);
+      values.add(new InitialValue(each.text("name"), expressions.in(each)));
       named.add(each.text("name"));
     }
     List<XmlElement> elsewhere = new ArrayList<>();
@@ -255,14 +264,17 @@ final class ProgramReader {
         values.add(new InitialValue(each.text("name"), value));
       }
     }
-    return values;
+    boolean off = initialValuesOff();
+    return off && values.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            ProgramTree.node(new Section.InitialValues(values)).withSuppressed(off));
   }
 
-  /** The program has a switch for them, and keeps the values while it is off. */
   private boolean initialValuesOff() {
     return root.child(CHILDREN)
         .flatMap(each -> each.child("MainProgram"))
-        .flatMap(each -> each.attribute("InitVariablesNode"))
+        .flatMap(each -> each.attribute(INITIAL_VALUES))
         .orElse("true")
         .equals("false");
   }
@@ -271,14 +283,18 @@ final class ProgramReader {
       throws UnreadableFile {
     List<ProgramNode> nodes = new ArrayList<>();
     Optional<XmlElement> children = parent.child(CHILDREN);
-    for (XmlElement each : children.isEmpty() ? List.<XmlElement>of() : children.get().children()) {
+    List<XmlElement> all = children.map(XmlElement::children).orElse(List.of());
+    for (int i = 0; i < all.size(); i++) {
+      XmlElement each = all.get(i);
       if (depth > ProgramTree.DEEPEST) {
         throw each.wrong("nodes are more than " + ProgramTree.DEEPEST + " levels deep");
       }
+      Within here =
+          i + 1 < all.size() ? within.before(MotionReader.isOtherMove(all.get(i + 1))) : within;
       if (each.name().equals(SUPPRESSED)) {
-        nodes.addAll(suppressed(each, within, depth));
+        nodes.addAll(suppressed(each, here, depth));
       } else {
-        node(each, within, depth).ifPresent(nodes::add);
+        node(each, here, depth).ifPresent(nodes::add);
       }
     }
     return nodes;
@@ -323,6 +339,7 @@ final class ProgramReader {
     if (Values.kind(element).equals("Contributed")) {
       return Optional.of(ProgramTree.node(Kept.contributed(element, ofNode)));
     }
+    element.child("motionParameters").ifPresent(understood::add);
     Optional<Step> step = motion.step(element, within);
     step = step.isEmpty() ? action.step(element) : step;
     step = step.isEmpty() ? flow.step(element) : step;

@@ -158,21 +158,26 @@ final class ProgramWriter {
   }
 
   private void section(ProgramNode node) {
-    if (own.contains(node.key()) || node.suppressed()) {
+    boolean off = node.suppressed() && !(node.step() instanceof Section.InitialValues);
+    if (own.contains(node.key()) || off) {
       ownNode(node, Within.NOTHING);
       return;
     }
     switch (node.step()) {
       case Section.InitialValues values -> {
-        out.open("InitVariablesNode");
+        out.open(ProgramReader.INITIAL_VALUES);
+        out.open("variables");
         values.values().forEach(this::initialValue);
+        out.close();
       }
       case Section.BeforeStart _ -> out.open("SpecialSequence", "type", "BeforeStart");
       case Section.MainProgram main -> {
         boolean initial =
-            tree.sections().stream().anyMatch(each -> each.step() instanceof Section.InitialValues);
+            tree.sections().stream()
+                .anyMatch(
+                    each -> each.step() instanceof Section.InitialValues && !each.suppressed());
         out.open("MainProgram", "runOnlyOnce", Boolean.toString(!main.forever()));
-        out.attribute("InitVariablesNode", Boolean.toString(initial));
+        out.attribute(ProgramReader.INITIAL_VALUES, Boolean.toString(initial));
       }
       case Section.ThreadSection thread ->
           out.open("Thread", "name", thread.name(), "loop", Boolean.toString(thread.forever()));
@@ -196,11 +201,9 @@ final class ProgramWriter {
   }
 
   private void initialValue(InitialValue value) {
-    if (out.first("variable", "variable " + value.variable())) {
-      out.open("variable", "name", value.variable(), "prefersPersistentValue", "false");
-      elements.expression("initializeExpression", value.expression());
-      out.close();
-    }
+    out.open("variable", "name", value.variable());
+    elements.expression("expression", value.expression());
+    out.close();
   }
 
   private static String subKey(String subName) {
@@ -251,6 +254,7 @@ final class ProgramWriter {
             yield true;
           }
           case MotionStep step -> motion.open(step, within);
+          case TemplateStep.Force force -> ForceNodes.open(force, out);
           case ForeignStep _, TemplateStep _, Section _ -> false;
         };
     if (!known) {

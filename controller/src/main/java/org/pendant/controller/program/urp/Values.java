@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.pendant.controller.packedxml.XmlElement;
 
 /** Reads numbers and the like; what cannot be one counts as missing. */
@@ -46,6 +47,11 @@ final class Values {
     Optional<XmlElement> child = element.child(name);
     String text = element.attribute(name).or(() -> child.map(XmlElement::text)).orElse("");
     return YES.contains(text.strip().toLowerCase(Locale.ROOT));
+  }
+
+  /** Numbers with commas between. */
+  static String text(double... numbers) {
+    return Arrays.stream(numbers).mapToObj(Double::toString).collect(Collectors.joining(", "));
   }
 
   /** Numbers with commas between; none if one of them is not a number. */

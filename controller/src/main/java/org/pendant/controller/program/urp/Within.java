@@ -5,18 +5,40 @@ import org.pendant.controller.program.MoveKind;
 import org.pendant.controller.program.WaypointPosition;
 
 /**
- * What the move around a node says of it.
+ * What the move around a node, and what comes next, say of it.
  *
  * @param feature our name of it
- * @param blendRadiusM of waypoints that have none of their own
+ * @param sharedBlendM of waypoints and circles that have none of their own
+ * @param lastOfProcess whether what follows the node goes to a waypoint as another sort of move
  */
 record Within(
-    MoveKind kind, double speed, double acceleration, String feature, OptionalDouble blendRadiusM) {
+    MoveKind kind,
+    double speed,
+    double acceleration,
+    String feature,
+    OptionalDouble sharedBlendM,
+    boolean lastOfProcess) {
   /** No move is around the node. */
   static final Within NOTHING =
-      new Within(MoveKind.JOINT, 0, 0, WaypointPosition.BASE, OptionalDouble.empty());
+      new Within(MoveKind.JOINT, 0, 0, WaypointPosition.BASE, OptionalDouble.empty(), false);
 
+  /** For the corners of a circle, whose blend is its own. */
   Within without() {
-    return new Within(kind, speed, acceleration, feature, OptionalDouble.empty());
+    return new Within(kind, speed, acceleration, feature, OptionalDouble.empty(), false);
+  }
+
+  Within before(boolean otherMove) {
+    return otherMove == lastOfProcess
+        ? this
+        : new Within(kind, speed, acceleration, feature, sharedBlendM, otherMove);
+  }
+
+  /** The blend of a waypoint or circle; the last one of a process move stops before another one. */
+  OptionalDouble blend(OptionalDouble own) {
+    return own.isPresent() || stops() ? own : sharedBlendM;
+  }
+
+  private boolean stops() {
+    return kind == MoveKind.PROCESS && lastOfProcess;
   }
 }

@@ -372,7 +372,10 @@ class UrpReadTest {
         tree.sections().stream().map(ProgramNode::step).toList());
     assertEquals(List.of(), tree.sections().get(1).children());
     ProgramTree off = read(program(sections.formatted("false"))).tree();
-    assertEquals(new Section.InitialValues(List.of()), off.sections().getFirst().step());
+    assertEquals(
+        new Section.InitialValues(List.of(new Section.InitialValue("n", "7"))),
+        off.sections().getFirst().step());
+    assertTrue(off.sections().getFirst().suppressed());
   }
 
   @Test
@@ -420,7 +423,7 @@ class UrpReadTest {
     assertEquals(
         new MotionStep.Direction("Tool", 0, 0, -1, OptionalDouble.empty(), OptionalDouble.empty()),
         step(
-            "<gui.program.direction.MoveDirectionNode selectedDirection=\"Z-\"><feature"
+            "<gui.program.direction.MoveDirectionNode selectedDirection=\"ZMinus\"><feature"
                 + " referencedName=\"Joint_6_name\"/></gui.program.direction.MoveDirectionNode>"));
   }
 

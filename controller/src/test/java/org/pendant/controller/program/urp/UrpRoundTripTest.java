@@ -185,7 +185,6 @@ class UrpRoundTripTest {
         List.of(
             "Waypoint",
             "Direction",
-            "Until",
             "SetAction",
             "SetAction",
             "SetAction",
