@@ -83,13 +83,17 @@ public final class InstallationCheck {
 
   /** A name of its own, that people can read. */
   private void name(String field, String name, Set<String> taken) {
+    readable(field, name);
+    problems.require(
+        name.isBlank() || taken.add(name), field, () -> name + " is the name of another one too");
+  }
+
+  private void readable(String field, String name) {
     problems.require(!name.isBlank(), field, () -> "there is no name");
     problems.require(
         name.length() <= LONGEST_NAME && name.chars().noneMatch(Character::isISOControl),
         field,
         () -> "the name must have at most " + LONGEST_NAME + " characters on one line");
-    problems.require(
-        name.isBlank() || taken.add(name), field, () -> name + " is the name of another one too");
   }
 
   private void count(String field, int size) {
@@ -180,7 +184,11 @@ public final class InstallationCheck {
       problems.require(
           ids.add(use.signal()), field + "signal", () -> use.signal() + " is mentioned twice");
       if (!use.name().isEmpty()) {
-        name(field + "name", use.name(), names);
+        readable(field + "name", use.name());
+        if (!names.add(use.name())) {
+          // robots allow it; programs then mean the first one
+          problems.remark(field + "name", use.name() + " is the name of another one too");
+        }
       }
       problems.require(
           id.isEmpty() || use.input() == InputAction.DEFAULT || id.get().takesInputAction(),

@@ -85,7 +85,7 @@ final class Editing {
     Set<String> before = new HashSet<>();
     InstallationCheck.problems(now(), arm()).forEach(each -> before.add(each.message()));
     return InstallationCheck.problems(next, arm()).stream()
-        .filter(InstallationProblem::blocks)
+        .filter(each -> each.blocks() || SignalNames.isName(each))
         .map(InstallationProblem::message)
         .filter(each -> !before.contains(each))
         .findFirst()

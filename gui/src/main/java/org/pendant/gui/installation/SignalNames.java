@@ -3,8 +3,11 @@ package org.pendant.gui.installation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationCheck;
+import org.pendant.controller.installation.InstallationProblem;
 import org.pendant.controller.installation.SignalUse;
 import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
@@ -23,13 +26,27 @@ public final class SignalNames {
    */
   public static Optional<Installation> rename(
       Installation installation, ArmDescription arm, String signal, String name) {
-    SignalUse before = use(installation, signal);
-    SignalUse after = new SignalUse(signal, name, before.input(), before.output());
+    SignalUse was = use(installation, signal);
+    SignalUse after = new SignalUse(signal, name, was.input(), was.output());
     Installation next = installation.withSignals(with(installation.signals(), after));
-    boolean wrong =
-        InstallationCheck.problems(next, arm).stream()
-            .anyMatch(each -> each.field().matches("signals\\[\\d+\\]\\.name"));
-    return wrong ? Optional.empty() : Optional.of(next);
+    Set<String> before = problems(installation, arm);
+    return before.containsAll(problems(next, arm)) ? Optional.of(next) : Optional.empty();
+  }
+
+  /** What is wrong with names. */
+  private static Set<String> problems(Installation installation, ArmDescription arm) {
+    return InstallationCheck.problems(installation, arm).stream()
+        .filter(SignalNames::isName)
+        .map(InstallationProblem::message)
+        .collect(Collectors.toSet());
+  }
+
+  /**
+   * Whether a problem is about the name of a signal. People may not give one twice; installations of
+   * robots may bring it along.
+   */
+  static boolean isName(InstallationProblem problem) {
+    return problem.field().matches("signals\\[\\d+\\]\\.name");
   }
 
   /** What a signal is called and does. */
