@@ -1,7 +1,6 @@
 package org.pendant.controller.installation.urp;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -11,9 +10,6 @@ import org.pendant.controller.installation.BaseMounting;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.NamedPayload;
 import org.pendant.controller.installation.NamedTool;
-import org.pendant.controller.installation.SignalUse;
-import org.pendant.controller.io.InputAction;
-import org.pendant.controller.io.RunStateAction;
 import org.pendant.controller.packedxml.XmlElement;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.Joints;
@@ -24,21 +20,15 @@ final class InstallationReader {
   /** What the only payload of older files is called here. */
   private static final String ONLY_PAYLOAD = "Payload";
 
-  private static final Set<String> NOT_NEEDED = Set.of("Version");
-
-  /** Elements with names of signals, one after the other, and what the signals are called here. */
-  private static final List<Bank> BANKS =
-      List.of(
-          new Bank("DigitalInputNames", "digital_in", 8),
-          new Bank("DigitalOutputNames", "digital_out", 8),
-          new Bank("ConfigurableInputNames", "configurable_in", 8),
-          new Bank("ConfigurableOutputNames", "configurable_out", 8),
-          new Bank("ToolDigitalInputNames", "tool_in", 2),
-          new Bank("ToolDigitalOutputNames", "tool_out", 2),
-          new Bank("AnalogInputNames", "analog_in", 2),
-          new Bank("AnalogOutputNames", "analog_out", 2));
-
-  private record Bank(String element, String name, int size) {}
+  /** What tells nothing that a simulated robot could use. */
+  private static final Set<String> NOT_NEEDED =
+      Set.of(
+          "Version",
+          "LastSavedInVersion",
+          "ContinuousPulse",
+          "ResourceControlSettings",
+          "com.ur.view.io.IOServiceImpl",
+          "gui.polyscope.setup.treenodes.geom.SetupFeatureContainerNode");
 
   private final XmlElement root;
   private final List<String> remarks = new ArrayList<>();
@@ -49,33 +39,34 @@ final class InstallationReader {
   }
 
   ImportedInstallation read() {
-    Installation none = Installation.NONE;
-    Optional<XmlElement> tools = top("TCPSettings", "TCPSettingsImpl");
-    List<NamedTool> tcps = tools.map(this::tools).orElse(List.of());
-    List<NamedPayload> payloads = new ArrayList<>();
-    String activePayload = payloads(tools, payloads);
+    Optional<XmlElement> settings =
+        top("TCPSettings", "TCPSettingsImpl", "com.ur.view.tcp.domain.TCPSettingsImpl");
+    Optional<XmlElement> ios = top("IOs");
+    Optional<XmlElement> geometry = top("GeomFeatures", "Features");
+    SignalReader signals = new SignalReader(ios, remarks);
     Installation installation =
-        new Installation(
-            none.robot(),
-            tcps,
-            tools
-                .map(each -> each.text("activePose"))
-                .filter(name -> tcps.stream().anyMatch(each -> each.name().equals(name)))
-                .orElse(""),
-            payloads,
-            activePayload,
-            mounting(),
-            signals(),
-            none.wiring(),
-            none.features(),
-            home().orElse(none.homeRad()),
-            none.variables(),
-            none.startUp(),
-            none.safety(),
-            none.conveyors(),
-            none.modbus(),
-            none.ethernetIpLoss(),
-            none.transitionHardness());
+        Installation.NONE.with(
+            parts -> {
+              List<NamedTool> tcps = settings.map(this::tools).orElse(List.of());
+              parts.tools = tcps;
+              parts.activeTool =
+                  settings
+                      .map(each -> each.text("activePose"))
+                      .filter(name -> tcps.stream().anyMatch(each -> each.name().equals(name)))
+                      .orElse("");
+              List<NamedPayload> payloads = new ArrayList<>();
+              parts.activePayload = payloads(settings, payloads);
+              parts.payloads = payloads;
+              parts.mounting = geometry.map(this::mounting).orElse(BaseMounting.FLOOR);
+              parts.features =
+                  geometry.map(each -> new FeatureReader(remarks).read(each)).orElse(List.of());
+              parts.signals = signals.signals();
+              parts.modbus = signals.modbus();
+              parts.wiring = new WiringReader(ios, top("ToolCommSettings"), remarks).read();
+              parts.homeRad = home().orElse(parts.homeRad);
+              parts.transitionHardness = hardness().orElse(parts.transitionHardness);
+            });
+    actionsOfOlderFiles();
     tellTheRest();
     return new ImportedInstallation(installation, remarks);
   }
@@ -100,7 +91,7 @@ final class InstallationReader {
   private List<NamedTool> tools(XmlElement settings) {
     List<NamedTool> tools = new ArrayList<>();
     for (XmlElement each : below(settings, "tcp")) {
-      double[] offset = numbers(each.text("offset"), Pose.SIZE);
+      double[] offset = Rows.numbers(each.text("offset"), Pose.SIZE);
       if (offset.length == 0 || each.text("name").isEmpty()) {
         remarks.add("line " + each.line() + ": this TCP has no name or no offset of six numbers");
       } else {
@@ -125,7 +116,11 @@ final class InstallationReader {
     if (payloads.isEmpty() && tools.isPresent() && !tools.get().text("toolPayload").isEmpty()) {
       XmlElement older = tools.get();
       String mass = older.text("toolPayload");
-      String cog = older.attribute("toolPayloadCenterOfGravity").orElse("0, 0, 0");
+      String cog =
+          older
+              .attribute("centerOfGravity")
+              .or(() -> older.attribute("toolPayloadCenterOfGravity"))
+              .orElse("0, 0, 0");
       Optional<NamedPayload> payload = payload(ONLY_PAYLOAD, older, mass, cog);
       payload.ifPresent(payloads::add);
       active = payload.map(NamedPayload::name).orElse("");
@@ -134,82 +129,70 @@ final class InstallationReader {
   }
 
   private Optional<NamedPayload> payload(String name, XmlElement where, String mass, String cog) {
-    double[] massKg = numbers(mass, 1);
-    double[] cogM = numbers(cog, 3);
+    double[] massKg = Rows.numbers(mass, 1);
+    double[] cogM = Rows.numbers(cog, 3);
     if (name.isEmpty() || massKg.length == 0 || cogM.length == 0) {
       remarks.add("line " + where.line() + ": this payload has no name, mass or centre of gravity");
       return Optional.empty();
     }
     return Optional.of(
-        new NamedPayload(name, massKg[0], new Vector3(cogM[0], cogM[1], cogM[2]), Inertia.NONE));
+        new NamedPayload(name, massKg[0], new Vector3(cogM[0], cogM[1], cogM[2]), inertia(where)));
+  }
+
+  private Inertia inertia(XmlElement payload) {
+    double[] elements = Rows.numbers(payload.text("inertiaParameters"), 6);
+    Inertia inertia = elements.length == 0 ? Inertia.NONE : Inertia.of(elements);
+    Optional<String> problem = inertia.problem();
+    problem.ifPresent(
+        why ->
+            remarks.add("line " + payload.line() + ": the inertia of this payload is left out: " + why));
+    return problem.isEmpty() ? inertia : Inertia.NONE;
   }
 
   /** The view of the arm on the screen is turned as the arm is mounted. */
-  private BaseMounting mounting() {
-    Optional<XmlElement> features = top("GeomFeatures", "Features");
-    if (features.isPresent()) {
-      remarks.add(
-          "line "
-              + features.get().line()
-              + ": features are not understood, apart from how the base is mounted; programs bring"
-              + " those that they use");
-      for (XmlElement each : below(features.get(), "WorldtoMarshal")) {
-        double[] tilt = numbers(each.text("tiltAngle"), 1);
-        double[] base = numbers(each.text("baseAngle"), 1);
-        if (tilt.length == 1 && base.length == 1) {
-          return new BaseMounting(tilt[0], base[0]);
-        }
+  private BaseMounting mounting(XmlElement features) {
+    for (XmlElement each : below(features, "WorldtoMarshal")) {
+      double[] tilt = Rows.numbers(each.text("tiltAngle"), 1);
+      double[] base = Rows.numbers(each.text("baseAngle"), 1);
+      if (tilt.length == 1 && base.length == 1) {
+        return new BaseMounting(tilt[0], base[0]);
       }
     }
     return BaseMounting.FLOOR;
   }
 
-  private List<SignalUse> signals() {
-    List<SignalUse> uses = new ArrayList<>();
-    Optional<XmlElement> ios = top("IOs");
-    for (Bank bank : BANKS) {
-      String names =
-          ios.flatMap(each -> each.child(bank.element()))
-              .map(each -> each.text("value"))
-              .orElse("");
-      List<String> each = List.of(names.split(",", -1));
-      for (int i = 0; i < Math.min(each.size(), bank.size()); i++) {
-        if (!each.get(i).isBlank()) {
-          uses.add(
-              new SignalUse(
-                  bank.name() + "[" + i + "]",
-                  each.get(i).strip(),
-                  InputAction.DEFAULT,
-                  RunStateAction.PRESERVE));
-        }
-      }
+  /** How fast the arm slows down when its limits get tighter: 0 for hard, 1 for soft. */
+  private Optional<Double> hardness() {
+    return top("SmoothTransitionSettings")
+        .map(each -> each.text("transitionHardness").equals("HARD") ? 0.0 : 1.0);
+  }
+
+  /** What outputs do when a program ends stood in rows of its own. */
+  private void actionsOfOlderFiles() {
+    List<String> kept = Rows.words(Optional.of(root), "preserveSignalAtProgramStop");
+    List<String> high = Rows.words(Optional.of(root), "ProgramStateMode");
+    if (kept.contains("false") || high.contains("true")) {
+      remarks.add("what outputs do when a program ends is not read from files of this age");
     }
-    return uses;
+    understood.addAll(List.of("preserveSignalAtProgramStop", "ProgramStateMode", "setSignalLow"));
   }
 
   private Optional<Joints> home() {
     Optional<XmlElement> home = top("SafeHomeSettings");
-    double[] position = numbers(home.map(each -> each.text("position")).orElse(""), Joints.COUNT);
+    double[] position = Rows.numbers(home.map(each -> each.text("position")).orElse(""), Joints.COUNT);
     return position.length == 0 ? Optional.empty() : Optional.of(Joints.of(position));
   }
 
-  /** Numbers with commas between; none if there are not so many. */
-  private static double[] numbers(String text, int count) {
-    try {
-      double[] numbers =
-          Arrays.stream(text.split(",", -1)).mapToDouble(Double::parseDouble).toArray();
-      boolean right = numbers.length == count && Arrays.stream(numbers).allMatch(Double::isFinite);
-      return right ? numbers : new double[0];
-    } catch (NumberFormatException e) {
-      return new double[0];
-    }
+  private static boolean isOff(XmlElement element) {
+    return element.text("enabled").equals("false") || element.text("autoLoad").equals("false");
   }
 
   private void tellTheRest() {
     String rest =
         root.children().stream()
+            .filter(each -> !understood.contains(each.name()))
+            .filter(each -> !isOff(each))
             .map(XmlElement::name)
-            .filter(each -> !understood.contains(each))
             .distinct()
             .collect(Collectors.joining(", "));
     if (!rest.isEmpty()) {

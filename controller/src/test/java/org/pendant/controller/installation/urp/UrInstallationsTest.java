@@ -6,19 +6,35 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.installation.BaseMounting;
+import org.pendant.controller.installation.Feature;
+import org.pendant.controller.installation.FeatureKind;
+import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.InstallationCheck;
 import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.controller.installation.ModbusSetup;
 import org.pendant.controller.installation.NamedPayload;
 import org.pendant.controller.installation.NamedTool;
 import org.pendant.controller.installation.SignalUse;
+import org.pendant.controller.installation.Wiring;
+import org.pendant.controller.io.AnalogDomain;
+import org.pendant.controller.io.InputAction;
+import org.pendant.controller.io.RunStateAction;
+import org.pendant.controller.io.ToolCommunication;
+import org.pendant.controller.io.ToolOutputMode;
+import org.pendant.controller.io.ToolPinMode;
+import org.pendant.controller.outside.ModbusKind;
 import org.pendant.controller.packedxml.PackedXml;
 import org.pendant.controller.packedxml.UnreadableFile;
 import org.pendant.controller.world.Vector3;
+import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
 
 class UrInstallationsTest {
   private static final String CELL =
@@ -88,8 +104,6 @@ class UrInstallationsTest {
     assertEquals(
         List.of(
             "line 6: this TCP has no name or no offset of six numbers",
-            "line 14: features are not understood, apart from how the base is mounted; programs"
-                + " bring those that they use",
             "not understood, and as in a new installation: SafetySettings"),
         UrInstallations.read(bytes(CELL)).remarks());
   }
@@ -105,6 +119,204 @@ class UrInstallationsTest {
         read.payloads());
     assertEquals("Payload", read.activePayload());
     assertEquals("", read.activeTool());
+  }
+
+  private static ImportedInstallation read(String elements) throws UnreadableFile {
+    return UrInstallations.read(bytes("<Installation>" + elements + "</Installation>"));
+  }
+
+  @Test
+  void readsTheCentreOfGravityOfOlderFiles() throws UnreadableFile {
+    assertEquals(
+        List.of(new NamedPayload("Payload", 1.1, new Vector3(0, 0, 0.05), Inertia.NONE)),
+        read("<TCPSettings activePose=\"T\" toolPayload=\"1.1\" centerOfGravity=\"0, 0, 0.05\"/>")
+            .installation()
+            .payloads());
+  }
+
+  @Test
+  void readsTheInertiaOfPayloads() throws UnreadableFile {
+    String payload =
+        "<PayloadSettings><Payload name=\"P\" mass=\"1\" defaultPayload=\"true\""
+            + " centerOfGravity=\"0, 0, 0\" inertiaParameters=\"%s\"/></PayloadSettings>";
+    assertEquals(
+        new Inertia(0.1, 0.2, 0.3, 0, 0.01, 0.02),
+        read(payload.formatted("0.1, 0.2, 0.3, 0.0, 0.01, 0.02"))
+            .installation()
+            .payloads()
+            .getFirst()
+            .inertia());
+    ImportedInstallation refused = read(payload.formatted("-0.1, 0.2, 0.3, 0.0, 0.01, 0.02"));
+    assertEquals(Inertia.NONE, refused.installation().payloads().getFirst().inertia());
+    assertEquals(
+        List.of(
+            "line 1: the inertia of this payload is left out: the first three must not be negative"),
+        refused.remarks());
+  }
+
+  @Test
+  void readsWhatAnalogSignalsAreMadeOf() throws UnreadableFile {
+    Wiring wiring =
+        read("<IOs><analogInputRange value=\"0, 1, 1, 0\"/><analogOutputDomain value=\"1, 0\"/></IOs>")
+            .installation()
+            .wiring();
+    assertEquals(List.of(AnalogDomain.CURRENT, AnalogDomain.VOLTAGE), wiring.analogIn());
+    assertEquals(List.of(AnalogDomain.VOLTAGE, AnalogDomain.CURRENT), wiring.analogOut());
+    assertEquals(List.of(AnalogDomain.VOLTAGE, AnalogDomain.CURRENT), wiring.toolAnalogIn());
+  }
+
+  @Test
+  void readsTheToolConnector() throws UnreadableFile {
+    ImportedInstallation read =
+        read(
+            """
+            <ToolCommSettings enabled="true" toolAnalogInput2="CURRENT" toolAnalogInput3="VOLTAGE"
+                baudRate="BAUD_57600" parity="EVEN" stopBits="TWO" rxIdleChars="2.5"
+                txIdleChars="4.5" toolOutputMode="OUTPUT" toolDigitalOutput0="SOURCING"
+                toolDigitalOutput1="SINKING" toolOutputVoltage="TWENTY_FOUR"/>
+            <SmoothTransitionSettings transitionHardness="HARD"/>
+            """);
+    Wiring wiring = read.installation().wiring();
+    assertEquals(List.of(AnalogDomain.CURRENT, AnalogDomain.VOLTAGE), wiring.toolAnalogIn());
+    assertEquals(24, wiring.toolVoltage());
+    assertEquals(ToolOutputMode.DIGITAL, wiring.toolOutputMode());
+    assertEquals(List.of(ToolPinMode.SOURCING, ToolPinMode.SINKING), wiring.toolPins());
+    assertEquals(
+        new ToolCommunication(true, 57600, ToolCommunication.Parity.EVEN, 2, 2.5f, 4.5f),
+        wiring.toolCommunication());
+    assertEquals(0, read.installation().transitionHardness());
+    assertEquals(List.of(), read.remarks());
+    assertEquals(
+        List.of("toolOutputVoltage=\"SIX\" is not understood; it is 0 V"),
+        read("<ToolCommSettings toolOutputVoltage=\"SIX\"/>").remarks());
+  }
+
+  @Test
+  void readsWhatSignalsDoByThemselves() throws UnreadableFile {
+    ImportedInstallation read =
+        read(
+            """
+            <IOs>
+              <DigitalOutputNames value="Lamp, "/>
+              <DigitalOutputActions value="NONE, LOW_WHEN_PROGRAM_STOPPED"/>
+              <ToolDigitalInputActions value="FREEDRIVE, STOP"/>
+              <GeneralPurposeIntRegisterInputNames value=", order"/>
+            </IOs>
+            """);
+    assertEquals(
+        List.of(
+            new SignalUse("digital_out[0]", "Lamp", InputAction.DEFAULT, RunStateAction.PRESERVE),
+            new SignalUse(
+                "digital_out[1]", "", InputAction.DEFAULT, RunStateAction.LOW_WHEN_NOT_RUNNING),
+            new SignalUse("tool_in[0]", "", InputAction.FREEDRIVE, RunStateAction.PRESERVE),
+            new SignalUse(
+                "input_integer_register[1]",
+                "order",
+                InputAction.DEFAULT,
+                RunStateAction.PRESERVE)),
+        read.installation().signals());
+    assertEquals(
+        List.of("the action STOP of tool_in[1] is not understood; it has none"), read.remarks());
+  }
+
+  @Test
+  void keepsTwoSignalsOfOneName() throws UnreadableFile {
+    ImportedInstallation read =
+        read("<IOs><ConfigurableInputNames value=\"S-Guard, S-Guard\"/></IOs>");
+    assertEquals(
+        List.of("configurable_in[0] S-Guard", "configurable_in[1] S-Guard"),
+        read.installation().signals().stream().map(UrInstallationsTest::named).toList());
+    assertEquals(
+        List.of(
+            "configurable_in[1] is called S-Guard as well; the name means the first of them"),
+        read.remarks());
+    assertEquals(
+        Optional.empty(),
+        InstallationCheck.refusal(read.installation(), ArmLibrary.load("ur5e")));
+  }
+
+  @Test
+  void readsSignalsOfModbusDevices() throws UnreadableFile {
+    ImportedInstallation read =
+        read(
+            """
+            <IOs><ModbusUnits>
+              <Unit sequentialMode="false" ipAddress="192.168.0.3">
+                <ModbusSignal name="RearPlc" type="DIGITAL_INPUT" signalAddress="8195"
+                    slaveAddress="255" updateFrequency="10" inputAction="NONE"/>
+                <ModbusSignal name="speed" type="REGISTER_OUTPUT" signalAddress="270"
+                    slaveAddress="1" updateFrequency="20" outputAction="LOW"/>
+                <ModbusSignal name="broken"/>
+              </Unit></ModbusUnits></IOs>
+            """);
+    assertEquals(
+        List.of(
+            new ModbusSetup("RearPlc", "192.168.0.3", 255, ModbusKind.DIGITAL_INPUT, 8195, 10),
+            new ModbusSetup("speed", "192.168.0.3", 1, ModbusKind.REGISTER_OUTPUT, 270, 20)),
+        read.installation().modbus());
+    assertEquals(
+        List.of(
+            "the action LOW of the Modbus signal speed is left out",
+            "line 7: this Modbus signal has no name, type, address or frequency"),
+        read.remarks());
+  }
+
+  private static String point(String name, String at, String turned) {
+    return "<GeomPoseNode name=\"%s\" isVariable=\"true\" joggable=\"false\" hiddenSubFeature=\"%s\">"
+            .formatted(name, name.startsWith("hidden"))
+        + "<jointPositionVector value=\"NaN, NaN, NaN, NaN, NaN, NaN\"/><toolPosition value=\""
+        + at
+        + "\"/><toolAxisAngle value=\""
+        + turned
+        + "\"/></GeomPoseNode>";
+  }
+
+  @Test
+  void readsFeatures() throws UnreadableFile {
+    // a plane upright on the y axis, and the frame that a robot has computed for it
+    String plane =
+        "<GeomPlaneNode><GeomPlaneNode name=\"left_edge\" isVariable=\"true\"><firstPoint>"
+            + point("hidden_1", "0.0, -0.75, 0.0", "1.5, 0.0, 0.0")
+            + "</firstPoint><secondPoint>"
+            + point("hidden_2", "0.0, -0.75, 1.0", "1.5, 0.0, 0.0")
+            + "</secondPoint><thirdPoint>"
+            + point("hidden_3", "-1.0, -0.75, 0.5", "1.5, 0.0, 0.0")
+            + "</thirdPoint></GeomPlaneNode></GeomPlaneNode>";
+    ImportedInstallation read =
+        read(
+            "<Features><GeomPoseNode>"
+                + point("Point_1", "0.1, 0.2, 0.3", "0.0, 3.1, 0.0")
+                + "</GeomPoseNode>"
+                + plane
+                + "<GeomPoseNode>"
+                + point("a-b", "0.1, 0.2, 0.3", "0.0, 3.1, 0.0")
+                + "</GeomPoseNode></Features>");
+    assertEquals(
+        new Feature(
+            "Point_1",
+            FeatureKind.POINT,
+            List.of(new Pose(0.1, 0.2, 0.3, 0, 3.1, 0)),
+            true,
+            false),
+        read.installation().features().getFirst());
+    Feature edge = read.installation().features().getLast();
+    assertEquals("left_edge", edge.name());
+    Pose frame = FeaturePoses.pose(edge).orElseThrow();
+    assertEquals(
+        0, Poses.distance(new Pose(0, -0.75, 0, Math.PI / 2, 0, 0), frame), 1e-9, frame::toString);
+    assertEquals(0, Math.hypot(frame.ry(), frame.rz()), 1e-9);
+    assertEquals(Math.PI / 2, frame.rx(), 1e-9);
+    assertEquals(
+        List.of(
+            "line 1: the feature a-b is left out, as its name is no name of the language"),
+        read.remarks());
+  }
+
+  @Test
+  void saysNothingOfWhatIsSwitchedOff() throws UnreadableFile {
+    assertEquals(
+        List.of("not understood, and as in a new installation: EthernetIP"),
+        read("<Profinet enabled=\"false\"/><EthernetIP enabled=\"true\"/>").remarks());
   }
 
   @Test
