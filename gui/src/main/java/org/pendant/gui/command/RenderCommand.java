@@ -47,7 +47,7 @@ final class RenderCommand implements Subcommand {
       throw new UsageException("expected one file, there are " + arguments.operands().size());
     }
     RunnableFile file = RunnableFile.read(arguments).getFirst();
-    RenderOptions options = RenderOptions.of(arguments, file.installation());
+    RenderOptions options = RenderOptions.of(arguments, file.installation(), file.robot());
     file.tell(console);
     try (ScriptDoors doors = new ScriptDoors(options.run().hosts())) {
       Controller controller = new Controller(options.run().controller().withOutside(doors.doors()));

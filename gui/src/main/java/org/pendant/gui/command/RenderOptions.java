@@ -52,10 +52,12 @@ record RenderOptions(
    * After the program was read.
    *
    * @param ofProgram the installation that the program names, unless the command line names one
+   * @param armOfProgram id of the arm that it was made on, unless one of these names another
    */
-  static RenderOptions of(Arguments arguments, Optional<Installation> ofProgram)
+  static RenderOptions of(
+      Arguments arguments, Optional<Installation> ofProgram, Optional<String> armOfProgram)
       throws UsageException {
-    RunOptions run = RunOptions.of(arguments, ofProgram);
+    RunOptions run = RunOptions.of(arguments, ofProgram, armOfProgram);
     Matcher size = size(arguments.value(SIZE).orElse("1280x800"));
     return new RenderOptions(
         run,

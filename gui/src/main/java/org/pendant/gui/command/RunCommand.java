@@ -67,8 +67,8 @@ final class RunCommand implements Subcommand {
       for (RunnableFile file : files) {
         file.tell(console);
         RunOptions own =
-            file.installation().isPresent()
-                ? RunOptions.of(arguments, file.installation())
+            file.installation().isPresent() || file.robot().isPresent()
+                ? RunOptions.of(arguments, file.installation(), file.robot())
                 : options;
         try (WallLimit wall = WallLimit.begin(own.wallTimeoutS(), file.file())) {
           code = code.or(run(file, own, recorded, builtins, interruption, wall, console));

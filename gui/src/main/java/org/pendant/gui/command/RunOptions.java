@@ -126,14 +126,19 @@ record RunOptions(
           .toList();
 
   static RunOptions of(Arguments arguments) throws UsageException {
-    return of(arguments, Optional.empty());
+    return of(arguments, Optional.empty(), Optional.empty());
   }
 
-  /** With the installation of a program, unless the command line names another one. */
-  static RunOptions of(Arguments arguments, Optional<Installation> ofProgram)
+  /**
+   * With the installation and arm of a program, unless the command line names others.
+   *
+   * @param armOfProgram id of the arm that it was made on
+   */
+  static RunOptions of(
+      Arguments arguments, Optional<Installation> ofProgram, Optional<String> armOfProgram)
       throws UsageException {
     ControllerOptions controller =
-        controller(arguments, ofProgram).withOperator(Operator.headless(answers(arguments)));
+        controller(arguments, ofProgram, armOfProgram).withOperator(Operator.headless(answers(arguments)));
     Optional<Double> speedFactor = speedFactor(arguments);
     if (speedFactor.isPresent()) {
       // Nobody expects the same result twice from a run on the wall clock, but the right date.
@@ -151,15 +156,16 @@ record RunOptions(
 
   /** What {@link #OF_CONTROLLER} say. */
   static ControllerOptions controller(Arguments arguments) throws UsageException {
-    return controller(arguments, Optional.empty());
+    return controller(arguments, Optional.empty(), Optional.empty());
   }
 
-  private static ControllerOptions controller(Arguments arguments, Optional<Installation> ofProgram)
+  private static ControllerOptions controller(
+      Arguments arguments, Optional<Installation> ofProgram, Optional<String> armOfProgram)
       throws UsageException {
     Optional<Installation> installation = InstallationOption.of(arguments).or(() -> ofProgram);
     ControllerOptions controller =
         ControllerOptions.headless()
-            .withRobot(robot(arguments, installation))
+            .withRobot(robot(arguments, installation, armOfProgram))
             .withSeed(seed(arguments))
             .withInputs(safetyInputs(arguments))
             .withSignals(signals(arguments))
@@ -174,8 +180,9 @@ record RunOptions(
     return speedFactor.isPresent() ? new WallClock(speedFactor.get()) : new VirtualClock();
   }
 
-  /** What the command line says, or else the installation. */
-  private static String robot(Arguments arguments, Optional<Installation> installation)
+  /** What the command line says, or else the installation, or else the program. */
+  private static String robot(
+      Arguments arguments, Optional<Installation> installation, Optional<String> armOfProgram)
       throws UsageException {
     Optional<String> name = arguments.value(ROBOT);
     if (name.isPresent()) {
@@ -185,7 +192,7 @@ record RunOptions(
         installation.map(Installation::robot).filter(robot -> !robot.isEmpty());
     return installed.isPresent()
         ? RobotName.idOf("robot of the installation", installed.get())
-        : ControllerOptions.DEFAULT_ROBOT;
+        : armOfProgram.orElse(ControllerOptions.DEFAULT_ROBOT);
   }
 
   private static long seed(Arguments arguments) throws UsageException {

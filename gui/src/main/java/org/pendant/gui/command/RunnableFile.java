@@ -20,6 +20,7 @@ import org.pendant.language.source.Source;
  * @param source what runs; empty for a tree that cannot run
  * @param tree the tree, if it is one and runs as such
  * @param installation the one that the program itself names, if it is there and none was given
+ * @param robot id of the arm that it was made on, if the file tells
  * @param notes what people should know
  * @param problems what keeps it from running, apart from mistakes in scripts
  */
@@ -28,6 +29,7 @@ record RunnableFile(
     Optional<Source> source,
     Optional<TreeFile> tree,
     Optional<Installation> installation,
+    Optional<String> robot,
     List<String> notes,
     List<String> problems) {
 
@@ -64,6 +66,7 @@ record RunnableFile(
         Optional.of(Source.of(name, bytes)),
         Optional.empty(),
         Optional.empty(),
+        Optional.empty(),
         List.of(),
         List.of());
   }
@@ -76,7 +79,13 @@ record RunnableFile(
       read = TreeOfFile.of(name, bytes, given, files);
     } catch (BrokenTree e) {
       return new RunnableFile(
-          name, Optional.empty(), Optional.empty(), Optional.empty(), List.of(), e.reports());
+          name,
+          Optional.empty(),
+          Optional.empty(),
+          Optional.empty(),
+          Optional.empty(),
+          List.of(),
+          e.reports());
     }
     TreeFile tree = read.file();
     Optional<String> beside = tree.hasGaps() ? scriptBeside(name) : Optional.empty();
@@ -89,7 +98,13 @@ record RunnableFile(
               + " runs in its place, which was saved beside it");
       Source saved = Source.of(beside.get(), files.bytes("the script", beside.get()));
       return new RunnableFile(
-          name, Optional.of(saved), Optional.empty(), read.own(), notes, List.of());
+          name,
+          Optional.of(saved),
+          Optional.empty(),
+          read.own(),
+          tree.robot(),
+          notes,
+          List.of());
     }
     List<String> problems = tree.problems();
     Source generated = Source.of(tree.scriptName(), tree.script().text());
@@ -98,6 +113,7 @@ record RunnableFile(
         problems.isEmpty() ? Optional.of(generated) : Optional.empty(),
         Optional.of(tree),
         read.own(),
+        tree.robot(),
         read.notes(),
         problems);
   }

@@ -97,6 +97,35 @@ class TreeProgramsTest {
   }
 
   @Test
+  void runsAUrpOnTheArmThatItWasMadeOn() throws IOException {
+    String reach = URP.formatted(SAY.replace("get_tcp_offset()", "get_forward_kin([0,0,0,0,0,0])"));
+    write("any.urp", reach);
+    write(
+        "large.urp",
+        reach.replace(
+            "<children><MainProgram",
+            """
+            <kinematics status="NOT_INITIALIZED">
+              <deltaTheta value="0, 0, 0, 0, 0, 0"/>
+              <a value="0, -0.6127, -0.57155, 0, 0, 0"/>
+              <d value="0.1807, 0, 0, 0.17415, 0.11985, 0.11655"/>
+              <alpha value="1.570796327, 0, 0, 1.570796327, -1.570796327, 0"/>
+            </kinematics>
+            <children><MainProgram"""));
+    write("cell.installation", CELL);
+    assertEquals(0, pendant("run", "any.urp"));
+    String usual = said();
+    assertEquals(0, pendant("run", "--robot", "ur10e", "any.urp"));
+    String large = said();
+    assertEquals(0, pendant("run", "large.urp"));
+    assertEquals(large, said());
+    assertEquals(
+        List.of("large.urp: note: line 1, URProgram: it was made on a ur10e"), complaints());
+    assertEquals(0, pendant("run", "--robot", "ur5e", "large.urp"));
+    assertEquals(usual, said());
+  }
+
+  @Test
   void runsProgramsOfOurOwnForm() throws IOException {
     write("say.pendant", OWN);
     assertEquals(0, pendant("run", "say.pendant"));

@@ -41,6 +41,7 @@ public final class TreeFile {
   private final byte[] bytes;
   private final ProgramTree tree;
   private final Installation installation;
+  private final Optional<String> robot;
   private final List<String> remarks;
 
   /** The line of each node in the file, from 1, by key; empty when lines mean nothing to people. */
@@ -51,12 +52,14 @@ public final class TreeFile {
       byte[] bytes,
       ProgramTree tree,
       Installation installation,
+      Optional<String> robot,
       List<String> remarks,
       Map<Long, Integer> lines) {
     this.name = name;
     this.bytes = bytes;
     this.tree = tree;
     this.installation = installation;
+    this.robot = robot;
     this.remarks = List.copyOf(remarks);
     this.lines = Map.copyOf(lines);
   }
@@ -93,6 +96,7 @@ public final class TreeFile {
           bytes,
           read.tree(),
           withFeatures(installation, read.features()),
+          read.robot(),
           read.remarks(),
           Map.of());
     } catch (UnreadableFile e) {
@@ -127,7 +131,13 @@ public final class TreeFile {
               .toList());
     }
     return new TreeFile(
-        name, bytes, read.tree(), installation, List.of(), lines(text, read.tree()));
+        name,
+        bytes,
+        read.tree(),
+        installation,
+        Optional.empty(),
+        List.of(),
+        lines(text, read.tree()));
   }
 
   /** A node a line, apart from what stands at the top and lines of text that belong to a node. */
@@ -172,6 +182,11 @@ public final class TreeFile {
   /** What it runs in; has the features, too, that the program itself tells of. */
   public Installation installation() {
     return installation;
+  }
+
+  /** Id of the arm that the program was made on, if the file tells. */
+  public Optional<String> robot() {
+    return robot;
   }
 
   /** What was not understood; the program can run all the same. */

@@ -1,5 +1,6 @@
 package org.pendant.controller.program.urp;
 
+import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.packedxml.XmlElement;
 import org.pendant.models.arm.ArmDescription;
@@ -8,6 +9,8 @@ import org.pendant.models.arm.DhDeltas;
 import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
 
 /** The arm that a program was made on, of which files keep the calibrated lengths and angles. */
 final class Arms {
@@ -17,7 +20,53 @@ final class Arms {
   /** Files round the angles of an arm without calibration. */
   private static final double ROUNDING_RAD = 1e-8;
 
+  /** How far the flange of a calibrated arm is at most from that of its model, m. */
+  private static final double FARTHEST_M = 0.01;
+
+  /** How near it is without calibration, m; files round the lengths. */
+  private static final double SAME_M = 1e-4;
+
+  /** Positions in which no two models have their flanges at one place. */
+  private static final List<Joints> PROBES =
+      List.of(
+          Joints.ZERO,
+          new Joints(0.1, -1.5, -1.6, -1.4, 1.5, 0.2),
+          new Joints(1, -2, 1.2, 0.4, -1.2, 2),
+          new Joints(-2, -0.7, 0.9, -2, 0.6, -1));
+
   private Arms() {}
+
+  /**
+   * The id of the model that an arm is of; empty if it is like none of them.
+   *
+   * @param expected counts where several models have the same lengths
+   */
+  static Optional<String> model(ForwardKinematics arm, ArmDescription expected) {
+    double leastM = apartM(arm, expected);
+    if (leastM < SAME_M) {
+      return Optional.of(expected.id());
+    }
+    Optional<String> nearest =
+        leastM < FARTHEST_M ? Optional.of(expected.id()) : Optional.empty();
+    for (String id : ArmLibrary.ids()) {
+      double apartM = apartM(arm, ArmLibrary.load(id));
+      if (apartM < Math.min(leastM, FARTHEST_M)) {
+        nearest = Optional.of(id);
+        leastM = apartM;
+      }
+    }
+    return nearest;
+  }
+
+  private static double apartM(ForwardKinematics arm, ArmDescription of) {
+    ForwardKinematics model = new ForwardKinematics(of.dh());
+    return PROBES.stream()
+        .mapToDouble(
+            joints ->
+                Poses.distance(model.tcpPose(joints, Pose.ZERO), arm.tcpPose(joints, Pose.ZERO)))
+        .max()
+        .orElseThrow();
+  }
 
   /** The arm of an id; a common one if there is none. */
   static ArmDescription of(String id) {

@@ -1,6 +1,7 @@
 package org.pendant.controller.program.urp;
 
 import java.util.List;
+import java.util.Optional;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.program.ProgramTree;
 
@@ -10,10 +11,15 @@ import org.pendant.controller.program.ProgramTree;
  * @param name of the program, as the file says
  * @param tree all that is in it
  * @param features that its waypoints refer to, where they were when these were taught
+ * @param robot id of the arm that it was made on, if the file describes one that is known
  * @param remarks what was not understood or is kept as it was, each with its line
  */
 public record ImportedProgram(
-    String name, ProgramTree tree, List<Feature> features, List<String> remarks) {
+    String name,
+    ProgramTree tree,
+    List<Feature> features,
+    Optional<String> robot,
+    List<String> remarks) {
   public ImportedProgram {
     features = List.copyOf(features);
     remarks = List.copyOf(remarks);

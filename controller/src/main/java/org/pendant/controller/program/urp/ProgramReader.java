@@ -19,6 +19,7 @@ import org.pendant.controller.program.Step;
 import org.pendant.controller.program.WaypointPosition;
 import org.pendant.controller.program.text.Clip;
 import org.pendant.controller.program.text.ProgramText;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.kinematics.ForwardKinematics;
 
 /** Makes a tree of the elements of one file. */
@@ -45,6 +46,10 @@ final class ProgramReader {
       List.of("motionType", "speed", "acceleration", "useActiveTCP", "positionType");
 
   private final XmlElement root;
+
+  /** The arm that the program should be for. */
+  private final ArmDescription expected;
+
   private final Remarks remarks = new Remarks();
   private final Expressions expressions;
   private final MotionReader motion;
@@ -65,12 +70,13 @@ final class ProgramReader {
 
   ProgramReader(XmlElement root, Installation installation) {
     this.root = root;
+    expected = Arms.of(installation.robot());
     UrpSignals signals = new UrpSignals(installation, remarks);
     expressions = new Expressions(signals, remarks);
     positions =
         new Positions(
             root.child("kinematics"),
-            new ForwardKinematics(Arms.of(installation.robot()).dh()),
+            new ForwardKinematics(expected.dh()),
             remarks);
     motion = new MotionReader(expressions, signals, positions, remarks);
     action = new ActionReader(expressions, signals);
@@ -96,26 +102,39 @@ final class ProgramReader {
     sections.addAll(inlineSubPrograms());
     List<ProgramNode> whole = withStray(sections);
     Map<String, WaypointPosition> places = new LinkedHashMap<>(positions.all());
-    String installation = installation();
+    String installationName = installationName();
     Optional<XmlElement> own = root.child(OWN_PROGRAM).flatMap(each -> each.child("text"));
     if (own.isPresent()) {
       ProgramTree header = ProgramText.read(own.get().text()).tree();
-      installation = header.installation();
+      installationName = header.installation();
       places.putAll(header.waypoints());
     }
     ProgramTree tree =
-        new ProgramTree(installation, places, List.of(), 1).insert(ProgramTree.ROOT, 0, whole);
+        new ProgramTree(installationName, places, List.of(), 1).insert(ProgramTree.ROOT, 0, whole);
     String base =
         fileName.endsWith(UrpPrograms.ENDING)
             ? fileName.substring(0, fileName.length() - UrpPrograms.ENDING.length())
             : fileName;
     String name = root.attribute("name").orElse(base);
     Unread.tell(understood, remarks);
-    return new ImportedProgram(name, tree, positions.features(), remarks.all());
+    return new ImportedProgram(name, tree, positions.features(), robot(), remarks.all());
+  }
+
+  /** The arm that the program was made on; told where another one is expected. */
+  private Optional<String> robot() {
+    Optional<ForwardKinematics> arm = root.child("kinematics").flatMap(Arms::described);
+    Optional<String> model = arm.flatMap(each -> Arms.model(each, expected));
+    if (arm.isPresent() && model.isEmpty()) {
+      remarks.add(root, "the arm that it was made on is none of those that are known");
+    }
+    model
+        .filter(each -> !each.equals(expected.id()))
+        .ifPresent(each -> remarks.add(root, "it was made on a " + each));
+    return model;
   }
 
   /** The installation, without an ending; a path says more than a name. */
-  private String installation() {
+  private String installationName() {
     String said = root.text("installation");
     String path = root.attribute("installationRelativePath").orElse("");
     return path.isEmpty() || said.isEmpty() ? said : path;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -299,6 +300,46 @@ class UrpFormsTest {
             List.of(0.1, 0.11, 0.2, 0.3, 0.31, 1.1)),
         force.step());
     assertEquals(1, force.children().size());
+  }
+
+  private static ImportedProgram madeOn(String theta, String a, String d) throws UnreadableFile {
+    String xml =
+        """
+        <URProgram name="p">
+          <kinematics status="LINEARIZED" validChecksum="true">
+            <deltaTheta value="%s"/><a value="%s"/><d value="%s"/>
+            <alpha value="1.570796327, 0.0, 0.0, 1.570796327, -1.570796327, 0.0"/>
+          </kinematics>
+          <children><MainProgram/></children></URProgram>
+        """
+            .formatted(theta, a, d);
+    return UrpPrograms.read("p.urp", xml.getBytes(StandardCharsets.UTF_8));
+  }
+
+  @Test
+  void knowsTheArmThatAProgramWasMadeOn() throws UnreadableFile {
+    String none = "0.0, 0.0, 0.0, 0.0, 0.0, 0.0";
+    ImportedProgram usual =
+        madeOn(
+            none,
+            "0.0, -0.425, -0.3922, 0.0, 0.0, 0.0",
+            "0.1625, 0.0, 0.0, 0.1333, 0.0997, 0.0996");
+    assertEquals(Optional.of("ur5e"), usual.robot());
+    assertEquals(List.of(), usual.remarks());
+    ImportedProgram calibrated =
+        madeOn(
+            "0.001, -0.0005, 0.0004, 0.0, 0.0, 0.0",
+            "0.0001, -0.6128, -0.5715, 0.0, 0.0, 0.0",
+            "0.1806, 120.0, -120.0, 0.1743, 0.1198, 0.1165");
+    assertEquals(Optional.of("ur10e"), calibrated.robot());
+    assertEquals(List.of("line 1, URProgram: it was made on a ur10e"), calibrated.remarks());
+    ImportedProgram other =
+        madeOn(none, "0.0, -0.5, -0.5, 0.0, 0.0, 0.0", "0.2, 0.0, 0.0, 0.1, 0.1, 0.1");
+    assertEquals(Optional.empty(), other.robot());
+    assertEquals(
+        List.of(
+            "line 1, URProgram: the arm that it was made on is none of those that are known"),
+        other.remarks());
   }
 
   @Test
