@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
@@ -36,11 +37,12 @@ public final class MissingNames {
     }
     List<Diagnostic> together = new ArrayList<>();
     for (Diagnostic each : diagnostics) {
-      List<Diagnostic> all = isMissing(each) ? uses.get(missing(source, each)) : List.of(each);
-      if (all.size() == 1) {
+      if (isMissing(each)) {
+        // the first use stands for all, which are then gone
+        Optional.ofNullable(uses.remove(missing(source, each)))
+            .ifPresent(all -> together.add(withOthers(source, each, all.subList(1, all.size()))));
+      } else {
         together.add(each);
-      } else if (all.getFirst() == each) {
-        together.add(withOthers(source, each, all.subList(1, all.size())));
       }
     }
     return together;
@@ -55,6 +57,9 @@ public final class MissingNames {
   }
 
   private static Diagnostic withOthers(Source source, Diagnostic first, List<Diagnostic> others) {
+    if (others.isEmpty()) {
+      return first;
+    }
     String lines =
         others.stream()
             .limit(SHOWN)
