@@ -110,6 +110,7 @@ public final class ControlBox {
     programsFolder = setup.programsFolder();
     servoing = new Servoing(setup.arm(), motion);
     headroom = new ArmHeadroom(setup.arm());
+    headroom.limitSpeeds(speedCaps);
     motion.limitRamps(
         (last, own, before, wanted) -> headroom().reachableScaling(last, own, before, wanted));
     // what the flange feels is asked later: freedrive and force mode come first, as it tells them

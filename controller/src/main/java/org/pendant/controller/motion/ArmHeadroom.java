@@ -25,6 +25,12 @@ public final class ArmHeadroom {
   /** Points at which a path is looked at, its ends included. */
   static final int POINTS = 9;
 
+  /** Parts between two of these points, at whose ends a path is held against speed limits. */
+  private static final int PARTS = 8;
+
+  /** Share of a speed limit that is planned with: the path is not looked at everywhere. */
+  private static final double LIMIT_SHARE = 0.99;
+
   /** Share of the torque limits that plans use: the rest is for servos that correct. */
   static final double TORQUE_SHARE = 0.9;
 
@@ -72,6 +78,8 @@ public final class ArmHeadroom {
   private final double[] limits = new double[Pose.SIZE];
   private double[] frame = new double[0];
 
+  private PathLimiter speedLimits = PathLimiter.NONE;
+  private double limitedRate;
   private Payload payload = Payload.NONE;
   private Optional<ToolWrenchLimit> wrenchLimit = Optional.empty();
 
@@ -85,6 +93,14 @@ public final class ArmHeadroom {
       coulomb[i] = arm.actuators().get(i).coulombNm();
       viscous[i] = arm.actuators().get(i).viscousNmSPerRad();
     }
+  }
+
+  /**
+   * Moves that share what the arm can do are planned within these limits from now on: what slows
+   * them down on their way does so without limits on jerk.
+   */
+  public void limitSpeeds(PathLimiter limits) {
+    speedLimits = limits;
   }
 
   /** What hangs on the flange. */
@@ -129,7 +145,13 @@ public final class ArmHeadroom {
       PathCaps found(double length) {
         double rate = fastest();
         double rate2 = accelerationShare * strongest(length, rate);
-        return wrenchKept(new PathCaps(speedShare * rate, rate2), asked);
+        double within = Math.min(speedShare * rate, LIMIT_SHARE * limitedRate);
+        return wrenchKept(new PathCaps(within, rate2), asked);
+      }
+
+      @Override
+      int parts() {
+        return PARTS;
       }
     };
   }
@@ -161,12 +183,17 @@ public final class ArmHeadroom {
     /** What the points show that have been looked at. */
     abstract PathCaps found(double length);
 
+    /** Into how many parts the path between two points is divided to look for speed limits. */
+    int parts() {
+      return 1;
+    }
+
     @Override
     public PathCaps over(double length, Points points) {
       if (length == 0) {
         return PathCaps.NONE;
       }
-      look(length, points);
+      look(length, points, parts());
       return found(length);
     }
 
@@ -251,10 +278,21 @@ public final class ArmHeadroom {
     return keeps;
   }
 
-  private void look(double length, Headroom.Points points) {
-    for (int k = 0; k < POINTS; k++) {
-      known[k] = points.at(length * k / (POINTS - 1), sample);
-      if (known[k]) {
+  private void look(double length, Headroom.Points points, int parts) {
+    limitedRate = Double.POSITIVE_INFINITY;
+    int last = (POINTS - 1) * parts;
+    for (int n = 0; n <= last; n++) {
+      sample.forgetFrames();
+      boolean there = points.at(length * n / last, sample);
+      if (there && parts > 1) {
+        // for a rate of 1: every one of these limits is on something that grows with the rate
+        limitedRate = Math.min(limitedRate, sample.largestScaling(speedLimits));
+      }
+      int k = n / parts;
+      if (n % parts == 0) {
+        known[k] = there;
+      }
+      if (n % parts == 0 && there) {
         double[] d = sample.speed;
         dynamics.inverse(sample.position, REST, REST, holding[k]);
         wrench(still, REST);
