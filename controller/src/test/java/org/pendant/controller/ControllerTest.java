@@ -202,7 +202,7 @@ final class ControllerTest {
             "movej([0,0,0,0,0,0], v=0)", "movej: v is 0 rad/s, must be above 0",
             "movej([0,0,0,0,0,0], t=-1)", "movej: t is -1 s, must not be negative",
             "set_pos([0,7,0,0,0,0])",
-                "set_pos: q[1] (shoulder) is 7 rad, must be -6.283185 to 6.283185 rad",
+                "set_pos: q[1] (shoulder) is 7 rad, must be -6.335545 to 6.335545 rad",
             "sleep(-1)", "sleep: t is -1 s, must not be negative",
             "stopj(0)", "stopj: a is 0 rad/s\u00b2, must be above 0",
             "set_standard_digital_out(8, True)",

@@ -154,7 +154,7 @@ final class JoggingTest {
     assertEquals("joint 2 is at the end of its range", reason);
     hold(new JogMove.TurnJoint(2, -1), 1, 1);
     rest();
-    double smallest = ArmLibrary.load("ur5e").joints().get(2).minRad();
+    double smallest = ArmLibrary.load("ur5e").joints().get(2).lowestRad();
     double where = arm().targetPositionRad().get(2);
     assertTrue(where > smallest && where < smallest + 0.02, where + " of " + smallest);
     assertEquals(1, jogLines());

@@ -110,9 +110,9 @@ final class MotionArguments {
                 + ") is "
                 + text(joints.get(i))
                 + " rad, must be "
-                + text(limit.minRad())
+                + text(limit.lowestRad())
                 + " to "
-                + text(limit.maxRad())
+                + text(limit.highestRad())
                 + " rad");
       }
     }

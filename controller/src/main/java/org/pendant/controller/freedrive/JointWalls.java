@@ -43,8 +43,8 @@ final class JointWalls {
   void update(SafetyLimits limits, double[] q) {
     for (int i = 0; i < N; i++) {
       JointLimits own = arm.joints().get(i);
-      double least = Math.max(own.minRad(), limits.jointMinRad().get(i)) + MARGIN_RAD;
-      double most = Math.min(own.maxRad(), limits.jointMaxRad().get(i)) - MARGIN_RAD;
+      double least = Math.max(own.lowestRad(), limits.jointMinRad().get(i)) + MARGIN_RAD;
+      double most = Math.min(own.highestRad(), limits.jointMaxRad().get(i)) - MARGIN_RAD;
       low[i] = Math.min(least, Math.max(low[i], q[i]));
       high[i] = Math.max(most, Math.min(high[i], q[i]));
     }

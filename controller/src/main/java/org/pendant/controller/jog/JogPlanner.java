@@ -91,13 +91,13 @@ final class JogPlanner {
   /** The smallest position of joint i that arm and safety limits allow now, rad. */
   double minRad(int i) {
     JointLimits arm = box.armDescription().joints().get(i);
-    return Math.max(arm.minRad(), box.safety().limits().jointMinRad().get(i));
+    return Math.max(arm.lowestRad(), box.safety().limits().jointMinRad().get(i));
   }
 
   /** The largest position of joint i that arm and safety limits allow now, rad. */
   double maxRad(int i) {
     JointLimits arm = box.armDescription().joints().get(i);
-    return Math.min(arm.maxRad(), box.safety().limits().jointMaxRad().get(i));
+    return Math.min(arm.highestRad(), box.safety().limits().jointMaxRad().get(i));
   }
 
   private Joints reach(Pose goal, Pose tcp, Joints from) throws ScriptError {

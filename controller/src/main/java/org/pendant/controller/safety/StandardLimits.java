@@ -14,9 +14,6 @@ final class StandardLimits {
   /** Safe joint speed over the published one: room for what the servos overshoot. */
   private static final double JOINT_SPEED_MARGIN = 1.06;
 
-  /** How far the safe joint range goes beyond the one that programs may use, rad. */
-  private static final double RANGE_MARGIN_RAD = Math.toRadians(3);
-
   private static final double TOOL_SPEED_M_PER_S = 1.5;
 
   /** Tool speed of the fast arms over reach times base speed: the elbow adds to it. */
@@ -50,8 +47,8 @@ final class StandardLimits {
     for (int i = 0; i < Joints.COUNT; i++) {
       JointLimits joint = arm.joints().get(i);
       speed[i] = JOINT_SPEED_MARGIN * joint.maxSpeedRadPerS();
-      min[i] = joint.minRad() - RANGE_MARGIN_RAD;
-      max[i] = joint.maxRad() + RANGE_MARGIN_RAD;
+      min[i] = joint.lowestRad();
+      max[i] = joint.highestRad();
       fastest = Math.max(fastest, speed[i]);
     }
     return new SafetyLimits(

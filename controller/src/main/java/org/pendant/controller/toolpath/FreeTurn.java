@@ -121,7 +121,10 @@ final class FreeTurn {
     List<JointLimits> limits = arm.joints();
     for (int i = 0; i < Joints.COUNT; i++) {
       JointLimits limit = limits.get(i);
-      sum += lack(Math.min(tried[i] - limit.minRad(), limit.maxRad() - tried[i]), LIMIT_ROOM_RAD);
+      sum +=
+          lack(
+              Math.min(tried[i] - limit.lowestRad(), limit.highestRad() - tried[i]),
+              LIMIT_ROOM_RAD);
     }
     return sum;
   }

@@ -152,7 +152,7 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
     for (int i = 0; i < Joints.COUNT; i++) {
       JointLimits limit = arm.joints().get(i);
       double q = before.get(i);
-      if (Math.min(q - limit.minRad(), limit.maxRad() - q) < 2 * LOOK_RAD) {
+      if (Math.min(q - limit.lowestRad(), limit.highestRad() - q) < 2 * LOOK_RAD) {
         throw new ScriptError(
             "no-solution",
             name + ": joint " + i + " is at the end of its range, " + degrees(q) + " degrees");

@@ -12,8 +12,8 @@ import org.pendant.models.arm.JointLimits;
 record JointRange(double minRad, double maxRad, boolean unlimited) {
   /** What the arm and the limits {@code lowestRad} and {@code highestRad} allow both. */
   static JointRange of(JointLimits limits, double lowestRad, double highestRad) {
-    double min = Math.max(limits.minRad(), lowestRad);
-    double max = Math.min(limits.maxRad(), highestRad);
+    double min = Math.max(limits.lowestRad(), lowestRad);
+    double max = Math.min(limits.highestRad(), highestRad);
     return Double.isInfinite(min) || Double.isInfinite(max)
         ? new JointRange(-2 * Math.PI, 2 * Math.PI, true)
         : new JointRange(min, max, false);

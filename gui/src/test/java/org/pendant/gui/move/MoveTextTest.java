@@ -51,7 +51,7 @@ final class MoveTextTest {
 
   @Test
   void aJointIsDrawnWithinItsRange() {
-    JointRange range = JointRange.of(new JointLimits(-2, 2, 1, 1), -9, 9);
+    JointRange range = JointRange.of(new JointLimits(-9, 9, 1, 1), -2, 2);
     assertEquals(0.75, range.share(1));
     assertEquals(1, range.share(5));
     assertFalse(range.contains(2.1));

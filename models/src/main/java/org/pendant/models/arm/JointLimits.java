@@ -3,13 +3,18 @@ package org.pendant.models.arm;
 /**
  * What one joint can do.
  *
- * @param minRad smallest position, rad; minus infinity for a joint that turns without end
- * @param maxRad largest position, rad; infinity for a joint that turns without end
+ * @param minRad smallest position by the data sheet, rad; minus infinity for a joint that turns
+ *     without end
+ * @param maxRad largest position by the data sheet, rad; infinity for a joint that turns without
+ *     end
  * @param maxSpeedRadPerS largest speed either way, rad/s
  * @param maxTorqueNm largest torque either way, Nm
  */
 public record JointLimits(
     double minRad, double maxRad, double maxSpeedRadPerS, double maxTorqueNm) {
+  /** How far beyond its range the standard safety limits let a joint turn, rad. */
+  private static final double BEYOND_RAD = Math.toRadians(3);
+
   /**
    * Checks the limits.
    *
@@ -35,8 +40,21 @@ public record JointLimits(
     return minRad == Double.NEGATIVE_INFINITY && maxRad == Double.POSITIVE_INFINITY;
   }
 
-  /** True if a position in rad lies within the range, its ends included. */
+  /**
+   * The lowest position that standard safety limits allow, rad: {@code minRad} is what the data
+   * sheet says, and what a robot can be told is 3° more, -363° for most joints.
+   */
+  public double lowestRad() {
+    return minRad - BEYOND_RAD;
+  }
+
+  /** The highest position that standard safety limits allow, rad. */
+  public double highestRad() {
+    return maxRad + BEYOND_RAD;
+  }
+
+  /** True if a position in rad is one that standard safety limits allow. */
   public boolean contains(double positionRad) {
-    return positionRad >= minRad && positionRad <= maxRad;
+    return positionRad >= lowestRad() && positionRad <= highestRad();
   }
 }

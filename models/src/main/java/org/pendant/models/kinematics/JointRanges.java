@@ -16,8 +16,8 @@ final class JointRanges {
 
   JointRanges(List<JointLimits> limits) {
     for (int i = 0; i < Joints.COUNT; i++) {
-      min[i] = limits.get(i).minRad();
-      max[i] = limits.get(i).maxRad();
+      min[i] = limits.get(i).lowestRad();
+      max[i] = limits.get(i).highestRad();
     }
   }
 

@@ -111,10 +111,12 @@ class ArmLibraryTest {
   }
 
   @Test
-  void limitsIncludeTheirEnds() {
+  void limitsIncludeTheirEndsThreeDegreesBeyondTheDataSheet() {
     ArmDescription arm = ArmLibrary.load("ur5e");
-    assertTrue(arm.withinLimits(Joints.ZERO.with(3, 2 * Math.PI)));
-    assertFalse(arm.withinLimits(Joints.ZERO.with(3, 6.3)));
+    double end = 2 * Math.PI + Math.toRadians(3);
+    assertTrue(arm.withinLimits(Joints.ZERO.with(3, end)));
+    assertTrue(arm.withinLimits(Joints.ZERO.with(3, -end)));
+    assertFalse(arm.withinLimits(Joints.ZERO.with(3, end + 1e-6)));
     assertFalse(arm.withinLimits(Joints.ZERO.with(5, Double.NaN)));
   }
 

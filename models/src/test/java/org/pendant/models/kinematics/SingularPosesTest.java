@@ -162,7 +162,8 @@ class SingularPosesTest {
     Pose flange = new ForwardKinematics(Arms.UR5E.dh()).flangePose(q);
     for (double width : new double[] {0.2, 5}) {
       List<JointLimits> limits = new ArrayList<>(Arms.UR5E.joints());
-      limits.set(5, new JointLimits(0.25, 0.25 + width, 1, 1));
+      double beyond = Math.toRadians(3);
+      limits.set(5, new JointLimits(0.25 + beyond, 0.25 + width - beyond, 1, 1));
       InverseKinematics inverse = new InverseKinematics(Arms.UR5E.withJoints(limits));
       double[][] nearAndChosen = {
         {0.4, 0.4}, {0.4 - TURN, 0.4}, {0.2, 0.25}, {0.2 + TURN, 0.25}, {0.3 + width, 0.25 + width}

@@ -22,9 +22,6 @@ final class ConfigurationParts {
 
   private static final double[] ALPHA_RAD = {Math.PI / 2, 0, 0, Math.PI / 2, -Math.PI / 2, 0};
 
-  /** How far behind the range of a joint the box's own limit is, rad. */
-  private static final double BEYOND_RANGE_RAD = Math.toRadians(3);
-
   /** What is sent for a joint that turns without end, rad. */
   private static final double ENDLESS_RAD = 1e6;
 
@@ -64,8 +61,8 @@ final class ConfigurationParts {
     ByteBuffer out = ByteBuffer.allocate(CONFIGURATION_BYTES);
     out.putInt(CONFIGURATION_BYTES).put(CONFIGURATION);
     for (JointLimits joint : arm.joints()) {
-      out.putDouble(joint.unlimited() ? -ENDLESS_RAD : joint.minRad() - BEYOND_RANGE_RAD)
-          .putDouble(joint.unlimited() ? ENDLESS_RAD : joint.maxRad() + BEYOND_RANGE_RAD);
+      out.putDouble(joint.unlimited() ? -ENDLESS_RAD : joint.lowestRad())
+          .putDouble(joint.unlimited() ? ENDLESS_RAD : joint.highestRad());
     }
     for (JointLimits joint : arm.joints()) {
       out.putDouble(joint.maxSpeedRadPerS() + BEYOND_SPEED_RAD_PER_S)

@@ -79,8 +79,8 @@ final class GivingWay {
       ArmDescription arm, PathLimiter speeds, Supplier<SafetyLimits> limits, ArmSensors sensors) {
     dh = arm.dh();
     for (int i = 0; i < N; i++) {
-      minRad[i] = arm.joints().get(i).minRad();
-      maxRad[i] = arm.joints().get(i).maxRad();
+      minRad[i] = arm.joints().get(i).lowestRad();
+      maxRad[i] = arm.joints().get(i).highestRad();
     }
     this.sensors = sensors;
     this.speeds = speeds;

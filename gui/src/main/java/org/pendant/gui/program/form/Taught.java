@@ -28,7 +28,7 @@ public final class Taught {
   /** Where a joint, 0 to 5, may be; one that turns without end may be anywhere. */
   static Range range(ArmDescription arm, int index) {
     JointLimits limits = arm.joints().get(index);
-    return limits.unlimited() ? Range.ANY : Range.of(limits.minRad(), limits.maxRad());
+    return limits.unlimited() ? Range.ANY : Range.of(limits.lowestRad(), limits.highestRad());
   }
 
   /** The name of a joint, 0 to 5. */
@@ -111,7 +111,7 @@ public final class Taught {
     for (int i = 0; i < Joints.COUNT; i++) {
       JointLimits limits = arm.joints().get(i);
       double q = position.jointsRad().get(i);
-      if (q - limits.minRad() < NEAR_RAD || limits.maxRad() - q < NEAR_RAD) {
+      if (q - limits.lowestRad() < NEAR_RAD || limits.highestRad() - q < NEAR_RAD) {
         return joint(i) + " is within 5 deg of the end of its range, " + range(limits) + ".";
       }
     }
@@ -119,6 +119,8 @@ public final class Taught {
   }
 
   private static String range(JointLimits limits) {
-    return Measure.DEGREE.text(limits.minRad()) + " to " + Measure.DEGREE.words(limits.maxRad());
+    return Measure.DEGREE.text(limits.lowestRad())
+        + " to "
+        + Measure.DEGREE.words(limits.highestRad());
   }
 }
