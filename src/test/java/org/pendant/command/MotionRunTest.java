@@ -93,7 +93,7 @@ final class MotionRunTest {
     assertEquals(1, result.exitCode());
     String error = result.errors().lines().findFirst().orElseThrow();
     assertTrue(error.startsWith("move.script:3: error: C150A0 protective stop"), error);
-    assertTrue(error.contains("joint 0 reaches the end"), error);
+    assertTrue(error.contains("base (joint 0) comes too close to its position limit"), error);
   }
 
   @Test
