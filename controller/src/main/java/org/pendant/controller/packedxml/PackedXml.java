@@ -15,6 +15,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Locale;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.GZIPInputStream;
@@ -31,6 +32,10 @@ import javax.xml.stream.XMLStreamReader;
 public final class PackedXml {
   /** Far above any real one; what is larger was made to fill the memory. */
   private static final int LARGEST_BYTES = 64 << 20;
+
+  /** What programs and installations were called before their form was changed altogether. */
+  private static final Set<String> OLD_ROOTS =
+      Set.of("gui.program.ProgramRootNode", "gui.installation.RobotInstallation");
 
   private static final int MOST_ELEMENTS = 1_000_000;
   private static final int DEEPEST = 1000;
@@ -56,6 +61,14 @@ public final class PackedXml {
    */
   public static XmlElement read(byte[] bytes, String root) throws UnreadableFile {
     XmlElement found = parse(new XmlSource(decoded(unpacked(bytes))));
+    if (OLD_ROOTS.contains(found.name())) {
+      throw found.wrong(
+          "holds a "
+              + found.name()
+              + ": PolyScope 1.8 to 3.1 wrote this form, which cannot be read; expected a "
+              + root
+              + ", which a newer PolyScope writes when it opens the file and saves it");
+    }
     if (!found.name().equals(root)) {
       throw found.wrong("holds a " + found.name() + ", must hold a " + root);
     }

@@ -589,6 +589,7 @@ class UrpReadTest {
           """
           <Installation/>                       | pick.urp:1:1: error: holds a Installation, must hold a URProgram
           <URProgram/>                          | pick.urp:1:1: error: has no MainProgram
+          <gui.program.ProgramRootNode/>        | pick.urp:1:1: error: holds a gui.program.ProgramRootNode: PolyScope 1.8 to 3.1 wrote this form, which cannot be read; expected a URProgram, which a newer PolyScope writes when it opens the file and saves it
           <!DOCTYPE URProgram []><URProgram/>   | pick.urp:1:1: error: has a DOCTYPE, which is not allowed here
           <?xml encoding="EBCDIC"?><URProgram/> | pick.urp: error: is written in EBCDIC, must be UTF-8
           """)
