@@ -28,7 +28,7 @@ final class ConvertCommand implements Subcommand {
   private static final String RECORDING = ".rec";
   private static final String TABLE = ".csv";
   private static final String POSSIBLE =
-      ".urp and .pendant become .pendant, .urp or .script, .installation becomes "
+      ".urp, .urpx and .pendant become .pendant, .urp or .script, .installation becomes "
           + InstallationText.ENDING
           + ", .rec becomes .csv";
 
@@ -85,7 +85,7 @@ final class ConvertCommand implements Subcommand {
 
   private static Result convert(String from, String to, Arguments arguments, Console console)
       throws UsageException {
-    if (TreeFile.hasEnding(from) && (TreeFile.hasEnding(to) || ends(to, SCRIPT))) {
+    if (TreeFile.hasEnding(from) && (TreeFile.isWritable(to) || ends(to, SCRIPT))) {
       return program(from, to, arguments, console);
     }
     if (InstallationFile.hasEnding(from) && ends(to, InstallationText.ENDING)) {

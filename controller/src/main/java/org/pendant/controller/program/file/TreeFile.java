@@ -25,13 +25,14 @@ import org.pendant.controller.program.text.ProgramText;
 import org.pendant.controller.program.text.ReadProgram;
 import org.pendant.controller.program.urp.ImportedProgram;
 import org.pendant.controller.program.urp.UrpPrograms;
+import org.pendant.controller.program.urp.UrpxPrograms;
 
 /**
  * A file with a program tree, together with the installation that it runs in. Immutable; reads
  * nothing itself.
  */
 public final class TreeFile {
-  /** Endings of such files. */
+  /** Endings of such files that can be written as well. */
   public static final List<String> ENDINGS = List.of(ProgramText.ENDING, UrpPrograms.ENDING);
 
   /** Ending that the generated script gets behind the name of the file. */
@@ -67,6 +68,12 @@ public final class TreeFile {
   /** Whether a file of this name should hold a program tree. */
   public static boolean hasEnding(String name) {
     String lower = name.toLowerCase(Locale.ROOT);
+    return lower.endsWith(UrpxPrograms.ENDING) || isWritable(name);
+  }
+
+  /** Whether a tree can be written to a file of this name. */
+  public static boolean isWritable(String name) {
+    String lower = name.toLowerCase(Locale.ROOT);
     return ENDINGS.stream().anyMatch(lower::endsWith);
   }
 
@@ -82,15 +89,19 @@ public final class TreeFile {
 
   private static TreeFile read(String name, byte[] bytes, Installation installation)
       throws BrokenTree {
-    return name.toLowerCase(Locale.ROOT).endsWith(UrpPrograms.ENDING)
-        ? urp(name, bytes, installation)
+    String lower = name.toLowerCase(Locale.ROOT);
+    return lower.endsWith(UrpPrograms.ENDING) || lower.endsWith(UrpxPrograms.ENDING)
+        ? imported(name, bytes, installation)
         : text(name, bytes, installation);
   }
 
-  private static TreeFile urp(String name, byte[] bytes, Installation installation)
+  private static TreeFile imported(String name, byte[] bytes, Installation installation)
       throws BrokenTree {
     try {
-      ImportedProgram read = UrpPrograms.read(lastPart(name), bytes, installation);
+      ImportedProgram read =
+          name.toLowerCase(Locale.ROOT).endsWith(UrpxPrograms.ENDING)
+              ? UrpxPrograms.read(lastPart(name), bytes)
+              : UrpPrograms.read(lastPart(name), bytes, installation);
       return new TreeFile(
           name,
           bytes,
