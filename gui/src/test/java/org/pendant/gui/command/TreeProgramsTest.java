@@ -126,6 +126,23 @@ class TreeProgramsTest {
   }
 
   @Test
+  void runsTheScriptInAUrpxAndWritesNone() throws IOException {
+    write(
+        "say.urpx",
+        """
+        {"application": {"urscript": {"script": "x = 3"}},
+         "program": {"programContent": {"contributedNode": {"type": "ur-program"}},
+           "urscript": {"script": "textmsg(x)"}}}
+        """);
+    assertEquals(0, pendant("run", "say.urpx"));
+    assertEquals("3\n", said());
+    assertEquals(0, pendant("convert", "say.urpx", "say.pendant"));
+    assertEquals(0, pendant("run", "say.pendant"));
+    assertEquals("3\n", said());
+    assertEquals(2, pendant("convert", "say.pendant", "other.urpx"));
+  }
+
+  @Test
   void runsProgramsOfOurOwnForm() throws IOException {
     write("say.pendant", OWN);
     assertEquals(0, pendant("run", "say.pendant"));
@@ -269,7 +286,7 @@ class TreeProgramsTest {
     write("say.script", "textmsg(1)");
     assertEquals(2, pendant("convert", "say.script", "say.urp"));
     assertTrue(
-        complaints().getFirst().contains("say.script cannot become say.urp: .urp and .pendant"),
+        complaints().getFirst().contains("say.script cannot become say.urp: .urp, .urpx and .pendant"),
         () -> complaints().toString());
     assertEquals(2, pendant("convert", "say.script"));
     assertEquals(2, pendant("convert", "missing.urp", "missing.pendant"));
