@@ -108,10 +108,10 @@ public final class UrpxPrograms {
       return value(parser);
     } catch (JacksonException e) {
       TokenStreamLocation at = e.getLocation();
-      String place = e.getOriginalMessage();
+      String why = "is no JSON: " + e.getOriginalMessage();
       throw at == null
-          ? new UnreadableFile(0, 0, "is no JSON: " + place)
-          : new UnreadableFile(at.getLineNr(), at.getColumnNr(), "is no JSON: " + place);
+          ? new UnreadableFile(0, 0, why)
+          : new UnreadableFile(at.getLineNr(), at.getColumnNr(), why);
     }
   }
 
