@@ -189,7 +189,7 @@ final class ControllerTest {
     assertTrue(state.arm().fault().isPresent());
     controller.runUntil(() -> !controller.state().arm().moving(), 100);
     advance(2500);
-    command(new Command.UnlockProtectiveStop());
+    command(new Command.UnlockProtectiveStop(false));
     run("textmsg(1)");
     assertTrue(controller.state().arm().fault().isEmpty());
   }

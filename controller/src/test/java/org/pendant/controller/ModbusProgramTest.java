@@ -459,7 +459,8 @@ class ModbusProgramTest {
   @Test
   void refusesWhatCannotBeAdded() {
     refuses(
-        "modbus_add_signal(\"\", 1, 0, 0, \"s\")", "modbus_add_signal: IP is , must not be empty");
+        "modbus_add_signal(\"\", 1, 0, 0, \"s\")",
+        "modbus_add_signal: IP is \"\", must not be empty");
     refuses(
         "modbus_add_signal(\"d:0\", 1, 0, 0, \"s\")",
         "IP is d:0, must have a port of 1 to 65535 behind the colon");
@@ -473,7 +474,8 @@ class ModbusProgramTest {
         "modbus_add_signal(\"d\", 1, 0, 23, \"s\")",
         "signal_type is 23, must be 0, 1, 2, 3, 15 or 16");
     refuses(
-        "modbus_add_signal(\"d\", 1, 0, 0, \"\")", "signal_name is , must have 1 to 20 characters");
+        "modbus_add_signal(\"d\", 1, 0, 0, \"\")",
+        "signal_name is \"\", must have 1 to 20 characters");
     refuses(
         "modbus_add_signal(\"d\", 1, 0, 0, \"" + "s".repeat(21) + "\")",
         "must have 1 to 20 characters");

@@ -93,7 +93,7 @@ final class SafetyProgramTest {
     assertInstanceOf(Ending.Stopped.class, running.state().program().ending().orElseThrow());
     assertEquals(SafetyMode.PROTECTIVE_STOP, running.state().safety().safetyMode());
     running.advance(UNLOCK_FRAMES);
-    running.done(new Command.UnlockProtectiveStop());
+    running.done(new Command.UnlockProtectiveStop(false));
     assertEquals(List.of("before"), running.said());
     running.run(MOVE);
   }

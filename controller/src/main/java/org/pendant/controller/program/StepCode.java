@@ -73,8 +73,7 @@ public final class StepCode {
               String expression,
               var speed,
               var acceleration) ->
-          new MotionStep.Direction(
-              feature, x, y, z, change.apply(expression), speed, acceleration);
+          new MotionStep.Direction(feature, x, y, z, change.apply(expression), speed, acceleration);
       case MotionStep.Until(UntilRule.Expression(String condition)) ->
           new MotionStep.Until(new UntilRule.Expression(change.apply(condition)));
       case MotionStep.Move _,

@@ -12,7 +12,7 @@ import org.pendant.models.arm.ArmLibrary;
 class JointWallsTest {
   private final ArmDescription arm = ArmLibrary.load("ur5e");
   private final SafetyLimits limits = SafetyConfiguration.standard(arm).normal();
-  private final double wall = arm.joints().get(0).maxRad() - JointWalls.MARGIN_RAD;
+  private final double wall = arm.joints().get(0).highestRad() - JointWalls.MARGIN_RAD;
   private final JointWalls walls = new JointWalls(arm);
 
   private void beginAt(double base) {
@@ -31,7 +31,7 @@ class JointWallsTest {
     for (double q = 0; q < wall; q += 0.01) {
       double most = walls.mostRadPerS(0, q);
       assertTrue(most < last && most > 0, "at " + q);
-      assertTrue(most * most / (2 * 8) < arm.joints().get(0).maxRad() - q, "can stop at " + q);
+      assertTrue(most * most / (2 * 8) < arm.joints().get(0).highestRad() - q, "can stop at " + q);
       last = most;
     }
     assertEquals(0, walls.mostRadPerS(0, wall), 1e-9);

@@ -138,7 +138,8 @@ record RunOptions(
       Arguments arguments, Optional<Installation> ofProgram, Optional<String> armOfProgram)
       throws UsageException {
     ControllerOptions controller =
-        controller(arguments, ofProgram, armOfProgram).withOperator(Operator.headless(answers(arguments)));
+        controller(arguments, ofProgram, armOfProgram)
+            .withOperator(Operator.headless(answers(arguments)));
     Optional<Double> speedFactor = speedFactor(arguments);
     if (speedFactor.isPresent()) {
       // Nobody expects the same result twice from a run on the wall clock, but the right date.

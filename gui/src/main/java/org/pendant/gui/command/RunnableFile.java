@@ -98,13 +98,7 @@ record RunnableFile(
               + " runs in its place, which was saved beside it");
       Source saved = Source.of(beside.get(), files.bytes("the script", beside.get()));
       return new RunnableFile(
-          name,
-          Optional.of(saved),
-          Optional.empty(),
-          read.own(),
-          tree.robot(),
-          notes,
-          List.of());
+          name, Optional.of(saved), Optional.empty(), read.own(), tree.robot(), notes, List.of());
     }
     List<String> problems = tree.problems();
     Source generated = Source.of(tree.scriptName(), tree.script().text());

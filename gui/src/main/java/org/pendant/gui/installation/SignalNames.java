@@ -42,8 +42,8 @@ public final class SignalNames {
   }
 
   /**
-   * Whether a problem is about the name of a signal. People may not give one twice; installations of
-   * robots may bring it along.
+   * Whether a problem is about the name of a signal. People may not give one twice; installations
+   * of robots may bring it along.
    */
   static boolean isName(InstallationProblem problem) {
     return problem.field().matches("signals\\[\\d+\\]\\.name");

@@ -29,14 +29,22 @@ final class CheckCommandTest {
 
   @Test
   void mistakesInALibraryAreFound() throws IOException {
-    assertEquals(3, pendant("check", LIBRARY + "  return twice()\nend\n"));
+    assertEquals(3, pendant("check", LIBRARY + "  return twice(a, 1)\nend\n"));
     assertEquals(
         List.of(
-            "lib.script:5:10: error: twice is called without a; expected twice(a)",
-            "  return twice()",
-            "         ^~~~~",
+            "lib.script:5:19: error: twice has 2 arguments, expected twice(a)",
+            "  return twice(a, 1)",
+            "                  ^",
             "lib.script: note: " + SAYS),
         complaints());
+  }
+
+  @Test
+  void aCallThatLacksAnArgumentIsAWarningAsItMayNeverRun() throws IOException {
+    assertEquals(0, pendant("check", LIBRARY + "  return twice()\nend\n"));
+    assertEquals(
+        "lib.script:5:10: warning: twice is called without a; expected twice(a)",
+        complaints().getFirst());
   }
 
   @Test

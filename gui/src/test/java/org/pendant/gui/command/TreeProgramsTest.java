@@ -111,7 +111,8 @@ class TreeProgramsTest {
               <d value="0.1807, 0, 0, 0.17415, 0.11985, 0.11655"/>
               <alpha value="1.570796327, 0, 0, 1.570796327, -1.570796327, 0"/>
             </kinematics>
-            <children><MainProgram"""));
+            <children><MainProgram\
+            """));
     write("cell.installation", CELL);
     assertEquals(0, pendant("run", "any.urp"));
     String usual = said();
@@ -286,7 +287,9 @@ class TreeProgramsTest {
     write("say.script", "textmsg(1)");
     assertEquals(2, pendant("convert", "say.script", "say.urp"));
     assertTrue(
-        complaints().getFirst().contains("say.script cannot become say.urp: .urp, .urpx and .pendant"),
+        complaints()
+            .getFirst()
+            .contains("say.script cannot become say.urp: .urp, .urpx and .pendant"),
         () -> complaints().toString());
     assertEquals(2, pendant("convert", "say.script"));
     assertEquals(2, pendant("convert", "missing.urp", "missing.pendant"));

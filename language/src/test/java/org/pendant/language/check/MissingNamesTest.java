@@ -44,8 +44,8 @@ final class MissingNamesTest {
     assertEquals(
         List.of(
             "2: function zzzzzzzz is not defined (and in 199 more places: lines 3, 4, 5, ...)",
-            "202: variable true is never assigned; did you mean True?"),
-        told(text + "x = true\nend\n"));
+            "202: variable Tru is never assigned; did you mean True?"),
+        told(text + "x = Tru\nend\n"));
   }
 
   @Test
@@ -56,7 +56,7 @@ final class MissingNamesTest {
             "2:unknown-function", "2:unknown-variable", "3:unknown-function", "4:missing-argument"),
         Checks.found(text));
     assertEquals(
-        List.of(false, false, false, true),
+        List.of(false, false, false, false),
         Checks.diagnostics(text).stream().map(Diagnostic::isError).toList());
     assertEquals(
         "2: function gone is not defined in this library (and in another place: line 3)",

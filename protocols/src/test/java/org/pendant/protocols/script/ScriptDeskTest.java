@@ -40,7 +40,7 @@ class ScriptDeskTest {
   void anUnknownNameIsPointedAt() {
     assertEquals(
         new ScriptTrouble.NotCompiled(2, 7, "compile_error_name_not_found:nothing:"),
-        trouble("def p():\n  x = nothing\nend\n"));
+        trouble("def p():\n  x = nothing()\nend\n"));
   }
 
   @Test

@@ -145,7 +145,8 @@ final class InstallationReader {
     Optional<String> problem = inertia.problem();
     problem.ifPresent(
         why ->
-            remarks.add("line " + payload.line() + ": the inertia of this payload is left out: " + why));
+            remarks.add(
+                "line " + payload.line() + ": the inertia of this payload is left out: " + why));
     return problem.isEmpty() ? inertia : Inertia.NONE;
   }
 
@@ -179,7 +180,8 @@ final class InstallationReader {
 
   private Optional<Joints> home() {
     Optional<XmlElement> home = top("SafeHomeSettings");
-    double[] position = Rows.numbers(home.map(each -> each.text("position")).orElse(""), Joints.COUNT);
+    double[] position =
+        Rows.numbers(home.map(each -> each.text("position")).orElse(""), Joints.COUNT);
     return position.length == 0 ? Optional.empty() : Optional.of(Joints.of(position));
   }
 

@@ -43,9 +43,12 @@ final class SignalReader {
 
   private static final Map<String, RunStateAction> OUTPUT_ACTIONS =
       Map.of(
-          NO_ACTION, RunStateAction.PRESERVE,
-          "LOW_WHEN_PROGRAM_STOPPED", RunStateAction.LOW_WHEN_NOT_RUNNING,
-          "HIGH_WHEN_PROGRAM_STOPPED", RunStateAction.HIGH_WHEN_NOT_RUNNING);
+          NO_ACTION,
+          RunStateAction.PRESERVE,
+          "LOW_WHEN_PROGRAM_STOPPED",
+          RunStateAction.LOW_WHEN_NOT_RUNNING,
+          "HIGH_WHEN_PROGRAM_STOPPED",
+          RunStateAction.HIGH_WHEN_NOT_RUNNING);
 
   private static final Map<String, InputAction> INPUT_ACTIONS =
       Map.of(NO_ACTION, InputAction.DEFAULT, "FREEDRIVE", InputAction.FREEDRIVE);
@@ -96,7 +99,9 @@ final class SignalReader {
     return new SignalUse(
         signal,
         name,
-        bank.input() ? INPUT_ACTIONS.getOrDefault(action, InputAction.DEFAULT) : InputAction.DEFAULT,
+        bank.input()
+            ? INPUT_ACTIONS.getOrDefault(action, InputAction.DEFAULT)
+            : InputAction.DEFAULT,
         bank.input()
             ? RunStateAction.PRESERVE
             : OUTPUT_ACTIONS.getOrDefault(action, RunStateAction.PRESERVE));
@@ -124,7 +129,9 @@ final class SignalReader {
                   + " is left out");
         } else {
           remarks.add(
-              "line " + each.line() + ": this Modbus signal has no name, type, address or frequency");
+              "line "
+                  + each.line()
+                  + ": this Modbus signal has no name, type, address or frequency");
         }
       }
     }

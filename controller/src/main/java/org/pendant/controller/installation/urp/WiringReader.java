@@ -51,8 +51,7 @@ final class WiringReader {
 
   /** Domains by their numbers; none if there are not so many. */
   private List<AnalogDomain> domains(String name, int count) {
-    String text =
-        ios.flatMap(each -> each.child(name)).map(each -> each.text("value")).orElse("");
+    String text = ios.flatMap(each -> each.child(name)).map(each -> each.text("value")).orElse("");
     return Arrays.stream(Rows.numbers(text, count))
         .mapToObj(each -> AnalogDomain.of((int) each))
         .toList();
@@ -65,7 +64,8 @@ final class WiringReader {
   /** The constant that an attribute names; the usual one if it is not there. */
   private <E extends Enum<E>> E chosen(String attribute, E[] all, E usual) {
     // two digital outputs
-    String word = word(attribute).equals("OUTPUT") ? ToolOutputMode.DIGITAL.name() : word(attribute);
+    String word =
+        word(attribute).equals("OUTPUT") ? ToolOutputMode.DIGITAL.name() : word(attribute);
     Optional<E> named = Arrays.stream(all).filter(each -> each.name().equals(word)).findFirst();
     if (named.isEmpty() && !word.isEmpty()) {
       notUnderstood(attribute, word, usual.name().toLowerCase(Locale.ROOT));

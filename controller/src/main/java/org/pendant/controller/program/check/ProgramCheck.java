@@ -96,8 +96,8 @@ public final class ProgramCheck {
   }
 
   /**
-   * What belongs to a move may also stand deeper below it, and a move in a move, as some programs of
-   * others have it.
+   * What belongs to a move may also stand deeper below it, and a move in a move, as some programs
+   * of others have it.
    */
   private void placement(Step parent, ProgramNode node, Optional<MotionStep.Move> move) {
     boolean deeper =

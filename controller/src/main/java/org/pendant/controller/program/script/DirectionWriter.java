@@ -155,8 +155,7 @@ final class DirectionWriter {
     if (!(length > 0 && Double.isFinite(length))) {
       return Optional.empty();
     }
-    return along(
-        feature, "p" + ScriptText.list(x / length, y / length, z / length, 0, 0, 0));
+    return along(feature, "p" + ScriptText.list(x / length, y / length, z / length, 0, 0, 0));
   }
 
   /** A variable with three numbers as a pose. */

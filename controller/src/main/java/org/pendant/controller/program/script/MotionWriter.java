@@ -162,8 +162,7 @@ final class MotionWriter {
       case WaypointTarget.Variable variable ->
           variable.expression().isBlank()
               ? Optional.empty()
-              : Optional.of(
-                  new Goal(variable(in, variable.expression()), Optional.empty()));
+              : Optional.of(new Goal(variable(in, variable.expression()), Optional.empty()));
     };
   }
 

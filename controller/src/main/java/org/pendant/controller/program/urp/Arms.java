@@ -46,8 +46,7 @@ final class Arms {
     if (leastM < SAME_M) {
       return Optional.of(expected.id());
     }
-    Optional<String> nearest =
-        leastM < FARTHEST_M ? Optional.of(expected.id()) : Optional.empty();
+    Optional<String> nearest = leastM < FARTHEST_M ? Optional.of(expected.id()) : Optional.empty();
     for (String id : ArmLibrary.ids()) {
       double apartM = apartM(arm, ArmLibrary.load(id));
       if (apartM < Math.min(leastM, FARTHEST_M)) {

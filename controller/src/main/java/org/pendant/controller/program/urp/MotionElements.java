@@ -65,7 +65,12 @@ final class MotionElements {
   /** What a step says of the nodes in it. */
   static Within inside(MotionStep.Move move) {
     return new Within(
-        move.kind(), move.speed(), move.acceleration(), move.feature(), OptionalDouble.empty(), false);
+        move.kind(),
+        move.speed(),
+        move.acceleration(),
+        move.feature(),
+        OptionalDouble.empty(),
+        false);
   }
 
   private void move(MotionStep.Move move) {
@@ -130,8 +135,7 @@ final class MotionElements {
       out.attribute(
           MotionReader.OWN_SPEEDS,
           Values.text(
-              direction.speedMPerS().getAsDouble(),
-              direction.accelerationMPerS2().getAsDouble()));
+              direction.speedMPerS().getAsDouble(), direction.accelerationMPerS2().getAsDouble()));
     }
     if (axis.isEmpty()) {
       elements.expression(
@@ -145,8 +149,7 @@ final class MotionElements {
   }
 
   private void featureOf(String name) {
-    out.leaf(
-        "feature", "class", "GeomFeatureReference", "referencedName", Features.there(name));
+    out.leaf("feature", "class", "GeomFeatureReference", "referencedName", Features.there(name));
   }
 
   /** The word for a direction of length 1 along an axis; empty for others. */
@@ -175,7 +178,7 @@ final class MotionElements {
         out.attribute(sort + "Speed", Double.toString(own.speed()));
         out.attribute(sort + "Acceleration", Double.toString(own.acceleration()));
       }
-      case Timing.Duration duration -> 
+      case Timing.Duration duration ->
           out.attribute(MotionReader.MOTION_TIME, Double.toString(duration.timeS()));
     }
     elements.optional("blendRadius", waypoint.blendRadiusM());
@@ -231,8 +234,7 @@ final class MotionElements {
       case UntilRule.Contact contact -> {
         out.open("Until", MotionReader.UNTIL_TYPE, MotionReader.CONTACT);
         out.attribute(MotionReader.RETRACTION, Double.toString(contact.retractM()));
-        out.attribute(
-            MotionReader.CONTACT_STOP, Double.toString(contact.stopDecelerationMPerS2()));
+        out.attribute(MotionReader.CONTACT_STOP, Double.toString(contact.stopDecelerationMPerS2()));
         out.attribute("decelerationAngularAcceleration", TURN_STOP_RAD_PER_S2);
       }
     }

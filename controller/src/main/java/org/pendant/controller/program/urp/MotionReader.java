@@ -235,13 +235,11 @@ final class MotionReader {
     double[] vector = expression.isEmpty() ? axis(element) : literal(expression);
     if (vector.length == 3) {
       return Optional.of(
-          new MotionStep.Direction(
-              feature, vector[0], vector[1], vector[2], speed, acceleration));
+          new MotionStep.Direction(feature, vector[0], vector[1], vector[2], speed, acceleration));
     }
     return expression.isEmpty()
         ? Optional.empty()
-        : Optional.of(
-            new MotionStep.Direction(feature, 0, 0, 0, expression, speed, acceleration));
+        : Optional.of(new MotionStep.Direction(feature, 0, 0, 0, expression, speed, acceleration));
   }
 
   /** The direction of an axis, such as {@code ZMinus}; nothing if it names none. */
@@ -291,7 +289,8 @@ final class MotionReader {
   /** The way ends exactly there, so that its deceleration is that of the move. */
   private Optional<UntilRule> distance(XmlElement element, XmlElement distance) {
     var _ = element.attribute("deceleration");
-    double radiusM = element.child("motionParameters").map(MotionReader::blend).orElse(NONE).orElse(0);
+    double radiusM =
+        element.child("motionParameters").map(MotionReader::blend).orElse(NONE).orElse(0);
     if (element.text("distanceNodeType").equals("BLEND")) {
       remarks.add(element, "the way ends with a stop, not with its blend of " + radiusM + " m");
     }

@@ -74,10 +74,7 @@ final class ProgramReader {
     UrpSignals signals = new UrpSignals(installation, remarks);
     expressions = new Expressions(signals, remarks);
     positions =
-        new Positions(
-            root.child("kinematics"),
-            new ForwardKinematics(expected.dh()),
-            remarks);
+        new Positions(root.child("kinematics"), new ForwardKinematics(expected.dh()), remarks);
     motion = new MotionReader(expressions, signals, positions, remarks);
     action = new ActionReader(expressions, signals);
     flow = new FlowReader(expressions);
@@ -286,8 +283,7 @@ final class ProgramReader {
     boolean off = initialValuesOff();
     return off && values.isEmpty()
         ? Optional.empty()
-        : Optional.of(
-            ProgramTree.node(new Section.InitialValues(values)).withSuppressed(off));
+        : Optional.of(ProgramTree.node(new Section.InitialValues(values)).withSuppressed(off));
   }
 
   private boolean initialValuesOff() {

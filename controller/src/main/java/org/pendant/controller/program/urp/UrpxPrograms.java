@@ -160,8 +160,7 @@ public final class UrpxPrograms {
 
   private static ProgramNode node(Map<?, ?> node, int depth) throws UnreadableFile {
     if (depth > ProgramTree.DEEPEST - 1) {
-      throw new UnreadableFile(
-          0, 0, "nodes are more than " + ProgramTree.DEEPEST + " levels deep");
+      throw new UnreadableFile(0, 0, "nodes are more than " + ProgramTree.DEEPEST + " levels deep");
     }
     String type =
         node.get("contributedNode") instanceof Map<?, ?> contributed

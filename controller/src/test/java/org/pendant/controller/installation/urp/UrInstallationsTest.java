@@ -150,14 +150,16 @@ class UrInstallationsTest {
     assertEquals(Inertia.NONE, refused.installation().payloads().getFirst().inertia());
     assertEquals(
         List.of(
-            "line 1: the inertia of this payload is left out: the first three must not be negative"),
+            "line 1: the inertia of this payload is left out: the first three must not be"
+                + " negative"),
         refused.remarks());
   }
 
   @Test
   void readsWhatAnalogSignalsAreMadeOf() throws UnreadableFile {
     Wiring wiring =
-        read("<IOs><analogInputRange value=\"0, 1, 1, 0\"/><analogOutputDomain value=\"1, 0\"/></IOs>")
+        read("<IOs><analogInputRange value=\"0, 1, 1, 0\"/><analogOutputDomain value=\"1,"
+                + " 0\"/></IOs>")
             .installation()
             .wiring();
     assertEquals(List.of(AnalogDomain.CURRENT, AnalogDomain.VOLTAGE), wiring.analogIn());
@@ -227,12 +229,10 @@ class UrInstallationsTest {
         List.of("configurable_in[0] S-Guard", "configurable_in[1] S-Guard"),
         read.installation().signals().stream().map(UrInstallationsTest::named).toList());
     assertEquals(
-        List.of(
-            "configurable_in[1] is called S-Guard as well; the name means the first of them"),
+        List.of("configurable_in[1] is called S-Guard as well; the name means the first of them"),
         read.remarks());
     assertEquals(
-        Optional.empty(),
-        InstallationCheck.refusal(read.installation(), ArmLibrary.load("ur5e")));
+        Optional.empty(), InstallationCheck.refusal(read.installation(), ArmLibrary.load("ur5e")));
   }
 
   @Test
@@ -293,11 +293,7 @@ class UrInstallationsTest {
                 + "</GeomPoseNode></Features>");
     assertEquals(
         new Feature(
-            "Point_1",
-            FeatureKind.POINT,
-            List.of(new Pose(0.1, 0.2, 0.3, 0, 3.1, 0)),
-            true,
-            false),
+            "Point_1", FeatureKind.POINT, List.of(new Pose(0.1, 0.2, 0.3, 0, 3.1, 0)), true, false),
         read.installation().features().getFirst());
     Feature edge = read.installation().features().getLast();
     assertEquals("left_edge", edge.name());
@@ -307,8 +303,7 @@ class UrInstallationsTest {
     assertEquals(0, Math.hypot(frame.ry(), frame.rz()), 1e-9);
     assertEquals(Math.PI / 2, frame.rx(), 1e-9);
     assertEquals(
-        List.of(
-            "line 1: the feature a-b is left out, as its name is no name of the language"),
+        List.of("line 1: the feature a-b is left out, as its name is no name of the language"),
         read.remarks());
   }
 

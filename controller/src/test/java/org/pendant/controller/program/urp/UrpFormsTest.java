@@ -35,12 +35,7 @@ class UrpFormsTest {
         program.tree(),
         UrpPrograms.read("p.urp", UrpPrograms.write("p", program.tree())).tree(),
         "what is written is read again");
-    assertEquals(
-        List.of(),
-        UrpPrograms.ownForms(
-            "p",
-            program.tree(),
-            Installation.NONE));
+    assertEquals(List.of(), UrpPrograms.ownForms("p", program.tree(), Installation.NONE));
     return program;
   }
 
@@ -61,7 +56,9 @@ class UrpFormsTest {
   private static String chars(String text) {
     StringBuilder parts = new StringBuilder();
     text.chars()
-        .forEach(each -> parts.append("<ExpressionChar character=\"").appendCodePoint(each).append("\"/>"));
+        .forEach(
+            each ->
+                parts.append("<ExpressionChar character=\"").appendCodePoint(each).append("\"/>"));
     return parts.toString();
   }
 
@@ -100,14 +97,12 @@ class UrpFormsTest {
   @Test
   void readsHowLongTheWayToAWaypointTakes() throws UnreadableFile {
     assertEquals(
-        new MotionStep.Waypoint(
-            new WaypointTarget.Variable("spot"), new Timing.Duration(2), NONE),
-        node(
-                """
-                <Move motionType="MoveJ"><children><Waypoint type="Variable">
-                  <motionParameters nextMotionTime="2.0"/><variable name="spot"/>
-                </Waypoint></children></Move>
-                """)
+        new MotionStep.Waypoint(new WaypointTarget.Variable("spot"), new Timing.Duration(2), NONE),
+        node("""
+        <Move motionType="MoveJ"><children><Waypoint type="Variable">
+          <motionParameters nextMotionTime="2.0"/><variable name="spot"/>
+        </Waypoint></children></Move>
+        """)
             .children()
             .getFirst()
             .step());
@@ -129,10 +124,9 @@ class UrpFormsTest {
         List.of(
             "line 1, URProgram/children/MainProgram/children/Move/children/Waypoint/"
                 + "motionParameters: nextMotionTime=\"2.0\" of motionParameters is not understood"),
-        main(
-                "<Move motionType=\"MoveP\"><children><Waypoint type=\"Variable\">"
-                    + "<motionParameters nextMotionTime=\"2.0\"/><variable name=\"spot\"/>"
-                    + "</Waypoint></children></Move>")
+        main("<Move motionType=\"MoveP\"><children><Waypoint type=\"Variable\">"
+                + "<motionParameters nextMotionTime=\"2.0\"/><variable name=\"spot\"/>"
+                + "</Waypoint></children></Move>")
             .remarks());
   }
 
@@ -141,12 +135,11 @@ class UrpFormsTest {
     assertEquals(
         new WaypointTarget.Variable("Point_1"),
         ((MotionStep.Waypoint)
-                node(
-                        """
-                        <Move motionType="MoveJ"><children><Waypoint type="Variable" name="W">
-                          <variable featureName="Point_1"/>
-                        </Waypoint></children></Move>
-                        """)
+                node("""
+                <Move motionType="MoveJ"><children><Waypoint type="Variable" name="W">
+                  <variable featureName="Point_1"/>
+                </Waypoint></children></Move>
+                """)
                     .children()
                     .getFirst()
                     .step())
@@ -227,9 +220,8 @@ class UrpFormsTest {
         List.of(
             "line 1, URProgram/children/MainProgram/children/Until: the way ends with a stop, not"
                 + " with its blend of 0.05 m"),
-        main(
-                "<Until type=\"DISTANCE\" distanceNodeType=\"BLEND\"><Distance>0.1</Distance>"
-                    + "<motionParameters blendRadius=\"0.05\"/></Until>")
+        main("<Until type=\"DISTANCE\" distanceNodeType=\"BLEND\"><Distance>0.1</Distance>"
+                + "<motionParameters blendRadius=\"0.05\"/></Until>")
             .remarks());
   }
 
@@ -270,7 +262,11 @@ class UrpFormsTest {
     assertEquals(all, blends("<Halt/>" + move("MoveL", waypoint)));
     assertEquals(all, blends(move("MoveP", waypoint)));
     assertEquals(
-        all, blends(move("MoveL", "<gui.program.direction.MoveDirectionNode selectedDirection=\"XPlus\"/>")));
+        all,
+        blends(
+            move(
+                "MoveL",
+                "<gui.program.direction.MoveDirectionNode selectedDirection=\"XPlus\"/>")));
     assertEquals(List.of(shared, shared, NONE), blends(move("MoveL", waypoint)));
     assertEquals(List.of(shared, shared, NONE), blends(move("MoveJ", waypoint)));
   }
@@ -337,8 +333,7 @@ class UrpFormsTest {
         madeOn(none, "0.0, -0.5, -0.5, 0.0, 0.0, 0.0", "0.2, 0.0, 0.0, 0.1, 0.1, 0.1");
     assertEquals(Optional.empty(), other.robot());
     assertEquals(
-        List.of(
-            "line 1, URProgram: the arm that it was made on is none of those that are known"),
+        List.of("line 1, URProgram: the arm that it was made on is none of those that are known"),
         other.remarks());
   }
 

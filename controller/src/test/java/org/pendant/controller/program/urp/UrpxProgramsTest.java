@@ -54,7 +54,8 @@ class UrpxProgramsTest {
             "wait.urpx", List.of("# 1 \"ur-program\"", "# 2 \"ur-wait\"", "sleep(2)")),
         main.children().getLast().step());
     assertEquals(
-        List.of(false, false), main.children().stream().skip(1).map(ProgramNode::suppressed).toList());
+        List.of(false, false),
+        main.children().stream().skip(1).map(ProgramNode::suppressed).toList());
     assertEquals(
         List.of("the nodes of PolyScope X are only shown; the script that they have become runs"),
         program.remarks());
@@ -82,8 +83,7 @@ class UrpxProgramsTest {
           {"program": {}, "application": {"urscript": {}}} | x: error: was saved without its script, so that nothing can run
           """)
   void refusesOtherFiles(String json, String message) {
-    assertEquals(
-        message, assertThrows(UnreadableFile.class, () -> read(json)).report("x"));
+    assertEquals(message, assertThrows(UnreadableFile.class, () -> read(json)).report("x"));
   }
 
   @Test
@@ -96,10 +96,10 @@ class UrpxProgramsTest {
 
   @Test
   void refusesNodesThatAreTooDeep() {
-    String deep =
-        "{\"children\": [".repeat(240) + "]}".repeat(240);
+    String deep = "{\"children\": [".repeat(240) + "]}".repeat(240);
     String json =
-        WAIT.replaceFirst("(?s)\"programContent\": .*?\\]\\},", "\"programContent\": " + deep + ",");
+        WAIT.replaceFirst(
+            "(?s)\"programContent\": .*?\\]\\},", "\"programContent\": " + deep + ",");
     assertEquals(
         "x: error: nodes are more than 200 levels deep",
         assertThrows(UnreadableFile.class, () -> read(json)).report("x"));

@@ -29,10 +29,7 @@ final class DirectionForm {
             MotionForms.NO_FEATURE,
             feature -> in(step, feature));
     vector(
-        form,
-        List.of(step.x(), step.y(), step.z()),
-        List.of("x", "y", "z"),
-        v -> along(step, v));
+        form, List.of(step.x(), step.y(), step.z()), List.of("x", "y", "z"), v -> along(step, v));
     form.expression(
         "expression",
         "or computed",
