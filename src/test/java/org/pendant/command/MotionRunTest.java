@@ -35,6 +35,7 @@ final class MotionRunTest {
       textBlock =
           """
           movej(p[2, 0, 0, 0, 0, 0])                 | p[2, 0, 0, 0, 0, 0] is out of reach
+          movej([7, -1.57, -1.57, -1.57, 1.57, 0])   | q[0] (base) is 7 rad, must be
           movej([1, 0, 0, 0, 0, 0], a=0)             | a is 0 rad/s², must be above 0
           movej([1, 0, 0, 0, 0, 0], v=-1)            | v is -1 rad/s, must be above 0
           movel(p[0.4, 0, 0.4, 3.14, 0, 0], t=-1)    | t is -1 s, must not be negative
@@ -61,7 +62,6 @@ final class MotionRunTest {
           movep(p[0, 0.05, 0.3, 3.14, 0, 0])         | C154A0 | too close to a singularity
           movel(p[-0.492, 0.133, 0.488, -2.22, 2.22, 0]) | C154A0 | singularity
           movel(p[-0.492, 0.133, 0.488, -2.22, 2.22, 0]) | C154A0 | way to p[-0.492, 0.133, 0.488, -2.22, 2.22, 0]
-          movej([7, -1.57, -1.57, -1.57, 1.57, 0])   | C150A0 | base (joint 0) comes too close to its position limit
           """)
   void whereTheArmCannotGoOnAProtectiveStopSaysWhy(String call, String code, String expected) {
     Result result = run("def move():\n" + READY + "  " + call + "\n  textmsg(1)\nend\n");

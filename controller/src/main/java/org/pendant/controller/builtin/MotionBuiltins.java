@@ -108,7 +108,7 @@ final class MotionBuiltins {
       return move(
           call, "movej", from -> toJoints(box, from, reach(box, goal, tcp, from), goal, headroom));
     }
-    Joints goal = MotionArguments.jointGoal(call, 0);
+    Joints goal = MotionArguments.jointsInRange(call, 0, "q");
     Pose waypoint = box.forward().tcpPose(goal, tcp);
     return move(call, "movej", from -> toJoints(box, from, goal, waypoint, headroom));
   }

@@ -60,7 +60,7 @@ final class OptimoveBuiltins {
     Pose tcp = box.flange().tool().inFlange();
     Headroom headroom = headroom(call);
     if (call.kind(0) == Kind.LIST) {
-      Joints goal = MotionArguments.jointGoal(call, 0);
+      Joints goal = MotionArguments.jointsInRange(call, 0, "goal");
       Pose waypoint = box.forward().tcpPose(goal, tcp);
       return move(
           call, "optimovej", from -> MotionBuiltins.toJoints(box, from, goal, waypoint, headroom));
