@@ -256,11 +256,15 @@ public final class SteadyMotion {
       }
       case TOOLPATH, TOOLPATH_REMOTE, TOOLPATH_FREE ->
           motion.start((from, speed) -> run.orElseThrow().begin(from));
-      case STOPJ ->
-          motion.takeOver((q, qd) -> new StopJ(q, new Joints(1e-3, 0, 2e-3, 0, 0, 1e-3), 1e-6));
-      case STOPL ->
-          motion.takeOver(
-              (q, qd) -> new StopL(arm, q, new Joints(1e-3, 0, 2e-3, 0, 0, 1e-3), TCP, 1e-6, 1e-6));
+      case STOPJ -> {
+        moveALittle();
+        motion.takeOver((q, qd) -> new StopJ(q, new Joints(1e-3, 0, 2e-3, 0, 0, 1e-3), 1e-6));
+      }
+      case STOPL -> {
+        moveALittle();
+        motion.takeOver(
+            (q, qd) -> new StopL(arm, q, new Joints(1e-3, 0, 2e-3, 0, 0, 1e-3), TCP, 1e-6, 1e-6));
+      }
       case PAUSE -> {
         motion.resume();
         line(new MoveLimits(1, 5e-4, 0));
@@ -273,6 +277,12 @@ public final class SteadyMotion {
       box.pathOffset().set(new Pose(0.02, 0.02, 0, 0.1, 0, 0.1), OffsetType.BASE);
       box.pathOffset().enable();
     }
+  }
+
+  /** So that there is something to stop. */
+  private void moveALittle() throws ScriptError {
+    goOn(box.servoing().speedJ(new Joints(1e-3, 0, 2e-3, 0, 0, 1e-3), 1, OptionalDouble.of(0.002)));
+    motion.step();
   }
 
   private void start(Move move) throws ScriptError {

@@ -368,12 +368,12 @@ final class RunTest {
   @Test
   void standardErrorQuotesScriptsInTheirOwnBytes() {
     Launcher.script(
-        folder, "words.script", "def words():\n  textmsg(\"\u00c3\u00bc\", missing)\nend\n");
+        folder, "words.script", "def words():\n  textmsg(\"\u00c3\u00bc\", missing())\nend\n");
 
     Result result = Launcher.pendant(folder, "run", "words.script");
 
     assertAll(
         () -> assertEquals(3, result.exitCode()),
-        () -> assertTrue(result.errors().contains("textmsg(\"ü\", missing)"), result.errors()));
+        () -> assertTrue(result.errors().contains("textmsg(\"ü\", missing())"), result.errors()));
   }
 }

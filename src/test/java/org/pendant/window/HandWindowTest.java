@@ -35,7 +35,7 @@ final class HandWindowTest {
     window.click("move-joint-elbow");
     window.press("control A");
     window.type("400");
-    window.awaitWords("move-joints-problem", "Elbow: must be -360.000 to 360.000 deg");
+    window.awaitWords("move-joints-problem", "Elbow: must be -363.000 to 363.000 deg");
     window.click("move-reset-joints");
     window.await("the arm is shown", () -> !window.words("move-joint-elbow").equals("400"));
   }
