@@ -1,69 +1,62 @@
 package org.pendant.protocols.robotapi;
 
+import java.io.StringWriter;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.ObjectWriteContext;
+import tools.jackson.core.json.JsonFactory;
 
-/** Writes an object of JSON (RFC 8259), member after member. */
+/** An object of JSON, made member after member. */
 final class JsonText {
-  private final StringBuilder text = new StringBuilder("{");
+  private final List<Consumer<JsonGenerator>> members = new ArrayList<>();
 
   /** Adds a text. */
   JsonText with(String key, String value) {
-    begin(key);
-    quote(value);
+    members.add(out -> out.writeStringProperty(key, value));
     return this;
   }
 
   /** Adds a number. */
   JsonText with(String key, long value) {
-    begin(key);
-    text.append(value);
+    members.add(out -> out.writeNumberProperty(key, value));
     return this;
   }
 
   /** Adds an object. */
   JsonText with(String key, JsonText value) {
-    begin(key);
-    text.append(value.text());
+    members.add(
+        out -> {
+          out.writeName(key);
+          value.write(out);
+        });
     return this;
   }
 
   /** Adds an array of objects. */
   JsonText with(String key, List<JsonText> values) {
-    begin(key);
-    text.append('[');
-    for (int i = 0; i < values.size(); i++) {
-      text.append(i == 0 ? "" : ",").append(values.get(i).text());
-    }
-    text.append(']');
+    members.add(
+        out -> {
+          out.writeArrayPropertyStart(key);
+          values.forEach(each -> each.write(out));
+          out.writeEndArray();
+        });
     return this;
   }
 
-  private void begin(String key) {
-    if (text.length() > 1) {
-      text.append(',');
-    }
-    quote(key);
-    text.append(':');
-  }
-
-  private void quote(String value) {
-    text.append('"');
-    for (int i = 0; i < value.length(); i++) {
-      char letter = value.charAt(i);
-      if (letter == '"' || letter == '\\') {
-        text.append('\\').append(letter);
-      } else if (letter < ' ') {
-        text.append("\\u00").append(letter < 0x10 ? '0' : '1');
-        text.append(Character.forDigit(letter & 0xF, 16));
-      } else {
-        text.append(letter);
-      }
-    }
-    text.append('"');
+  private void write(JsonGenerator out) {
+    out.writeStartObject();
+    members.forEach(each -> each.accept(out));
+    out.writeEndObject();
   }
 
   /** The object as it is now. */
   String text() {
-    return text + "}";
+    StringWriter text = new StringWriter();
+    try (JsonGenerator out = new JsonFactory().createGenerator(ObjectWriteContext.empty(), text)) {
+      write(out);
+    }
+    return text.toString();
   }
 }

@@ -23,7 +23,7 @@ class JsonTextTest {
   @Test
   void whatATextMayNotHaveIsWrittenOut() {
     assertEquals(
-        "{\"a\\\"\":\"\\\\ \\u0000\\u000a\\u001f\u007f\u00e9\"}",
+        "{\"a\\\"\":\"\\\\ \\u0000\\n\\u001F\u007f\u00e9\"}",
         new JsonText().with("a\"", "\\ \0\n\u001f\u007f\u00e9").text());
   }
 }
