@@ -223,7 +223,9 @@ final class Frame {
   private void checkSafety() {
     int line = machine.line();
     Optional<MotionFailure> lost = box.motion().takeNewFault();
-    lost.ifPresent(box.safety()::lostPath);
+    if (lost.isPresent()) {
+      box.safety().lostPath(lost.get());
+    }
     if (box.isShutDown()) {
       stopProgram();
     }

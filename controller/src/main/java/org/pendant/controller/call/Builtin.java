@@ -47,7 +47,10 @@ public record Builtin(
     return new Builtin(signature, defaults, effect, costNs, changesReceiver, other);
   }
 
-  /** Whether a call learns no more than the one before in the same frame. */
+  /**
+   * Whether a call learns no more than the one before in the same frame. What asks with more than
+   * the number or name of a thing computes something of its arguments.
+   */
   public boolean repeatsItself() {
     return effect == Effect.SENSES || (effect == Effect.ASKS && signature.parameters().size() <= 1);
   }

@@ -129,7 +129,7 @@ final class ServedRobot implements AutoCloseable {
   }
 
   /** Prints from now on what it says. */
-  void print() {
+  void printLog() {
     LogPrinter log = new LogPrinter(controller, console, prefix);
     printer = Optional.of(log);
     frames.add(log::look);

@@ -53,7 +53,7 @@ final class Service {
     robots.forEach(ServedRobot::announce);
     console.print("ready");
     console.flush();
-    robots.forEach(ServedRobot::print);
+    robots.forEach(ServedRobot::printLog);
     awaitEnd();
     comeToRest();
     return failures().findFirst().map(this::failed).orElse(ExitCode.DONE);
