@@ -8,6 +8,9 @@ import org.pendant.models.pose.Poses;
 
 /** Pose algebra (manual 17), which {@link Poses} computes. */
 final class PoseBuiltins {
+  /** Of rotations between their vectors and matrices. */
+  private static final int TRANSFORM_NS = 120;
+
   private PoseBuiltins() {}
 
   static void declareIn(Builtins builtins) {
@@ -22,6 +25,7 @@ final class PoseBuiltins {
         .needs("alpha", Type.NUMBER)
         .returns(Type.POSE)
         .effect(Effect.COMPUTES)
+        .costs(TRANSFORM_NS)
         .does(call -> call.answer(Poses.interpolate(call.pose(0), call.pose(1), call.number(2))));
     builtins
         .declare("point_dist")
@@ -40,6 +44,7 @@ final class PoseBuiltins {
         .needs("p_2", Type.POSE)
         .returns(Type.POSE)
         .effect(Effect.COMPUTES)
+        .costs(TRANSFORM_NS)
         .does(call -> call.answer(Poses.add(call.pose(0), call.pose(1))));
     builtins
         .declare("pose_dist")
@@ -51,6 +56,7 @@ final class PoseBuiltins {
         .needs("p_to", Type.POSE)
         .returns(Type.NUMBER)
         .effect(Effect.COMPUTES)
+        .costs(TRANSFORM_NS)
         .does(call -> call.answer(Poses.distance(call.pose(0), call.pose(1))));
     builtins
         .declare("pose_inv")
@@ -59,6 +65,7 @@ final class PoseBuiltins {
         .needs("p_from", Type.POSE)
         .returns(Type.POSE)
         .effect(Effect.COMPUTES)
+        .costs(TRANSFORM_NS)
         .does(call -> call.answer(Poses.inverse(call.pose(0))));
     builtins
         .declare("pose_sub")
@@ -68,6 +75,7 @@ final class PoseBuiltins {
         .needs("p_from", Type.POSE)
         .returns(Type.POSE)
         .effect(Effect.COMPUTES)
+        .costs(TRANSFORM_NS)
         .does(call -> call.answer(Poses.sub(call.pose(0), call.pose(1))));
     builtins
         .declare("pose_trans")
@@ -77,6 +85,7 @@ final class PoseBuiltins {
         .needs("p_from_to", Type.POSE)
         .returns(Type.POSE)
         .effect(Effect.COMPUTES)
+        .costs(TRANSFORM_NS)
         .does(call -> call.answer(Poses.trans(call.pose(0), call.pose(1))));
   }
 }

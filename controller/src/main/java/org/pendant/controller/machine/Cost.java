@@ -21,7 +21,7 @@ final class Cost {
   private static final int INSTRUCTION_NS = 1;
 
   /** A call of a built-in, beside what the built-in itself says that it takes. */
-  static final int BUILTIN_NS = 120;
+  static final int BUILTIN_NS = 25;
 
   /** Calls in a frame that ask for the robot's state, before they count as waiting for it. */
   private static final int FREE_QUESTIONS = 64;
