@@ -1,32 +1,28 @@
 package org.pendant.client;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Assumptions;
 import org.pendant.command.Launcher;
 
 /** Python with the published clients, in an environment below {@code src/test/target}. */
-final class PythonClients {
-  /** Where the programs are. */
-  static final Path FOLDER = Launcher.home().resolve("src/test/clients");
-
+record PythonClients() implements ClientLanguage {
   private static final Path ENVIRONMENT = Launcher.home().resolve("src/test/target/python");
   private static final Path REQUIREMENTS = FOLDER.resolve("requirements.txt");
-  private static final int INSTALLING_S = 600;
-  private static final int PROGRAM_S = 300;
 
-  private PythonClients() {}
+  @Override
+  public List<Path> programs() {
+    return ClientLanguage.programs(".py");
+  }
 
-  /** Makes the environment unless it is there; skips the test where there is no Python 3. */
-  static void prepare() {
+  @Override
+  public void prepare() {
     Path done = ENVIRONMENT.resolve("requirements.txt");
     try {
       if (Files.exists(done) && Files.readString(done).equals(Files.readString(REQUIREMENTS))) {
@@ -73,23 +69,8 @@ final class PythonClients {
     return ENVIRONMENT.resolve("bin/python").toString();
   }
 
-  /** Runs a program of {@link #FOLDER} against a box and expects that it finds all right. */
-  static void run(Path program, Path folder, Served box) {
-    List<String> command = new ArrayList<>(List.of(python(), "-u", program.toString(), box.host()));
-    ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
-    builder.environment().put("PENDANT_HOME", Launcher.home().toString());
-    try (Talker process = Talker.start(builder)) {
-      OptionalInt exit = process.awaitEnd(PROGRAM_S);
-      String story =
-          program.getFileName()
-              + " said:\n"
-              + process.said()
-              + "\npendant serve said:\n"
-              + box.said();
-      if (exit.isEmpty()) {
-        fail("still running after " + PROGRAM_S + " s. " + story);
-      }
-      assertEquals(0, exit.getAsInt(), story);
-    }
+  @Override
+  public ProcessBuilder process(Path program, String host) {
+    return new ProcessBuilder(python(), "-u", program.toString(), host);
   }
 }

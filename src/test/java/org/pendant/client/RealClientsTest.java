@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.DynamicTest.dynamicTest;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
@@ -24,24 +24,25 @@ class RealClientsTest {
   @TempDir Path folder;
 
   @TestFactory
-  @Timeout(value = 25, unit = TimeUnit.MINUTES) // the first time, it installs Python packages
-  Stream<DynamicTest> publishedClientsGetWhatTheyAskFor() throws IOException {
-    PythonClients.prepare();
-    List<Path> programs;
-    try (Stream<Path> files = Files.list(PythonClients.FOLDER)) {
-      programs = files.filter(file -> file.toString().endsWith(".py")).sorted().toList();
+  @Timeout(value = 25, unit = TimeUnit.MINUTES) // the first time, it fetches clients
+  Stream<DynamicTest> publishedClientsGetWhatTheyAskFor() {
+    List<DynamicTest> tests = new ArrayList<>();
+    for (ClientLanguage language :
+        List.of(new PythonClients(), new NodeClients(), new RustClients())) {
+      for (Path program : language.programs()) {
+        int number = tests.size() + 1;
+        tests.add(
+            dynamicTest(program.getFileName().toString(), () -> run(number, language, program)));
+      }
     }
-    return IntStream.range(0, programs.size())
-        .mapToObj(
-            i ->
-                dynamicTest(
-                    programs.get(i).getFileName().toString(), () -> run(i + 1, programs.get(i))));
+    return tests.stream();
   }
 
-  private void run(int number, Path program) throws IOException {
+  private void run(int number, ClientLanguage language, Path program) throws IOException {
+    language.prepare();
     Path own = Files.createDirectory(folder.resolve("box" + number));
     try (Served box = Served.start(number, own, options(program, own))) {
-      PythonClients.run(program, own, box);
+      language.run(program, own, box);
       assertEquals(0, box.stop(), box.said());
     }
   }
@@ -49,9 +50,9 @@ class RealClientsTest {
   private static List<String> options(Path program, Path own) throws IOException {
     String words =
         Files.readAllLines(program).stream()
-            .filter(line -> line.startsWith(SERVE))
+            .filter(line -> line.contains(SERVE))
             .findFirst()
-            .map(line -> line.substring(SERVE.length()).strip())
+            .map(line -> line.substring(line.indexOf(SERVE) + SERVE.length()).strip())
             .orElse("--ready");
     return Stream.of(words.split(" +"))
         .map(word -> word.replace("{home}", Launcher.home().toString()))
