@@ -15,6 +15,7 @@ import org.pendant.controller.motion.offset.PathOffsetting;
 import org.pendant.controller.motion.servo.Servoing;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetySystem;
+import org.pendant.controller.safety.TaskDeviation;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.models.arm.Joints;
@@ -129,6 +130,7 @@ public final class ArmDrive {
     }
     history.add(actualRad);
     setup.contactWatch().add(flange.wrenchInBase());
+    watchForceMode();
     if (freedrive.active()) {
       freedrive.follow(actualRad, arm.speedRadPerS());
     } else if (motion.torqueDriven()) {
@@ -156,6 +158,14 @@ public final class ArmDrive {
       case BACKDRIVE -> BACKDRIVEN;
       default -> ArmCommand.BRAKES_ON;
     };
+  }
+
+  /** Tells the safety functions of an arm that was pushed too far aside for force mode. */
+  private void watchForceMode() {
+    Optional<TaskDeviation> aside = setup.forceMode().deviation(drivenPositionRad(), actualRad);
+    if (aside.isPresent()) {
+      safety.aside(aside.get());
+    }
   }
 
   /** Lets target and arm agree where no path joins them; after the safety functions of a frame. */

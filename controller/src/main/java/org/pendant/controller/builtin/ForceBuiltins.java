@@ -49,9 +49,10 @@ final class ForceBuiltins {
         .doc(
             "Lets the TCP give way along some axes of a frame until the tool presses with a wanted"
                 + " wrench, while moves go on. selection_vector has a 1 for each axis that gives"
-                + " way; limits are speeds along those, and the farthest from the path along the"
-                + " others. type 1 points y from the TCP at the frame's origin, 2 takes the frame"
-                + " as it is, 3 points x along the motion.")
+                + " way; limits are speeds along those, and along the others the farthest that the"
+                + " arm may be pushed aside: beyond it is a protective stop (C153). type 1 points y"
+                + " from the TCP at the frame's origin, 2 takes the frame as it is, 3 points x"
+                + " along the motion.")
         .needs("task_frame", Type.POSE)
         .needs("selection_vector", Type.LIST)
         .needs("wrench", Type.LIST)

@@ -115,6 +115,11 @@ final class FrameChecks {
     target.remember(seen);
   }
 
+  /** The protective stop that was asked for, if one was. */
+  Optional<SafetyStop> requested(AskedStops asked, FrameFacts facts, SafetyLimits limits) {
+    return asked.first(facts, seen, limits);
+  }
+
   /** What calls for a protective stop. */
   Optional<SafetyStop> protective(FrameFacts facts, ActiveLimits limits, boolean holding) {
     Optional<SafetyStop> found =

@@ -2,7 +2,6 @@ package org.pendant.controller.safety;
 
 import java.util.EnumSet;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
 import org.pendant.controller.message.LogEntry.Level;
@@ -33,10 +32,7 @@ public final class SafetySystem {
   private final double[] askedQ = new double[Joints.COUNT];
   private final double[] atRest = new double[Joints.COUNT];
   private boolean holdingTorque = true;
-  private boolean stopAsked;
-  private Optional<MotionFailure> lostPath = Optional.empty();
-  private OptionalDouble wrongPayloadN = OptionalDouble.empty();
-  private double payloadToleranceN;
+  private final AskedStops askedStops = new AskedStops();
   private boolean jumped;
   private boolean wasRunning;
   private boolean wasReduced;
@@ -298,12 +294,12 @@ public final class SafetySystem {
 
   /** A program asks for a protective stop (manual 16.43). */
   public void protectiveStop() {
-    stopAsked = true;
+    askedStops.ofProgram();
   }
 
   /** The target has left a path that it could not follow: a protective stop in this frame. */
   public void lostPath(MotionFailure why) {
-    lostPath = Optional.of(why);
+    askedStops.lostPath(why);
   }
 
   /**
@@ -313,8 +309,15 @@ public final class SafetySystem {
    * @param toleranceN how much of that is allowed, N
    */
   public void wrongPayload(double forceN, double toleranceN) {
-    wrongPayloadN = OptionalDouble.of(forceN);
-    payloadToleranceN = toleranceN;
+    askedStops.wrongPayload(forceN, toleranceN);
+  }
+
+  /**
+   * The arm is too far aside for force mode (manual 15.12): a protective stop in this frame. One
+   * that is stopped already stays as it is.
+   */
+  public void aside(TaskDeviation deviation) {
+    askedStops.aside(deviation);
   }
 
   /**
@@ -391,9 +394,7 @@ public final class SafetySystem {
     checks.take(facts);
     stops.setTime(facts.timeS());
     Optional<SafetyStop> demanded = demanded(facts);
-    stopAsked = false;
-    lostPath = Optional.empty();
-    wrongPayloadN = OptionalDouble.empty();
+    askedStops.forget();
     jumped = false;
     if (demanded.isPresent() && stops.begin(demanded.get(), facts.programRunning())) {
       checks.restart();
@@ -493,23 +494,10 @@ public final class SafetySystem {
   }
 
   private Optional<SafetyStop> protective(FrameFacts facts) {
-    if (stopAsked) {
+    Optional<SafetyStop> requested = checks.requested(askedStops, facts, limits());
+    if (requested.isPresent()) {
       checks.acceptTarget();
-      return Optional.of(StopReason.PROGRAM.of("the program", facts.timeS()));
-    }
-    if (lostPath.isPresent()) {
-      checks.acceptTarget();
-      double[] q = facts.targetPositionRad().toArray();
-      return Optional.of(LostPath.stop(lostPath.get(), q, limits(), facts.timeS()));
-    }
-    if (wrongPayloadN.isPresent()) {
-      checks.acceptTarget();
-      return Optional.of(
-          StopReason.WRONG_PAYLOAD.of(
-              "the declared payload",
-              facts.timeS(),
-              wrongPayloadN.getAsDouble(),
-              payloadToleranceN));
+      return requested;
     }
     if (stop().isPresent() && !stops.isSafeguard()) {
       checks.acceptTarget();

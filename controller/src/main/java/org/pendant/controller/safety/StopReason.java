@@ -15,6 +15,8 @@ public enum StopReason {
   TOOL_DIRECTION_NEAR(151, Kind.PROTECTIVE, "comes too close to its largest tilt", "rad"),
   PLANE_NEAR(152, Kind.PROTECTIVE, "comes too close to safety plane", "m"),
   POSITION_DEVIATION(153, Kind.PROTECTIVE, "is away from its target", "rad"),
+  FORCE_MODE_SHIFT(153, Kind.PROTECTIVE, "is away from its path along", "m"),
+  FORCE_MODE_TURN(153, Kind.PROTECTIVE, "is turned away from its path about", "rad"),
   SINGULARITY(154, 0, Kind.PROTECTIVE, "", ""),
   WRONG_PAYLOAD(
       155, 0, Kind.PROTECTIVE, "is not what the flange carries, or somebody pushes the tool", "N"),
@@ -122,6 +124,16 @@ public enum StopReason {
       String subject, SafetyPlane plane, int number, double timeS, double value, double limit) {
     String sentence = subject + " " + words + " \"" + plane.name() + "\"";
     return stop(sentence, number, OptionalInt.empty(), timeS, value, limit);
+  }
+
+  /**
+   * A stop because of the TCP and an axis of force mode's task frame.
+   *
+   * @param joint the argument, and the joint that it is about, 0 to 5
+   */
+  SafetyStop alongAxis(char axis, int joint, double timeS, double value, double limit) {
+    String sentence = "the TCP " + words + " " + axis + " of the task frame of force mode";
+    return stop(sentence, joint, OptionalInt.of(joint), timeS, value, limit);
   }
 
   /** A stop because of an input, or because somebody asks for it. */

@@ -32,7 +32,10 @@ record CodeHelp(String meaning, String suggestion) {
       case 151 ->
           Optional.of("The target could hardly stop any more before the largest tilt of the tool.");
       case 152 -> Optional.of("The target could hardly stop any more before a safety plane.");
-      case 153 -> Optional.of("A joint was away from its target for 20 ms.");
+      case 153 ->
+          Optional.of(
+              "A joint was away from its target for 20 ms, or in force mode the TCP from its"
+                  + " path.");
       case 154 ->
           Optional.of("The path led through a singularity, or to where the arm is stretched.");
       case 155 ->

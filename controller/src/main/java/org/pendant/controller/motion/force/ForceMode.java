@@ -1,6 +1,7 @@
 package org.pendant.controller.motion.force;
 
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.function.Supplier;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.motion.FrameTime;
@@ -10,6 +11,7 @@ import org.pendant.controller.motion.PathLimiter;
 import org.pendant.controller.motion.PathOffset;
 import org.pendant.controller.motion.StopJ;
 import org.pendant.controller.safety.SafetyLimits;
+import org.pendant.controller.safety.TaskDeviation;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 import org.pendant.models.arm.ArmDescription;
@@ -40,6 +42,7 @@ public final class ForceMode implements PathOffset {
   private final FeltWrench felt;
   private final Compliance compliance = new Compliance();
   private final GivingWay givingWay;
+  private final DeviationWatch deviations;
   private final Carried carried = new Carried();
   private final double[] onPath12 = new double[Transforms.SIZE];
   private final double[] tool12 = new double[Transforms.SIZE];
@@ -77,6 +80,7 @@ public final class ForceMode implements PathOffset {
     felt = new FeltWrench(setup.pushed(), setup.flangeWrenchInBase());
     givingWay =
         new GivingWay(setup.arm(), setup.speeds(), setup.limits(), setup.pushed().sensors());
+    deviations = new DeviationWatch(setup.arm());
     Transforms.of(tcpInFlange, tool12);
     motion.addOffset(this);
   }
@@ -108,6 +112,7 @@ public final class ForceMode implements PathOffset {
     }
     task = wanted;
     axes.begin(wanted);
+    deviations.setTask(wanted);
     phase = Phase.ON;
   }
 
@@ -244,7 +249,28 @@ public final class ForceMode implements PathOffset {
     }
     Transforms.of(inFlange, tool12);
     tcpInFlange = inFlange;
+    deviations.setTool(inFlange);
     felt.forget();
+  }
+
+  /**
+   * Looks whether the arm has been pushed too far aside where it does not give way; after the arm
+   * has moved. While a pause or a stop holds the arm, and for screw driving, there is no limit.
+   *
+   * @param targetRad where the joints are to be, what is carried included
+   * @param actualRad where they are
+   * @return what calls for a protective stop
+   */
+  public Optional<TaskDeviation> deviation(Joints targetRad, Joints actualRad) {
+    if (!givesWay()) {
+      deviations.forget();
+      return Optional.empty();
+    }
+    return deviations.look(axes, targetRad, actualRad);
+  }
+
+  private boolean givesWay() {
+    return phase == Phase.ON && !motion.paused() && motion.fault().isEmpty();
   }
 
   @Override
@@ -258,7 +284,7 @@ public final class ForceMode implements PathOffset {
     carried.apply(tcpInBase);
     axes.update(tcpInBase, pathTwist);
     felt.feel(tcpInFlange);
-    if (phase == Phase.ON && !motion.paused() && motion.fault().isEmpty()) {
+    if (givesWay()) {
       compliance.step(task, axes, felt.ahead(), pathTwist, carried, twist, next);
     } else {
       Arrays.fill(next, 0);

@@ -1,0 +1,72 @@
+package org.pendant.controller.safety;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.pendant.controller.motion.MotionFailure;
+
+/** Protective stops that other parts of the controller have asked for since the last frame. */
+final class AskedStops {
+  private boolean program;
+  private Optional<MotionFailure> lostPath = Optional.empty();
+  private OptionalDouble wrongPayloadN = OptionalDouble.empty();
+  private double payloadToleranceN;
+  private Optional<TaskDeviation> aside = Optional.empty();
+
+  void ofProgram() {
+    program = true;
+  }
+
+  void lostPath(MotionFailure why) {
+    lostPath = Optional.of(why);
+  }
+
+  void wrongPayload(double forceN, double toleranceN) {
+    wrongPayloadN = OptionalDouble.of(forceN);
+    payloadToleranceN = toleranceN;
+  }
+
+  void aside(TaskDeviation deviation) {
+    aside = Optional.of(deviation);
+  }
+
+  void forget() {
+    program = false;
+    lostPath = Optional.empty();
+    wrongPayloadN = OptionalDouble.empty();
+    aside = Optional.empty();
+  }
+
+  /** The stop that counts of those that are asked for. */
+  Optional<SafetyStop> first(FrameFacts facts, Observation seen, SafetyLimits limits) {
+    if (program) {
+      return Optional.of(StopReason.PROGRAM.of("the program", facts.timeS()));
+    }
+    if (lostPath.isPresent()) {
+      return Optional.of(LostPath.stop(lostPath.get(), seen.targetQ, limits, facts.timeS()));
+    }
+    if (wrongPayloadN.isPresent()) {
+      return Optional.of(
+          StopReason.WRONG_PAYLOAD.of(
+              "the declared payload",
+              facts.timeS(),
+              wrongPayloadN.getAsDouble(),
+              payloadToleranceN));
+    }
+    // no lambda: this is asked in every frame
+    return aside.isPresent()
+        ? Optional.of(aside.get().stop(farthestJoint(seen), facts.timeS()))
+        : Optional.empty();
+  }
+
+  /** The joint that is farthest from its target. */
+  private static int farthestJoint(Observation seen) {
+    int farthest = 0;
+    for (int i = 1; i < seen.q.length; i++) {
+      if (Math.abs(seen.targetQ[i] - seen.q[i])
+          > Math.abs(seen.targetQ[farthest] - seen.q[farthest])) {
+        farthest = i;
+      }
+    }
+    return farthest;
+  }
+}
