@@ -15,6 +15,7 @@ import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.rtde.PublishedState;
 import org.pendant.controller.safety.FrameFacts;
+import org.pendant.controller.safety.SafetyAction;
 import org.pendant.controller.state.ArmGeometry;
 import org.pendant.controller.state.ArmReadings;
 import org.pendant.controller.state.ArmState;
@@ -229,13 +230,18 @@ final class Frame {
     if (box.isShutDown()) {
       stopProgram();
     }
-    switch (box.safety().step(facts())) {
+    SafetyAction action = box.safety().step(facts());
+    if (lost.isPresent()) {
+      // whatever stop there was before, and before the arm is halted: ending releases its halt
+      stopProgram();
+    }
+    switch (action) {
       case NONE -> {}
       case PAUSE -> pauseProgram();
       case STOP_ON_PATH -> {
         heldBySafety |= pauseProgram();
-        if (lost.isPresent() || (box.safety().stoppedByProgram() && machine.nothingLeft())) {
-          // it could not go on, or would wait to be resumed and do nothing
+        if (box.safety().stoppedByProgram() && machine.nothingLeft()) {
+          // it would wait to be resumed and do nothing
           stopProgram();
         }
         box.motion().halt(box.safety().stopDecelerationRadPerS2());
@@ -246,10 +252,6 @@ final class Frame {
       }
       case OFF_NOW -> stopProgram();
       case RESUME -> goOn();
-    }
-    if (lost.isPresent()) {
-      // whatever stop there was before
-      stopProgram();
     }
     followStop();
     witness.look(box, line);
