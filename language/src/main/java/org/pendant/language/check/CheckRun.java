@@ -13,6 +13,7 @@ import java.util.function.Supplier;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.language.signature.Signature;
 import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.language.syntax.Statement.DefinitionKind;
 
@@ -114,10 +115,7 @@ final class CheckRun {
 
   /** What is to say about a built-in beside its arguments. */
   void calls(Signature signature, SourceRange range, FunctionScope scope) {
-    if (!signature.deprecated().isEmpty() && deprecated.add(signature.name())) {
-      findings.warning(
-          "deprecated", range, signature.name() + " is deprecated; use " + signature.deprecated());
-    }
+    deprecated(signature, signature.name(), range, "");
     if (signature.name().equals(INTERPRETER_MODE)) {
       entersInterpreterMode = true;
       if (interpreted || insideThread(scope)) {
@@ -128,6 +126,37 @@ final class CheckRun {
                 + (interpreted ? " is called by an interpreted line" : " is called by a thread")
                 + "; expected a call by the program's main thread");
       }
+    }
+  }
+
+  /**
+   * What is to say about an assignment to an output beside its arguments. It is a call of a
+   * built-in that the text does not name, so the warning does not either.
+   */
+  void assignsOutput(Expression.Call call) {
+    builtin(call.function())
+        .ifPresent(
+            builtin ->
+                deprecated(
+                    builtin.signature(),
+                    OutputAssignment.WRITTEN,
+                    call.nameRange(),
+                    OutputAssignment.ARGUMENTS));
+  }
+
+  /**
+   * Says once that there is a successor of a built-in.
+   *
+   * @param written how the text calls it
+   * @param arguments those of the successor, where they are not written in the same way
+   */
+  private void deprecated(
+      Signature signature, String written, SourceRange range, String arguments) {
+    if (!signature.deprecated().isEmpty() && deprecated.add(signature.name())) {
+      findings.warning(
+          "deprecated",
+          range,
+          written + " is deprecated; use " + signature.deprecated() + arguments);
     }
   }
 

@@ -14,6 +14,13 @@ import org.pendant.language.syntax.Statement.Assign;
  */
 public final class OutputAssignment {
   private static final String NAME = "digital_out";
+
+  /** How messages name such an assignment. */
+  static final String WRITTEN = NAME + "[n] = ...";
+
+  /** What a call in its place would have behind its name. */
+  static final String ARGUMENTS = "(n, ...)";
+
   private static final String FUNCTION = "set_digital_out";
 
   private OutputAssignment() {}

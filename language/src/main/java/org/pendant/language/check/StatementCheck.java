@@ -117,6 +117,7 @@ final class StatementCheck {
   private void assign(Assign assign) {
     Optional<Call> output = OutputAssignment.call(assign, state.scope());
     if (output.isPresent()) {
+      run.assignsOutput(output.get());
       expressions.check(output.get());
       return;
     }
