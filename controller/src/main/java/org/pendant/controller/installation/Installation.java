@@ -30,6 +30,7 @@ import org.pendant.models.pose.Pose;
  * @param ethernetIpLoss what happens to the program when a scanner is lost; empty while EtherNet/IP
  *     is off
  * @param transitionHardness of set_safety_mode_transition_hardness, 0 to 1
+ * @param controlHost where External Control nodes get their script from
  */
 public record Installation(
     String robot,
@@ -48,7 +49,8 @@ public record Installation(
     List<ConveyorSetup> conveyors,
     List<ModbusSetup> modbus,
     Optional<WatchdogAction> ethernetIpLoss,
-    double transitionHardness) {
+    double transitionHardness,
+    ControlHost controlHost) {
   /** Nothing is set up: bare flange, upright, no names. */
   public static final Installation NONE =
       new Installation(
@@ -68,7 +70,8 @@ public record Installation(
           List.of(),
           List.of(),
           Optional.empty(),
-          1);
+          1,
+          ControlHost.STANDARD);
 
   /** Copies the lists. */
   public Installation {

@@ -79,6 +79,7 @@ public final class InstallationCheck {
         hardness == 0 || hardness == 1,
         "transitionHardness",
         () -> "it is " + hardness + ", must be 0 (hard) or 1 (soft)");
+    installation.controlHost().problem().ifPresent(why -> problems.add("controlHost", why));
   }
 
   /** A name of its own, that people can read. */

@@ -28,6 +28,7 @@ public final class InstallationParts {
   public List<ModbusSetup> modbus;
   public Optional<WatchdogAction> ethernetIpLoss;
   public double transitionHardness;
+  public ControlHost controlHost;
 
   InstallationParts(Installation from) {
     robot = from.robot();
@@ -47,6 +48,7 @@ public final class InstallationParts {
     modbus = from.modbus();
     ethernetIpLoss = from.ethernetIpLoss();
     transitionHardness = from.transitionHardness();
+    controlHost = from.controlHost();
   }
 
   Installation installation() {
@@ -67,6 +69,7 @@ public final class InstallationParts {
         conveyors,
         modbus,
         ethernetIpLoss,
-        transitionHardness);
+        transitionHardness,
+        controlHost);
   }
 }

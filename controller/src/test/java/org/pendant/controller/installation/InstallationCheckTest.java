@@ -111,6 +111,8 @@ class InstallationCheckTest {
             + "|modbus[0].device|it is \"b:0\", must have a port",
         "modbus name=\"a\" device=\"b\" unit=256 kind=digital-input address=0 update-hz=10"
             + "|modbus[0].unit|it is 256, must be 0 to 255",
+        "external-control host=\"\" port=50002|controlHost|the host is \"\", must be the name",
+        "external-control host=\"pc\" port=0|controlHost|the port is 0, must be 1 to 65535",
         "transition hardness=0.5|transitionHardness|it is 0.5, must be 0 (hard) or 1 (soft)",
       })
   void saysWhichFieldIsWrong(String lines, String field, String message) {

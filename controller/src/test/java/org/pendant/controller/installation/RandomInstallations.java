@@ -65,7 +65,8 @@ public final class RandomInstallations {
                     random.nextInt(65536),
                     random.nextInt(500))),
         random.nextBoolean() ? Optional.empty() : Optional.of(any(WatchdogAction.class)),
-        number());
+        number(),
+        new ControlHost(text(), random.nextInt(70_000)));
   }
 
   private <T> List<T> several(Supplier<T> one) {

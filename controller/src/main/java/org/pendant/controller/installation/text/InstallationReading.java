@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.installation.BaseMounting;
+import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.ConveyorSetup;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
@@ -51,7 +52,7 @@ final class InstallationReading {
   private static final String WORDS =
       "robot, tool, active-tool, payload, active-payload, mounting, signal, analog,"
           + " tool-connector, tool-communication, feature, home, variable, start-up, conveyor,"
-          + " modbus, ethernet-ip, transition, safety";
+          + " modbus, ethernet-ip, external-control, transition, safety";
 
   private final List<TextProblem> problems = new ArrayList<>();
   private final Map<String, Integer> firstLines = new HashMap<>();
@@ -73,6 +74,7 @@ final class InstallationReading {
   private final List<ConveyorSetup> conveyors = new ArrayList<>();
   private final List<ModbusSetup> modbus = new ArrayList<>();
   private Optional<WatchdogAction> ethernetIpLoss = Optional.empty();
+  private ControlHost controlHost = ControlHost.STANDARD;
   private double transitionHardness = Installation.NONE.transitionHardness();
 
   /** What stands for a line that could not be read: what is below it is not looked at either. */
@@ -115,7 +117,8 @@ final class InstallationReading {
         conveyors,
         modbus,
         ethernetIpLoss,
-        transitionHardness);
+        transitionHardness,
+        controlHost);
   }
 
   List<TextProblem> problems() {
@@ -218,6 +221,8 @@ final class InstallationReading {
       case "modbus" -> modbus.add(modbus(fields));
       case "ethernet-ip" ->
           ethernetIpLoss = Optional.of(fields.constant("on-loss", WatchdogAction.class));
+      case "external-control" ->
+          controlHost = new ControlHost(fields.text("host"), fields.whole("port"));
       case "transition" -> transitionHardness = fields.number("hardness");
       case SafetyLines.HEADING -> safetyLines = Optional.of(new SafetyLines());
       default -> throw new WrongText(1, line.word() + " is no such line, there can be " + WORDS);

@@ -2,6 +2,7 @@ package org.pendant.controller.installation.text;
 
 import java.util.List;
 import org.pendant.controller.box.Inertia;
+import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.ConveyorSetup;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.Installation;
@@ -43,6 +44,7 @@ final class InstallationWriter {
     installation
         .ethernetIpLoss()
         .ifPresent(action -> line("ethernet-ip").put("on-loss", action).end());
+    externalControl(installation.controlHost());
     line("transition").put("hardness", installation.transitionHardness()).end();
     installation.safety().ifPresent(safety -> SafetyLines.write(safety, out));
     return out.toString();
@@ -142,6 +144,15 @@ final class InstallationWriter {
         .textIfAny("power-input", startUp.powerInput())
         .put("power-on", startUp.powerOnHigh() ? "high" : "low")
         .end();
+  }
+
+  private void externalControl(ControlHost host) {
+    if (!host.equals(ControlHost.STANDARD)) {
+      line("external-control")
+          .text("host", host.host())
+          .put("port", Integer.toString(host.port()))
+          .end();
+    }
   }
 
   private void conveyor(ConveyorSetup conveyor) {

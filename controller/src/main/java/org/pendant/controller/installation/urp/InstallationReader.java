@@ -64,6 +64,8 @@ final class InstallationReader {
               parts.modbus = signals.modbus();
               parts.wiring = new WiringReader(ios, top("ToolCommSettings"), remarks).read();
               parts.homeRad = home().orElse(parts.homeRad);
+              parts.controlHost =
+                  new ContributionReader(top("Contributions"), remarks).controlHost();
               parts.transitionHardness = hardness().orElse(parts.transitionHardness);
             });
     actionsOfOlderFiles();

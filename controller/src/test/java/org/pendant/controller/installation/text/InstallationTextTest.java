@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
 import org.pendant.controller.installation.Installation;
@@ -79,6 +80,15 @@ class InstallationTextTest {
             """);
     assertEquals(new Pose(0, 0, 0.12, 0, 0, 0), read.activeToolInFlange());
     assertEquals(RunStateAction.HIGH_WHEN_RUNNING, read.signals().getFirst().output());
+  }
+
+  @Test
+  void externalControlIsWrittenWhereItAsksAnotherHost() {
+    Installation other =
+        Installation.NONE.with(parts -> parts.controlHost = new ControlHost("pc.local", 50012));
+    assertTrue(
+        InstallationText.write(other).contains("external-control host=\"pc.local\" port=50012\n"));
+    assertEquals(other, whole("external-control host=\"pc.local\" port=50012\n"));
   }
 
   @Test

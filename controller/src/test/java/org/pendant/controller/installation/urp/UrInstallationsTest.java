@@ -10,6 +10,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.installation.BaseMounting;
+import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
 import org.pendant.controller.installation.FeaturePoses;
@@ -304,6 +305,54 @@ class UrInstallationsTest {
     assertEquals(Math.PI / 2, frame.rx(), 1e-9);
     assertEquals(
         List.of("line 1: the feature a-b is left out, as its name is no name of the language"),
+        read.remarks());
+  }
+
+  private static ImportedInstallation withUrcaps(String urcaps) throws UnreadableFile {
+    return UrInstallations.read(
+        bytes(
+            "<Installation><Contributions><URCaps>"
+                + urcaps
+                + "</URCaps></Contributions></Installation>"));
+  }
+
+  private static String externalControl(String data) {
+    return "<Contributed ownerId=\"com.fzi.externalcontrol\""
+        + " installationContributionTitle=\"External Control\" name=\"External Control\">"
+        + data
+        + "</Contributed>";
+  }
+
+  @Test
+  void readsWhereExternalControlGetsItsScript() throws UnreadableFile {
+    ImportedInstallation read =
+        withUrcaps(
+            "<Contributed name=\"Conveyor Tracking\"><data key=\"enabled\" value=\"false\"/>"
+                + "</Contributed><Contributed name=\"Screwdriving\"/>"
+                + externalControl(
+                    "<data key=\"name\" value=\"My PC\"/><data key=\"host_ip\""
+                        + " value=\"10.0.0.7\"/><data key=\"port_nr\" value=\"50012\"/>"));
+    assertEquals(new ControlHost("10.0.0.7", 50012), read.installation().controlHost());
+    assertEquals(List.of(), read.remarks());
+    assertEquals(
+        new ControlHost("10.0.0.7", 50002),
+        withUrcaps(externalControl("<data key=\"host_ip\" value=\"10.0.0.7\"/>"))
+            .installation()
+            .controlHost());
+  }
+
+  @Test
+  void tellsOfUrcapsAndHostsThatItCannotUse() throws UnreadableFile {
+    ImportedInstallation read =
+        withUrcaps(
+            "<Contributed name=\"Gripper\"><data key=\"id\" value=\"1\"/></Contributed>"
+                + externalControl("<data key=\"port_nr\" value=\"many\"/>"));
+    assertEquals(ControlHost.STANDARD, read.installation().controlHost());
+    assertEquals(
+        List.of(
+            "the URCap Gripper is not understood",
+            "line 1: External Control asks 192.168.56.1:50002 instead: the port is \"many\", must"
+                + " be a number"),
         read.remarks());
   }
 

@@ -95,7 +95,8 @@ final class ArmRun {
         conveyors,
         none.modbus(),
         none.ethernetIpLoss(),
-        none.transitionHardness());
+        none.transitionHardness(),
+        none.controlHost());
   }
 
   /** With a table, this far below the tool. */

@@ -321,7 +321,8 @@ final class MotionTextTest {
           none.conveyors(),
           none.modbus(),
           none.ethernetIpLoss(),
-          none.transitionHardness());
+          none.transitionHardness(),
+          none.controlHost());
     }
   }
 }

@@ -17,6 +17,7 @@ import org.pendant.controller.Command;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.Mounting;
 import org.pendant.controller.installation.BaseMounting;
+import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.ConveyorSetup;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
@@ -99,7 +100,8 @@ final class PreambleTest {
         List.of(new ConveyorSetup(1, 0, "table", false, 10000, false, 1, List.of(8, 9))),
         modbus,
         Optional.empty(),
-        0);
+        0,
+        ControlHost.STANDARD);
   }
 
   private static TreeRun running() {

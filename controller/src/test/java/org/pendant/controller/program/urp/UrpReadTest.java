@@ -450,7 +450,8 @@ class UrpReadTest {
             none.conveyors(),
             none.modbus(),
             none.ethernetIpLoss(),
-            none.transitionHardness());
+            none.transitionHardness(),
+            none.controlHost());
     String xml =
         main(
             "<Wait type=\"DigitalInput\"><pin referencedName=\"Part here\"/>"

@@ -309,6 +309,7 @@ final class EveryNode {
         List.of(new ConveyorSetup(1, 0, "Table", false, 20_000, false, 1, List.of(0, 1))),
         none.modbus(),
         none.ethernetIpLoss(),
-        1);
+        1,
+        none.controlHost());
   }
 }

@@ -1,0 +1,68 @@
+package org.pendant.controller.installation;
+
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The computer that External Control nodes get their script from.
+ *
+ * @param host its name or address
+ * @param port where a driver answers there
+ */
+public record ControlHost(String host, int port) {
+  /** What the URCap of that name asks unless it is told another one. */
+  public static final ControlHost STANDARD = new ControlHost("192.168.56.1", 50002);
+
+  private static final int LARGEST_PORT = 65_535;
+
+  /** Names of the DNS, addresses of both kinds, with a zone perhaps. */
+  private static final Pattern HOST = Pattern.compile("[A-Za-z0-9_.:%-]{1,253}");
+
+  private static final Pattern WRITTEN =
+      Pattern.compile("(?:\\[([^\\[\\]]+)\\]|([^:]+))(?::([0-9]{1,5}))?");
+
+  /**
+   * What a person has written: a host, and perhaps a port behind a colon; an address with colons
+   * stands in brackets then.
+   *
+   * @throws IllegalArgumentException when it is something else; the message says what is expected
+   */
+  public static ControlHost parse(String text) {
+    boolean bareAddress = text.indexOf(':') != text.lastIndexOf(':') && !text.startsWith("[");
+    if (bareAddress) {
+      return checked(new ControlHost(text, STANDARD.port));
+    }
+    Matcher written = WRITTEN.matcher(text);
+    if (!written.matches()) {
+      throw new IllegalArgumentException(
+          "\"" + text + "\" is no host, must be HOST or HOST:PORT, as " + STANDARD.text());
+    }
+    String host = written.group(1) == null ? written.group(2) : written.group(1);
+    String port = written.group(3);
+    return checked(new ControlHost(host, port == null ? STANDARD.port : Integer.parseInt(port)));
+  }
+
+  private static ControlHost checked(ControlHost host) {
+    Optional<String> problem = host.problem();
+    if (problem.isPresent()) {
+      throw new IllegalArgumentException(problem.get());
+    }
+    return host;
+  }
+
+  /** Why it cannot be; empty if it can. */
+  public Optional<String> problem() {
+    if (!HOST.matcher(host).matches()) {
+      return Optional.of("the host is \"" + host + "\", must be the name or address of a computer");
+    }
+    return port >= 1 && port <= LARGEST_PORT
+        ? Optional.empty()
+        : Optional.of("the port is " + port + ", must be 1 to " + LARGEST_PORT);
+  }
+
+  /** As people write it, such as {@code 192.168.56.1:50002}. */
+  public String text() {
+    return (host.contains(":") ? "[" + host + "]" : host) + ":" + port;
+  }
+}
