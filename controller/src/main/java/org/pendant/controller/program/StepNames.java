@@ -208,6 +208,7 @@ public final class StepNames {
 
   private static String foreign(ForeignStep foreign) {
     return switch (foreign) {
+      case ForeignStep.Contributed each when ExternalControl.is(each) -> each.type();
       case ForeignStep.Contributed each -> named(name(each.type()), each.source());
       case ForeignStep.Unknown each -> "Unknown: " + name(each.element());
     };

@@ -14,7 +14,7 @@ import org.pendant.gui.workbench.Palette;
 @SuppressWarnings("serial") // never written to a stream
 final class ScriptPreview extends JScrollPane {
   private final JTextArea text = new JTextArea();
-  private transient GeneratedScript shown = new GeneratedScript("", java.util.List.of());
+  private transient GeneratedScript shown = GeneratedScript.EMPTY;
   private long key;
 
   ScriptPreview() {

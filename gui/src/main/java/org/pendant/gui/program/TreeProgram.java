@@ -37,7 +37,7 @@ public final class TreeProgram implements ProgramDocument.Listener {
   private final List<Listener> listeners = new ArrayList<>();
   private ProgramTree tree;
   private List<TextProblem> textProblems = List.of();
-  private Found found = new Found(0, new GeneratedScript("", List.of()), List.of());
+  private Found found = new Found(0, GeneratedScript.EMPTY, List.of());
   private Map<Long, List<NodeProblem>> problemsByKey = Map.of();
   private final List<Runnable> waiting = new ArrayList<>();
   private final AtomicLong version = new AtomicLong();

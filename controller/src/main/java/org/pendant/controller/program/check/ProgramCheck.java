@@ -9,6 +9,7 @@ import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.program.ActionStep;
+import org.pendant.controller.program.ExternalControl;
 import org.pendant.controller.program.FlowStep;
 import org.pendant.controller.program.ForeignStep;
 import org.pendant.controller.program.MotionStep;
@@ -119,7 +120,7 @@ public final class ProgramCheck {
       case FlowStep step -> flow.check(node, step);
       case TemplateStep step -> template.check(node, step);
       case ForeignStep.Contributed contributed -> {
-        if (contributed.stub().isEmpty()) {
+        if (contributed.stub().isEmpty() && !ExternalControl.is(contributed)) {
           findings.remark(node, "nothing runs here: a stub script can stand in for the URCap");
         }
       }

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.pendant.controller.call.Builtins;
 import org.pendant.controller.machine.ProgramLoader;
+import org.pendant.controller.program.ExternalControl;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.Section;
@@ -27,6 +28,7 @@ import org.pendant.language.source.Source;
  */
 final class ScriptCheck {
   private static final String PROGRAM = "program";
+  private static final String UNKNOWN_FUNCTION = "unknown-function";
   private static final String UNKNOWN_VARIABLE = "unknown-variable";
   private static final String UNASSIGNED_VARIABLE = "unassigned-variable";
 
@@ -62,12 +64,15 @@ final class ScriptCheck {
     if (errors.isEmpty()) {
       return;
     }
+    // names may be those of a script that is not here before the program starts
+    boolean asks = ExternalControl.count(tree) > 0;
     Set<String> assigned = unfinished.isEmpty() ? Set.of() : TreeNames.all(tree);
     Map<Long, Diagnostic> first = new HashMap<>();
     for (Diagnostic error : errors) {
       long key = key(script, source.line(error.range().start()));
       boolean follows =
           unfinished.contains(key)
+              || (asks && isAboutAName(error))
               || (isAboutAVariable(error) && assigned.contains(source.text(error.range())));
       if (!follows && first.putIfAbsent(key, error) == null) {
         report(key, error, source);
@@ -91,6 +96,10 @@ final class ScriptCheck {
 
   private static boolean isAboutAVariable(Diagnostic error) {
     return error.code().equals(UNKNOWN_VARIABLE) || error.code().equals(UNASSIGNED_VARIABLE);
+  }
+
+  private static boolean isAboutAName(Diagnostic error) {
+    return isAboutAVariable(error) || error.code().equals(UNKNOWN_FUNCTION);
   }
 
   /** The node that a line belongs to, or the main program. */

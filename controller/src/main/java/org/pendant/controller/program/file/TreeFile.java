@@ -8,11 +8,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.packedxml.UnreadableFile;
+import org.pendant.controller.program.ControlScript;
+import org.pendant.controller.program.ExternalControl;
 import org.pendant.controller.program.ForeignStep;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
@@ -48,6 +51,8 @@ public final class TreeFile {
   /** The line of each node in the file, from 1, by key; empty when lines mean nothing to people. */
   private final Map<Long, Integer> lines;
 
+  private final Optional<ControlScript> control;
+
   private TreeFile(
       String name,
       byte[] bytes,
@@ -55,7 +60,8 @@ public final class TreeFile {
       Installation installation,
       Optional<String> robot,
       List<String> remarks,
-      Map<Long, Integer> lines) {
+      Map<Long, Integer> lines,
+      Optional<ControlScript> control) {
     this.name = name;
     this.bytes = bytes;
     this.tree = tree;
@@ -63,6 +69,7 @@ public final class TreeFile {
     this.robot = robot;
     this.remarks = List.copyOf(remarks);
     this.lines = Map.copyOf(lines);
+    this.control = control;
   }
 
   /** Whether a file of this name should hold a program tree. */
@@ -109,7 +116,8 @@ public final class TreeFile {
           withFeatures(installation, read.features()),
           read.robot(),
           read.remarks(),
-          Map.of());
+          Map.of(),
+          Optional.empty());
     } catch (UnreadableFile e) {
       throw new BrokenTree(List.of(e.report(name)));
     }
@@ -148,7 +156,8 @@ public final class TreeFile {
         installation,
         Optional.empty(),
         List.of(),
-        lines(text, read.tree()));
+        lines(text, read.tree()),
+        Optional.empty());
   }
 
   /** A node a line, apart from what stands at the top and lines of text that belong to a node. */
@@ -171,7 +180,20 @@ public final class TreeFile {
     return !content.isEmpty() && !header && "|>-".indexOf(content.charAt(0)) < 0;
   }
 
-  /** The same program in another installation. */
+  /**
+   * How many nodes of it wait for a script that the installation's {@link
+   * Installation#controlHost()} must be asked for before the program can start.
+   */
+  public int waitingNodes() {
+    return control.isPresent() ? 0 : ExternalControl.count(tree);
+  }
+
+  /** The same program, with the script that its External Control nodes wait for. */
+  public TreeFile with(ControlScript sent) {
+    return new TreeFile(name, bytes, tree, installation, robot, remarks, lines, Optional.of(sent));
+  }
+
+  /** The same program in another installation; waits for a script again. */
   public TreeFile in(Installation other) {
     try {
       return read(name, bytes, other);
@@ -219,7 +241,8 @@ public final class TreeFile {
     boolean own =
         node.step() instanceof ForeignStep.Unknown
             || (node.step() instanceof ForeignStep.Contributed contributed
-                && contributed.stub().isEmpty());
+                && contributed.stub().isEmpty()
+                && !ExternalControl.is(contributed));
     return own || node.children().stream().anyMatch(TreeFile::gap);
   }
 
@@ -257,7 +280,7 @@ public final class TreeFile {
 
   /** The script that it runs as, generated anew each time. */
   public GeneratedScript script() {
-    return ScriptGenerator.generate(programName(), tree, installation);
+    return ScriptGenerator.generate(programName(), tree, installation, control);
   }
 
   /** What the generated script is called in messages. */
@@ -270,6 +293,18 @@ public final class TreeFile {
     return script()
         .at(line)
         .flatMap(place -> tree.find(place.key()).map(node -> text(place.number(), node)));
+  }
+
+  /**
+   * Which line of what a driver has sent a line of the script is, in words.
+   *
+   * @param script {@link #script()}
+   */
+  public Optional<String> receivedAt(GeneratedScript script, int line) {
+    OptionalInt number = script.receivedLine(line);
+    return number.isPresent()
+        ? control.map(each -> each.place(number.getAsInt()))
+        : Optional.empty();
   }
 
   private static String text(int number, ProgramNode node) {

@@ -1,14 +1,17 @@
 package org.pendant.controller.program.script;
 
+import org.pendant.controller.program.ExternalControl;
 import org.pendant.controller.program.ForeignStep;
 import org.pendant.controller.program.ProgramNode;
 
 /** Writes nodes of others: what stands in for them, or a remark. */
 final class ForeignWriter {
+  private final ScriptContext context;
   private final ScriptLines lines;
   private final ActiveTool tool;
 
   ForeignWriter(ScriptContext context, ActiveTool tool) {
+    this.context = context;
     lines = context.lines();
     this.tool = tool;
   }
@@ -20,6 +23,9 @@ final class ForeignWriter {
       case ForeignStep.Contributed each -> {
         String who = ScriptText.oneLine(each.source() + ": " + each.type());
         lines.line("# begin: URCap node " + who);
+        if (ExternalControl.is(each)) {
+          control();
+        }
         each.stub().forEach(lines::code);
         lines.line("# end: URCap node " + who);
       }
@@ -28,5 +34,17 @@ final class ForeignWriter {
     }
     tool.forget();
     lines.end();
+  }
+
+  private void control() {
+    context
+        .control()
+        .ifPresentOrElse(
+            script -> lines.received(script.loop()),
+            () ->
+                lines.line(
+                    "# the script that "
+                        + ScriptText.oneLine(context.installation().controlHost().text())
+                        + " is asked for when the program starts"));
   }
 }

@@ -2,6 +2,8 @@ package org.pendant.controller.program.script;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
+import org.pendant.controller.program.ControlScript;
 import org.pendant.controller.program.ProgramNode;
 
 /**
@@ -10,8 +12,11 @@ import org.pendant.controller.program.ProgramNode;
  * @param text all of it; lines end with a line feed
  * @param places which lines belong to which node, in the order of the nodes' line numbers; a node
  *     that generates nothing has none
+ * @param received which lines a driver has sent, see {@link ControlScript}, in their order
  */
-public record GeneratedScript(String text, List<Place> places) {
+public record GeneratedScript(String text, List<Place> places, List<Received> received) {
+  /** Without anything in it. */
+  public static final GeneratedScript EMPTY = new GeneratedScript("", List.of(), List.of());
 
   /**
    * The lines of one node.
@@ -23,8 +28,18 @@ public record GeneratedScript(String text, List<Place> places) {
    */
   public record Place(long key, int number, int first, int last) {}
 
+  /**
+   * Lines that follow each other in the text that was received as well.
+   *
+   * @param first of them, from 1
+   * @param last of them
+   * @param from number of the first one in the text that was received, from 1
+   */
+  public record Received(int first, int last, int from) {}
+
   public GeneratedScript {
     places = List.copyOf(places);
+    received = List.copyOf(received);
   }
 
   /** Where a node is. */
@@ -37,5 +52,13 @@ public record GeneratedScript(String text, List<Place> places) {
     return places.stream()
         .filter(each -> each.first() <= line && line <= each.last())
         .reduce((outer, inner) -> inner);
+  }
+
+  /** Which line of the text that a driver has sent a line is; empty if it is none. */
+  public OptionalInt receivedLine(int line) {
+    return received.stream()
+        .filter(each -> each.first() <= line && line <= each.last())
+        .mapToInt(each -> each.from() + line - each.first())
+        .findFirst();
   }
 }

@@ -32,6 +32,8 @@ final class ProgramWriter {
         initialValues(section, initial);
       }
     }
+    // sub programs and threads may have nodes that need it
+    context.control().ifPresent(control -> lines.received(control.header()));
     subPrograms();
     timers();
     for (ProgramNode section : sections) {

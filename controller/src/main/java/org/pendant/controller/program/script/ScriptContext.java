@@ -7,6 +7,7 @@ import java.util.stream.Stream;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.controller.program.ControlScript;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.WaypointPosition;
@@ -15,6 +16,7 @@ import org.pendant.controller.program.WaypointPosition;
 final class ScriptContext {
   private final ProgramTree tree;
   private final Installation installation;
+  private final Optional<ControlScript> control;
   private final TreeSurvey survey;
   private final ScriptLines lines;
   private final ScriptNames names = new ScriptNames();
@@ -25,19 +27,19 @@ final class ScriptContext {
   /**
    * Gives everything its name: first to what people name themselves, then to what the script needs
    * besides.
-   */
-  ScriptContext(String programName, ProgramTree tree, Installation installation) {
-    this(programName, tree, tree, installation);
-  }
-
-  /**
-   * As {@link #ScriptContext(String, ProgramTree, Installation)} for a tree made of the nodes of
-   * another one, whose numbers and names they keep.
+   *
+   * @param tree made of nodes of {@code whole}, whose numbers and names they keep
+   * @param control what External Control nodes do
    */
   ScriptContext(
-      String programName, ProgramTree tree, ProgramTree whole, Installation installation) {
+      String programName,
+      ProgramTree tree,
+      ProgramTree whole,
+      Installation installation,
+      Optional<ControlScript> control) {
     this.tree = tree;
     this.installation = installation;
+    this.control = control;
     survey = new TreeSurvey(whole);
     lines = new ScriptLines(whole);
     installation.variables().stream().map(InstallationVariable::name).forEach(names::variable);
@@ -52,6 +54,7 @@ final class ScriptContext {
     survey.timers().forEach(this::counting);
     names.reserve(survey.words());
     program = names.unique(programName, "program");
+    control.ifPresent(each -> names.reserve(TreeSurvey.words(each)));
   }
 
   ProgramTree tree() {
@@ -60,6 +63,11 @@ final class ScriptContext {
 
   Installation installation() {
     return installation;
+  }
+
+  /** What External Control nodes do; empty while nobody has been asked. */
+  Optional<ControlScript> control() {
+    return control;
   }
 
   TreeSurvey survey() {

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.regex.Pattern;
+import org.pendant.controller.program.ControlScript;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.StepNames;
@@ -36,6 +37,7 @@ final class ScriptLines {
   private final StringBuilder text = new StringBuilder();
   private final Map<Long, Integer> numbers = new HashMap<>();
   private final List<GeneratedScript.Place> places = new ArrayList<>();
+  private final List<GeneratedScript.Received> received = new ArrayList<>();
   private final Deque<Open> open = new ArrayDeque<>();
   private int lines;
   private int depth;
@@ -97,6 +99,20 @@ final class ScriptLines {
   /** A line as people have typed it. */
   void code(String typed) {
     line(ScriptText.oneLine(typed).stripTrailing());
+  }
+
+  /** Lines that were received, which are told apart in messages. */
+  void received(List<ControlScript.Line> text) {
+    int first = lines + 1;
+    for (int i = 0; i < text.size(); i++) {
+      code(text.get(i).text());
+      boolean last = i == text.size() - 1;
+      if (last || text.get(i + 1).number() != text.get(i).number() + 1) {
+        int from = text.get(i).number() - (lines - first);
+        received.add(new GeneratedScript.Received(first, lines, from));
+        first = lines + 1;
+      }
+    }
   }
 
   /** A line that belongs behind what people put into a block, unless nothing leads there. */
@@ -173,6 +189,6 @@ final class ScriptLines {
     places.sort(
         Comparator.comparingInt(GeneratedScript.Place::number)
             .thenComparingInt(GeneratedScript.Place::first));
-    return new GeneratedScript(text.toString(), places);
+    return new GeneratedScript(text.toString(), places, received);
   }
 }

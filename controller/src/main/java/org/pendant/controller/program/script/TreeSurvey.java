@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.pendant.controller.program.ActionStep;
+import org.pendant.controller.program.ControlScript;
 import org.pendant.controller.program.FlowStep;
 import org.pendant.controller.program.ForeignStep;
 import org.pendant.controller.program.LoopRule;
@@ -67,9 +68,21 @@ final class TreeSurvey {
   }
 
   private void read(String text) {
+    addWords(text, words);
+  }
+
+  private static void addWords(String text, Set<String> words) {
     for (Matcher word = WORD.matcher(text); word.find(); ) {
       words.add(word.group());
     }
+  }
+
+  /** Every word in what a driver has sent. */
+  static Set<String> words(ControlScript control) {
+    Set<String> words = new LinkedHashSet<>();
+    control.header().forEach(each -> addWords(each.text(), words));
+    control.loop().forEach(each -> addWords(each.text(), words));
+    return words;
   }
 
   /** Names of waypoints that nodes refer to. */

@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.List;
 import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.program.ExternalControl;
 import org.pendant.controller.program.ForeignStep;
 
 /** Keeps elements to the letter that nobody understands. */
@@ -32,12 +33,14 @@ final class Kept {
             .orElse("");
     String type = element.text("strategyProgramNodeType");
     List<String> stub = stub(element.comment());
-    if (stub.isEmpty()) {
+    ForeignStep.Contributed step =
+        new ForeignStep.Contributed(source, type, List.of(element.raw().split("\n", -1)), stub);
+    if (stub.isEmpty() && !ExternalControl.is(step)) {
       remarks.add(
           element,
           "the contributed node \"" + type + "\" is kept, and does nothing without a stub script");
     }
-    return new ForeignStep.Contributed(source, type, List.of(element.raw().split("\n", -1)), stub);
+    return step;
   }
 
   private static List<String> stub(String comment) {

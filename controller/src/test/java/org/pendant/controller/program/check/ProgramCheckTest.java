@@ -94,6 +94,19 @@ final class ProgramCheckTest {
         .toList();
   }
 
+  @Test
+  void namesThatADriverMaySendAreMissingOnlyWhereNoneIsAsked() {
+    ProgramNode uses =
+        node(new ActionStep.ScriptFile("own.script", List.of("their_function(their_variable)")));
+    ForeignStep.Contributed control =
+        new ForeignStep.Contributed("FZI", "External Control", List.of("<x/>"), List.of());
+    assertEquals(List.of(), problems(program(node(control), uses)));
+    assertFalse(problems(program(uses)).isEmpty());
+    assertFalse(problems(program(node(control).withSuppressed(true), uses)).isEmpty());
+    assertFalse(
+        problems(program(node(control), node(new ActionStep.ScriptLine("sleep(")))).isEmpty());
+  }
+
   private static void assertProblem(String expected, ProgramNode... nodes) {
     assertEquals(List.of(expected), problems(program(nodes)));
   }

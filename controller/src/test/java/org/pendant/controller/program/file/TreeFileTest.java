@@ -9,9 +9,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.program.ControlScript;
+import org.pendant.controller.program.script.GeneratedScript;
 import org.pendant.models.pose.Pose;
 
 class TreeFileTest {
@@ -83,6 +86,28 @@ class TreeFileTest {
         read("a.urp", URP.formatted("<Folder><children><Weld/></children></Folder>")).hasGaps());
     assertTrue(read("a.urp", URP.formatted("<Contributed/>")).hasGaps());
     assertFalse(read("a.urp", URP.formatted("<SuppressedNode><Weld/></SuppressedNode>")).hasGaps());
+  }
+
+  private static final String CONTROL =
+      "<Contributed strategyProgramNodeType=\"External Control\"/>";
+
+  @Test
+  void waitsForTheScriptOfExternalControl() throws BrokenTree {
+    TreeFile file =
+        read("a.urp", URP.formatted(CONTROL + "<SuppressedNode>" + CONTROL + "</SuppressedNode>"));
+    assertEquals(List.of(), file.remarks());
+    assertEquals(List.of(), file.problems());
+    assertFalse(file.hasGaps());
+    assertEquals(1, file.waitingNodes());
+    TreeFile whole = file.with(ControlScript.of(ControlHost.STANDARD, "sync()\nhalt\n"));
+    assertEquals(0, whole.waitingNodes());
+    GeneratedScript script = whole.script();
+    int line = 1 + script.text().lines().map(String::strip).toList().indexOf("halt");
+    assertEquals(
+        Optional.of("line 2 of the script from 192.168.56.1:50002"),
+        whole.receivedAt(script, line));
+    assertEquals(Optional.empty(), whole.receivedAt(script, 1));
+    assertEquals(1, whole.in(Installation.NONE).waitingNodes());
   }
 
   @Test
