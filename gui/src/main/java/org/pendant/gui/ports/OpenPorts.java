@@ -2,16 +2,19 @@ package org.pendant.gui.ports;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.pendant.controller.Command;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.gui.session.Session;
 import org.pendant.protocols.BoxPorts;
+import org.pendant.protocols.externalcontrol.Drivers;
 import org.pendant.protocols.net.FrameFan;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.panel.Panel;
 import org.pendant.protocols.panel.PanelSetup;
+import org.pendant.protocols.reach.AllowedHosts;
 import org.pendant.protocols.serve.MissingPort;
 import org.pendant.protocols.serve.Outside;
 import org.pendant.protocols.serve.PortNumbers;
@@ -49,7 +52,12 @@ final class OpenPorts implements AutoCloseable {
     Outside outside = new Outside(session.controller(), frames, log, remote);
     Panel panel =
         new Panel(
-            session.controller(), new PanelSetup(session.options().robotId(), programs, logs));
+            session.controller(),
+            new PanelSetup(
+                session.options().robotId(),
+                programs,
+                logs,
+                new Drivers(AllowedHosts.ANY, Optional.empty())));
     BoxPorts box = BoxPorts.open(outside, numbers, panel, session.toolSerial());
     var _ = session.submit(new Command.SetProgramsFolder(programs));
     AtomicBoolean told = new AtomicBoolean();

@@ -10,7 +10,7 @@ import org.pendant.controller.program.file.TreeFile;
  *
  * @param name of the file without its folder, as clients are told it
  * @param path below {@code /programs/}, as clients are told it
- * @param program compiled
+ * @param program compiled; empty where a driver must be asked for a part of it first
  * @param installation the one that it names; empty if none
  * @param setup that installation, if its file is there
  * @param tree that it was generated from; empty for a script
@@ -19,7 +19,7 @@ import org.pendant.controller.program.file.TreeFile;
 public record LoadedProgram(
     String name,
     String path,
-    Program program,
+    Optional<Program> program,
     String installation,
     Optional<Installation> setup,
     Optional<TreeFile> tree,

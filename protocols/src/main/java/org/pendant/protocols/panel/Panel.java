@@ -17,9 +17,12 @@ import org.pendant.controller.installation.file.LoadedInstallation;
 import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.Popup;
+import org.pendant.controller.program.file.TreeFile;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateFeed;
 import org.pendant.language.source.ByteText;
+import org.pendant.protocols.externalcontrol.NoScript;
+import org.pendant.protocols.externalcontrol.ScriptRequest;
 
 /**
  * The teach pendant of one control box. Any thread may use it; most methods wait until what they do
@@ -52,6 +55,12 @@ public final class Panel {
 
   /** The installation for which the loaded program was made; guarded by {@code changing}. */
   private Installation madeFor = Installation.NONE;
+
+  /** A driver that is asked for a part of the program that is about to start. */
+  private volatile Optional<ScriptRequest> asked = Optional.empty();
+
+  /** The last program that was started with what a driver has sent. */
+  private volatile Optional<DrivenProgram> driven = Optional.empty();
 
   private volatile OperationalMode mode = OperationalMode.NONE;
 
@@ -101,6 +110,7 @@ public final class Panel {
    * @param name bytes, one {@code char} a byte
    */
   public LoadedProgram load(String name) throws LoadTrouble {
+    cancelStart();
     changing.lock();
     try {
       LoadedProgram found = shelf.load(name);
@@ -200,7 +210,10 @@ public final class Panel {
     }
   }
 
-  /** Starts the loaded program, or goes on with one that is paused. */
+  /**
+   * Starts the loaded program, or goes on with one that is paused. One with External Control nodes
+   * waits for the driver, for 10 s at most.
+   */
   public Optional<String> play() {
     changing.lock();
     try {
@@ -226,7 +239,45 @@ public final class Panel {
         return Optional.of(e.getMessage());
       }
     }
-    return ask(new Command.StartProgram(loaded.orElseThrow().program()));
+    LoadedProgram ready = loaded.orElseThrow();
+    return ready.program().isPresent()
+        ? ask(new Command.StartProgram(ready.program().get()))
+        : startWithDriver(ready);
+  }
+
+  private Optional<String> startWithDriver(LoadedProgram program) {
+    TreeFile tree = program.tree().orElseThrow();
+    ScriptRequest request = setup.drivers().ask(tree.installation(), tree.waitingNodes());
+    asked = Optional.of(request);
+    try {
+      DrivenProgram whole = shelf.driven(program, request.await());
+      driven = Optional.of(whole);
+      return asked.isPresent()
+          ? ask(new Command.StartProgram(whole.program()))
+          : Optional.of("stopped before it began");
+    } catch (NoScript | LoadTrouble e) {
+      return Optional.of(e.getMessage());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return Optional.of("interrupted");
+    } finally {
+      asked = Optional.empty();
+    }
+  }
+
+  /**
+   * Which line of what a driver has sent a line of the program is, in words.
+   *
+   * @param source name of the program's text
+   */
+  public Optional<String> receivedAt(String source, int line) {
+    return driven.flatMap(each -> each.receivedAt(source, line));
+  }
+
+  /** A start that waits for a driver comes to nothing. */
+  private void cancelStart() {
+    asked.ifPresent(ScriptRequest::cancel);
+    asked = Optional.empty();
   }
 
   /** Pauses the program and waits until it stands. */
@@ -247,10 +298,12 @@ public final class Panel {
   }
 
   /**
-   * Stops the program; refused when there has been none and none is loaded. One that has just ended
-   * by itself is no refusal: some clients end their program and then make sure of it.
+   * Stops the program, also one that is about to start; refused when there has been none and none
+   * is loaded. One that has just ended by itself is no refusal: some clients end their program and
+   * then make sure of it.
    */
   public Optional<String> stop() {
+    cancelStart();
     return running() || loaded.isPresent() || state().program().ending().isPresent()
         ? ask(new Command.StopProgram())
         : Optional.of("no program is loaded or runs");

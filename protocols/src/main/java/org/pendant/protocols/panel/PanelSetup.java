@@ -2,6 +2,7 @@ package org.pendant.protocols.panel;
 
 import java.nio.file.Path;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.protocols.externalcontrol.Drivers;
 
 /**
  * What a pendant belongs to.
@@ -9,5 +10,11 @@ import org.pendant.controller.file.ProgramsFolder;
  * @param robotId an id of the library of arms
  * @param programs where programs and installations are
  * @param logs folder for log files and reports; made when it is needed
+ * @param drivers who can be asked for the script of External Control nodes
  */
-public record PanelSetup(String robotId, ProgramsFolder programs, Path logs) {}
+public record PanelSetup(String robotId, ProgramsFolder programs, Path logs, Drivers drivers) {
+  /** Where no driver may be asked. */
+  public PanelSetup(String robotId, ProgramsFolder programs, Path logs) {
+    this(robotId, programs, logs, Drivers.NONE);
+  }
+}

@@ -11,6 +11,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import java.util.stream.Stream;
 import org.pendant.controller.Controller;
 import org.pendant.controller.file.ProgramsFolder;
@@ -20,8 +21,10 @@ import org.pendant.controller.installation.file.InstallationTrouble;
 import org.pendant.controller.installation.file.LoadedInstallation;
 import org.pendant.controller.machine.Loaded;
 import org.pendant.controller.machine.Program;
+import org.pendant.controller.program.ControlScript;
 import org.pendant.controller.program.file.BrokenTree;
 import org.pendant.controller.program.file.TreeFile;
+import org.pendant.controller.program.script.GeneratedScript;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
@@ -64,7 +67,7 @@ final class ProgramShelf {
               + " file");
     }
     Program program = compiled(Source.of(lastPart(name), read(name, SCRIPT)));
-    return loaded(name, program, "", Optional.empty(), Optional.empty());
+    return loaded(name, Optional.of(program), "", Optional.empty(), Optional.empty());
   }
 
   /**
@@ -114,20 +117,38 @@ final class ProgramShelf {
     Optional<byte[]> saved = tree.hasGaps() ? scriptBeside(name) : Optional.empty();
     if (saved.isPresent()) {
       Program program = compiled(Source.of(lastPart(name) + SCRIPT, saved.get()));
-      return loaded(name, program, wanted, own, Optional.empty());
+      return loaded(name, Optional.of(program), wanted, own, Optional.empty());
     }
     return loaded(
         name, generated(name, tree), wanted, own.map(_ -> tree.installation()), Optional.of(tree));
   }
 
-  private Program generated(String name, TreeFile tree) throws LoadTrouble {
+  /** The program of a tree; empty while a part of it is missing. */
+  private Optional<Program> generated(String name, TreeFile tree) throws LoadTrouble {
     List<String> problems = tree.problems();
     if (!problems.isEmpty()) {
       int others = problems.size() - 1;
       throw new LoadTrouble(
           false, problems.getFirst() + (others > 0 ? " (and " + others + " more)" : ""));
     }
-    return compiled(Source.of(lastPart(name) + SCRIPT, tree.script().text()));
+    return tree.waitingNodes() > 0
+        ? Optional.empty()
+        : Optional.of(compiled(Source.of(lastPart(name) + SCRIPT, tree.script().text())));
+  }
+
+  /**
+   * Compiles a program for one run.
+   *
+   * @param sent what its External Control nodes do
+   */
+  DrivenProgram driven(LoadedProgram program, ControlScript sent) throws LoadTrouble {
+    TreeFile tree = program.tree().orElseThrow().with(sent);
+    GeneratedScript script = tree.script();
+    Program compiled =
+        compiled(
+            Source.of(program.name() + SCRIPT, script.text()),
+            line -> tree.receivedAt(script, line).map(place -> place + ": ").orElse(""));
+    return new DrivenProgram(compiled, tree, script);
   }
 
   /** A program as it is in the controller's installation of now; scripts do not depend on it. */
@@ -191,13 +212,23 @@ final class ProgramShelf {
   }
 
   private Program compiled(Source source) throws LoadTrouble {
+    return compiled(source, _ -> "");
+  }
+
+  /**
+   * @param before what is said of a line before what is wrong with it
+   */
+  private Program compiled(Source source, IntFunction<String> before) throws LoadTrouble {
     Loaded loaded = controller.load(source);
     if (loaded.program().isEmpty()) {
       String why =
           loaded.diagnostics().stream()
               .filter(Diagnostic::isError)
               .findFirst()
-              .map(each -> firstLine(DiagnosticFormat.format(source, each)))
+              .map(
+                  each ->
+                      before.apply(source.line(each.range().start()))
+                          + firstLine(DiagnosticFormat.format(source, each)))
               .orElse("it does not compile");
       throw new LoadTrouble(false, why);
     }
@@ -210,7 +241,7 @@ final class ProgramShelf {
 
   private static LoadedProgram loaded(
       String name,
-      Program program,
+      Optional<Program> program,
       String installation,
       Optional<Installation> setup,
       Optional<TreeFile> tree) {

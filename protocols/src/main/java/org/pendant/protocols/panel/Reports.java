@@ -138,12 +138,20 @@ public final class Reports {
       put(zip, "state.txt", controller.state().toString().getBytes(StandardCharsets.UTF_8));
       Optional<LoadedProgram> program = loaded.get();
       if (program.isPresent()) {
-        put(zip, "program/" + program.get().name(), program.get().program().source().bytes());
+        put(zip, "program/" + program.get().name(), text(program.get()));
       }
       for (Path each : interpreterLogs()) {
         put(zip, "urcontrol/" + each.getFileName(), Files.readAllBytes(each));
       }
     }
+  }
+
+  private static byte[] text(LoadedProgram program) {
+    return program
+        .program()
+        .map(each -> each.source().bytes())
+        .or(() -> program.tree().map(each -> each.script().text().getBytes(StandardCharsets.UTF_8)))
+        .orElse(new byte[0]);
   }
 
   private List<Path> interpreterLogs() {

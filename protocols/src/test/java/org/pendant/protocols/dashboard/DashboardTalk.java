@@ -10,12 +10,13 @@ import java.nio.charset.StandardCharsets;
 import org.pendant.protocols.script.RunningBox;
 
 /** A client of a server that speaks in lines. */
-final class DashboardTalk implements AutoCloseable {
+public final class DashboardTalk implements AutoCloseable {
   private final Socket socket;
   private final BufferedReader lines;
   private final String greeting;
 
-  DashboardTalk(int port) throws IOException {
+  /** Connects to a port of this computer. */
+  public DashboardTalk(int port) throws IOException {
     socket = new Socket(InetAddress.getLoopbackAddress(), port);
     socket.setSoTimeout(RunningBox.GIVE_UP_MS);
     lines =
@@ -38,7 +39,8 @@ final class DashboardTalk implements AutoCloseable {
     return line == null ? "end" : line;
   }
 
-  String ask(String line) throws IOException {
+  /** Sends a line; answers the next one that comes. */
+  public String ask(String line) throws IOException {
     send(line + "\n");
     return line();
   }

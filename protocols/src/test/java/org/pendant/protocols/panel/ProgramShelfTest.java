@@ -50,7 +50,9 @@ class ProgramShelfTest {
     assertEquals("/programs/pick.urp", loaded.path());
     assertEquals("cell", loaded.installation());
     assertTrue(loaded.setup().isEmpty());
-    assertTrue(loaded.program().source().text().contains("halt"), loaded.program()::toString);
+    assertTrue(
+        loaded.program().orElseThrow().source().text().contains("halt"),
+        loaded.program()::toString);
   }
 
   @Test
@@ -58,13 +60,14 @@ class ProgramShelfTest {
     write("weld.urp", URP.formatted("cell", "<Weld/>"));
     write("weld.script", "def weld():\n  sleep(7)\nend\n");
     assertEquals(
-        "def weld():\n  sleep(7)\nend\n", shelf.load("weld.urp").program().source().text());
+        "def weld():\n  sleep(7)\nend\n",
+        shelf.load("weld.urp").program().orElseThrow().source().text());
   }
 
   @Test
   void runsAUrpWithUnknownNodesAloneIfItMust() throws IOException, LoadTrouble {
     write("weld.urp", URP.formatted("cell", "<Weld/><Halt/>"));
-    assertTrue(shelf.load("weld.urp").program().source().text().contains("halt"));
+    assertTrue(shelf.load("weld.urp").program().orElseThrow().source().text().contains("halt"));
   }
 
   @Test
@@ -74,7 +77,7 @@ class ProgramShelfTest {
     LoadedProgram loaded = shelf.load("parts/pick.urp");
     Installation setup = loaded.setup().orElseThrow();
     assertEquals("Grip", setup.activeTool());
-    assertTrue(loaded.program().source().text().contains("set_tcp(p[0.0, 0.0, 0.1"));
+    assertTrue(loaded.program().orElseThrow().source().text().contains("set_tcp(p[0.0, 0.0, 0.1"));
   }
 
   @Test

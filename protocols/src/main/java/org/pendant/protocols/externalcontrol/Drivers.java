@@ -1,0 +1,39 @@
+package org.pendant.protocols.externalcontrol;
+
+import java.util.Optional;
+import org.pendant.controller.installation.ControlHost;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.program.ControlScript;
+import org.pendant.protocols.reach.AllowedHosts;
+import org.pendant.protocols.reach.Reach;
+
+/**
+ * Those who can be asked for the script of External Control nodes. Any thread.
+ *
+ * @param reach the way to them
+ * @param chosen whom to ask whatever installations say
+ */
+public record Drivers(Reach reach, Optional<ControlHost> chosen) {
+  /** None may be asked. */
+  public static final Drivers NONE = new Drivers(AllowedHosts.parse("none"), Optional.empty());
+
+  /** Those on {@code allowed} computers. */
+  public Drivers(AllowedHosts allowed, Optional<ControlHost> chosen) {
+    this(new Reach(allowed), chosen);
+  }
+
+  /** Whom programs in an installation ask. */
+  public ControlHost of(Installation installation) {
+    return chosen.orElse(installation.controlHost());
+  }
+
+  /**
+   * Begins to ask for a script; does not wait.
+   *
+   * @param nodes how often {@link ControlScript#loop} will stand in the program, at least 1
+   */
+  public ScriptRequest ask(Installation installation, int nodes) {
+    return ScriptRequest.begin(
+        reach, of(installation), ScriptRequest.largestBytes(nodes), Patience.STANDARD);
+  }
+}

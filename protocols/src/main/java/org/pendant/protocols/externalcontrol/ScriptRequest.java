@@ -1,0 +1,162 @@
+package org.pendant.protocols.externalcontrol;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
+import java.net.UnknownHostException;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.pendant.controller.installation.ControlHost;
+import org.pendant.controller.program.ControlScript;
+import org.pendant.controller.program.ExternalControl;
+import org.pendant.protocols.reach.HostNotAllowed;
+import org.pendant.protocols.reach.Reach;
+
+/**
+ * One question to a driver for its script, in a thread of its own, so that whoever waits for the
+ * answer can be told to wait no more. The driver is sent a line and answers with the text; that it
+ * has ended shows by silence, as drivers keep the connection open.
+ */
+public final class ScriptRequest {
+  private static final byte[] LINE = "request_program\n".getBytes(StandardCharsets.US_ASCII);
+
+  /** That of the driver for ROS has 50 kB. */
+  private static final int LARGEST_BYTES = 4 << 20;
+
+  /** In all nodes of a program together. */
+  private static final int LARGEST_TOTAL_BYTES = 16 << 20;
+
+  private static final int CHUNK_BYTES = 16 << 10;
+
+  private final Reach reach;
+  private final ControlHost host;
+  private final int largestBytes;
+  private final Patience patience;
+  private final FutureTask<ControlScript> task = new FutureTask<>(this::ask);
+
+  private ScriptRequest(Reach reach, ControlHost host, int largestBytes, Patience patience) {
+    this.reach = reach;
+    this.host = host;
+    this.largestBytes = largestBytes;
+    this.patience = patience;
+  }
+
+  static ScriptRequest begin(Reach reach, ControlHost host, int largestBytes, Patience patience) {
+    ScriptRequest request = new ScriptRequest(reach, host, largestBytes, patience);
+    Thread.ofVirtual().name("script of " + host.text()).start(request.task);
+    return request;
+  }
+
+  /** How large a script may be that stands in a program {@code nodes} times. */
+  static int largestBytes(int nodes) {
+    return Math.min(LARGEST_BYTES, LARGEST_TOTAL_BYTES / Math.max(1, nodes));
+  }
+
+  /** Who is asked. */
+  public ControlHost host() {
+    return host;
+  }
+
+  /** Asks no longer; whoever waits is told so. Nothing happens when the script has come already. */
+  public void cancel() {
+    var _ = task.cancel(true);
+  }
+
+  /**
+   * Waits for the script, not much longer than 10 s.
+   *
+   * @throws NoScript if there is none, and why
+   * @throws InterruptedException if the waiting thread is interrupted; nobody is asked any longer
+   */
+  public ControlScript await() throws NoScript, InterruptedException {
+    try {
+      return task.get(patience.longestMs(), TimeUnit.MILLISECONDS);
+    } catch (ExecutionException e) {
+      if (e.getCause() instanceof NoScript none) {
+        throw none;
+      }
+      throw new IllegalStateException("asking " + host.text() + " has failed", e.getCause());
+    } catch (TimeoutException e) {
+      throw none(
+          host.text() + " has not sent all of its script within " + seconds(patience.longestMs()));
+    } catch (CancellationException e) {
+      throw none("stopped while " + host.text() + " was asked for the script");
+    } finally {
+      cancel();
+    }
+  }
+
+  private static NoScript none(String why) {
+    return new NoScript(ExternalControl.TYPE + ": " + why);
+  }
+
+  private static String seconds(int ms) {
+    return ms / 1000.0 + " s";
+  }
+
+  private ControlScript ask() throws NoScript {
+    try (Socket socket = connected()) {
+      socket.getOutputStream().write(LINE);
+      String text = new String(read(socket), StandardCharsets.UTF_8);
+      if (text.isBlank()) {
+        throw none(host.text() + " has sent an empty script");
+      }
+      return ControlScript.of(host, text);
+    } catch (IOException e) {
+      throw none("the connection to " + host.text() + " broke off: " + e.getMessage());
+    }
+  }
+
+  private Socket connected() throws NoScript {
+    try {
+      return reach.connect(host.host(), host.port(), patience.connectMs());
+    } catch (HostNotAllowed e) {
+      throw none(host.text() + " is " + e.getMessage());
+    } catch (UnknownHostException e) {
+      throw none("there is no host " + host.host() + ", which should send the script");
+    } catch (IOException e) {
+      throw none(
+          "nobody answers at "
+              + host.text()
+              + " ("
+              + e.getMessage()
+              + "); the driver must be running");
+    }
+  }
+
+  private byte[] read(Socket socket) throws IOException, NoScript {
+    ByteArrayOutputStream text = new ByteArrayOutputStream();
+    byte[] chunk = new byte[CHUNK_BYTES];
+    InputStream in = socket.getInputStream();
+    boolean whole = false;
+    while (text.size() <= largestBytes) {
+      socket.setSoTimeout(whole ? patience.quietMs() : patience.answerMs());
+      int count;
+      try {
+        count = in.read(chunk);
+      } catch (SocketTimeoutException e) {
+        if (text.size() == 0) {
+          throw none(
+              host.text()
+                  + " has sent no script within "
+                  + seconds(patience.answerMs())
+                  + "; the driver must be running");
+        }
+        return text.toByteArray();
+      }
+      if (count < 0) {
+        return text.toByteArray();
+      }
+      text.write(chunk, 0, count);
+      whole = chunk[count - 1] == '\n';
+    }
+    throw none(
+        host.text() + " has sent more than the " + largestBytes + " bytes that there may be");
+  }
+}
