@@ -36,6 +36,7 @@ final class UsageTest {
         Arguments.of("run --timeout -1 good.script", "-1"),
         Arguments.of("run --wall-timeout 0 good.script", "--wall-timeout is 0"),
         Arguments.of("run --memory lots good.script", "such as 256MB"),
+        Arguments.of("run --external-control pc:0 good.script", "the port is 0, must be 1 to"),
         Arguments.of("run --record missing/out.csv good.script", "missing/out.csv"),
         Arguments.of("run --force good.script", "--force goes with --record, which is missing"),
         Arguments.of("run missing.script", "missing.script: no such file"),

@@ -125,6 +125,12 @@ final class ConvertCommand implements Subcommand {
     }
     List<String> problems = file.problems();
     problems.forEach(console::complain);
+    if (file.waitingNodes() > 0) {
+      console.complain(
+          to
+              + ": note: what External Control nodes do is not in it: a driver sends that when the"
+              + " program starts");
+    }
     return problems.isEmpty()
         ? Result.of(file.script().text())
         : Result.none(ExitCode.DOES_NOT_COMPILE);

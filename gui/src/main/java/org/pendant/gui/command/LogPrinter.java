@@ -1,9 +1,11 @@
 package org.pendant.gui.command;
 
+import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Function;
 import org.pendant.controller.Controller;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
@@ -22,6 +24,7 @@ final class LogPrinter implements AutoCloseable {
   private final Controller controller;
   private final Console console;
   private final String prefix;
+  private final Function<LogEntry.Place, Optional<String>> origin;
   private final Queue<String> prompts = new ConcurrentLinkedQueue<>();
   private final AtomicInteger waiting = new AtomicInteger();
   private final Thread thread;
@@ -33,8 +36,14 @@ final class LogPrinter implements AutoCloseable {
    * Begins to print to {@code console}.
    *
    * @param prefix stands before each line
+   * @param origin what is to be said of where a line of a program comes from
    */
-  LogPrinter(Controller controller, Console console, String prefix) {
+  LogPrinter(
+      Controller controller,
+      Console console,
+      String prefix,
+      Function<LogEntry.Place, Optional<String>> origin) {
+    this.origin = origin;
     this.controller = controller;
     this.console = console;
     this.prefix = prefix;
@@ -93,7 +102,10 @@ final class LogPrinter implements AutoCloseable {
     switch (entry.origin()) {
       case SCRIPT -> console.printBytes(prefix + entry.text());
       case CONTROLLER, SAFETY, PROTOCOL, ENDING ->
-          console.complain(prefix + Report.logEntry(entry));
+          console.complain(
+              prefix
+                  + Report.logEntry(entry)
+                  + entry.place().flatMap(origin).map(each -> " (" + each + ")").orElse(""));
     }
   }
 

@@ -17,6 +17,7 @@ import org.pendant.gui.scene.gl.SceneUnavailable;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.protocols.ScriptDoors;
+import org.pendant.protocols.externalcontrol.NoScript;
 
 /** {@code pendant render FILE}: runs a program and draws the arm at one moment. */
 final class RenderCommand implements Subcommand {
@@ -51,7 +52,10 @@ final class RenderCommand implements Subcommand {
     file.tell(console);
     try (ScriptDoors doors = new ScriptDoors(options.run().hosts())) {
       Controller controller = new Controller(options.run().controller().withOutside(doors.doors()));
-      return run(file, controller, options, console);
+      return run(file.asked(options.run().drivers()), controller, options, console);
+    } catch (NoScript e) {
+      console.complain(file.file() + ": error: " + e.getMessage());
+      return ExitCode.UNAVAILABLE;
     }
   }
 
@@ -64,6 +68,7 @@ final class RenderCommand implements Subcommand {
     Source source = file.source().get();
     Loaded loaded = controller.load(source);
     Report.diagnostics(source, loaded.diagnostics()).forEach(console::complainInLines);
+    file.wrongInReceived(loaded.diagnostics()).forEach(console::complain);
     if (loaded.program().isEmpty()) {
       return ExitCode.DOES_NOT_COMPILE;
     }

@@ -12,6 +12,7 @@ import org.pendant.controller.machine.Program;
 import org.pendant.controller.outside.Doors;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.ScriptDoors;
+import org.pendant.protocols.externalcontrol.NoScript;
 import org.pendant.protocols.serve.PortNumbers;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.protocols.toolserial.ToolSerialServer;
@@ -71,7 +72,11 @@ final class RunCommand implements Subcommand {
                 ? RunOptions.of(arguments, file.installation(), file.robot())
                 : options;
         try (WallLimit wall = WallLimit.begin(own.wallTimeoutS(), file.file())) {
-          code = code.or(run(file, own, recorded, builtins, interruption, wall, console));
+          RunnableFile whole = file.asked(own.drivers());
+          code = code.or(run(whole, own, recorded, builtins, interruption, wall, console));
+        } catch (NoScript e) {
+          console.complain(file.file() + ": error: " + e.getMessage());
+          code = code.or(ExitCode.UNAVAILABLE);
         }
         if (interruption.requested() || console.outputClosed()) {
           break;
@@ -134,6 +139,7 @@ final class RunCommand implements Subcommand {
     Source source = file.source().get();
     Loaded loaded = controller.load(source);
     Report.diagnostics(source, loaded.diagnostics()).forEach(console::complainInLines);
+    file.wrongInReceived(loaded.diagnostics()).forEach(console::complain);
     if (loaded.program().isEmpty()) {
       return ExitCode.DOES_NOT_COMPILE;
     }

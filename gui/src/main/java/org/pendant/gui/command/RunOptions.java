@@ -21,6 +21,7 @@ import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.PreparedAnswer;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.language.source.ByteText;
+import org.pendant.protocols.externalcontrol.Drivers;
 import org.pendant.protocols.reach.AllowedHosts;
 
 /**
@@ -28,6 +29,7 @@ import org.pendant.protocols.reach.AllowedHosts;
  *
  * @param controller how each controller is switched on
  * @param hosts where programs may connect to
+ * @param drivers who can be asked for the script of External Control nodes
  * @param speedFactor how fast time goes against the wall clock; empty for as fast as possible
  * @param record the file to record to, by name
  * @param timeoutS robot time after which a program is stopped, s
@@ -37,6 +39,7 @@ import org.pendant.protocols.reach.AllowedHosts;
 record RunOptions(
     ControllerOptions controller,
     AllowedHosts hosts,
+    Drivers drivers,
     Optional<Double> speedFactor,
     Optional<String> record,
     Optional<Double> timeoutS,
@@ -85,7 +88,8 @@ record RunOptions(
                   WallLimit.OPTION,
                   SEED,
                   MemoryOption.OPTION,
-                  HostsOption.OPTION),
+                  HostsOption.OPTION,
+                  ControlOption.OPTION),
               Surroundings.ALL.stream())
           .toList();
 
@@ -99,7 +103,8 @@ record RunOptions(
                   ENCODER,
                   SEED,
                   MemoryOption.OPTION,
-                  HostsOption.OPTION),
+                  HostsOption.OPTION,
+                  ControlOption.OPTION),
               Surroundings.ALL.stream())
           .toList();
 
@@ -121,6 +126,7 @@ record RunOptions(
                   SEED,
                   MemoryOption.OPTION,
                   HostsOption.OPTION,
+                  ControlOption.OPTION,
                   ToolSerialOption.OPTION),
               Surroundings.ALL.stream())
           .toList();
@@ -148,6 +154,7 @@ record RunOptions(
     return new RunOptions(
         controller,
         HostsOption.of(arguments),
+        ControlOption.of(arguments),
         speedFactor,
         arguments.value(RECORD),
         seconds(arguments, TIMEOUT),

@@ -6,11 +6,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.program.file.BrokenTree;
 import org.pendant.controller.program.file.TreeFile;
+import org.pendant.controller.program.script.GeneratedScript;
 import org.pendant.controller.program.urp.UrpPrograms;
+import org.pendant.language.source.ByteText;
+import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
+import org.pendant.protocols.externalcontrol.Drivers;
+import org.pendant.protocols.externalcontrol.NoScript;
 
 /**
  * A program that a command line names: a script, or a tree together with the script that is
@@ -127,8 +134,62 @@ record RunnableFile(
     problems.forEach(console::complain);
   }
 
-  /** Which node a line of the script belongs to, as the beginning of a line for people. */
+  /** Whether a driver must be asked for a part of it before it can run. */
+  boolean waits() {
+    return source.isPresent() && tree.filter(each -> each.waitingNodes() > 0).isPresent();
+  }
+
+  /**
+   * The same with the part that a driver has to send; waits for that.
+   *
+   * @throws NoScript if it sends none
+   */
+  RunnableFile asked(Drivers drivers) throws NoScript {
+    if (!waits()) {
+      return this;
+    }
+    TreeFile waiting = tree.orElseThrow();
+    try {
+      TreeFile whole =
+          waiting.with(drivers.ask(waiting.installation(), waiting.waitingNodes()).await());
+      Source generated = Source.of(whole.scriptName(), whole.script().text());
+      return new RunnableFile(
+          file, Optional.of(generated), Optional.of(whole), installation, robot, notes, problems);
+    } catch (InterruptedException e) {
+      throw new IllegalStateException("nobody interrupts the thread that reads programs", e);
+    }
+  }
+
+  /**
+   * Which node a line of the script belongs to, and which line of what a driver has sent it is, as
+   * the beginning of a line for people.
+   */
   Optional<String> nodeAt(int line) {
-    return tree.flatMap(each -> each.nodeAt(line)).map(node -> file + ": " + node + ": ");
+    String places =
+        tree.stream()
+            .flatMap(
+                each ->
+                    Stream.of(each.nodeAt(line), each.receivedAt(each.script(), line))
+                        .flatMap(Optional::stream))
+            .collect(Collectors.joining(", "));
+    return places.isEmpty() ? Optional.empty() : Optional.of(file + ": " + places + ": ");
+  }
+
+  /** What is wrong in what a driver has sent, each with its line there. */
+  List<String> wrongInReceived(List<Diagnostic> diagnostics) {
+    if (tree.isEmpty() || source.isEmpty()) {
+      return List.of();
+    }
+    GeneratedScript script = tree.get().script();
+    return diagnostics.stream()
+        .filter(Diagnostic::isError)
+        .flatMap(
+            each ->
+                tree
+                    .get()
+                    .receivedAt(script, source.get().line(each.range().start()))
+                    .map(place -> file + ": " + place + ": " + ByteText.decoded(each.message()))
+                    .stream())
+        .toList();
   }
 }

@@ -116,7 +116,8 @@ record ServeOptions(
         numbers,
         arguments.has(PortOptions.MODBUS_PORT),
         new RemoteControl(remoteEnabled(arguments, ready), ready),
-        new PanelSetup(controller.robotId(), ProgramsFolder.at(programs), logs),
+        new PanelSetup(
+            controller.robotId(), ProgramsFolder.at(programs), logs, ControlOption.of(arguments)),
         ToolSerialOption.of(arguments));
   }
 

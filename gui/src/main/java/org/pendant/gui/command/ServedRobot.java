@@ -130,7 +130,9 @@ final class ServedRobot implements AutoCloseable {
 
   /** Prints from now on what it says. */
   void printLog() {
-    LogPrinter log = new LogPrinter(controller, console, prefix);
+    LogPrinter log =
+        new LogPrinter(
+            controller, console, prefix, place -> panel.receivedAt(place.source(), place.line()));
     printer = Optional.of(log);
     frames.add(log::look);
     frames.add(new StartWatch(controller, panel)::look);

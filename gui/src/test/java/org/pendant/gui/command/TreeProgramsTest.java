@@ -14,6 +14,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.packedxml.PackedXml;
+import org.pendant.gui.session.FakeDriver;
 
 /** Program trees on the command line: run, check and convert. */
 class TreeProgramsTest {
@@ -163,6 +164,99 @@ class TreeProgramsTest {
                 each ->
                     each.startsWith("index.pendant: node 2 \"textmsg([1, 2][norm(5)])\": index")),
         complaints::toString);
+  }
+
+  private static final String CONTROL =
+      "<Contributed strategyProgramNodeType=\"External Control\"><dataModel/></Contributed>";
+
+  private static final String SENT =
+      """
+      # HEADER_BEGIN
+      def greet(name):
+        textmsg(name)
+      end
+      # HEADER_END
+      greet("driver")
+      """;
+
+  @Test
+  void runsWhatADriverSendsForExternalControl() throws IOException {
+    write("drive.urp", URP.formatted(CONTROL));
+    write("cell.pinst", "pendant installation 1\n");
+    try (FakeDriver driver = new FakeDriver(SENT)) {
+      assertEquals(0, pendant("check", "drive.urp"));
+      assertEquals(List.of(), complaints());
+      assertEquals(0, driver.asked());
+      String option = "--external-control=" + driver.host().text();
+      assertEquals(0, pendant("run", option, "drive.urp"));
+      assertEquals("driver\n", said());
+      assertEquals(List.of(), complaints());
+      write(
+          "cell.pinst",
+          "pendant installation 1\nexternal-control host=\"127.0.0.1\" port="
+              + driver.host().port()
+              + "\n");
+      assertEquals(0, pendant("run", "drive.urp"));
+      assertEquals("driver\n", said());
+      assertEquals(2, driver.asked());
+    }
+  }
+
+  @Test
+  void doesNotRunWithoutTheDriver() throws IOException {
+    write("drive.urp", URP.formatted(CONTROL));
+    write("cell.pinst", "pendant installation 1\n");
+    FakeDriver gone = new FakeDriver("");
+    gone.close();
+    assertEquals(69, pendant("run", "--external-control=" + gone.host().text(), "drive.urp"));
+    assertEquals(
+        List.of(
+            "drive.urp: error: External Control: nobody answers at "
+                + gone.host().text()
+                + " (connection refused); the driver must be running"),
+        complaints());
+    assertEquals(69, pendant("run", "--allow-hosts=none", "drive.urp"));
+    assertEquals(
+        List.of(
+            "drive.urp: error: External Control: 192.168.56.1:50002 is not among the allowed"
+                + " hosts"),
+        complaints());
+    assertEquals(2, pendant("run", "--external-control=pc:0", "drive.urp"));
+    assertEquals(
+        List.of("pendant run: --external-control: the port is 0, must be 1 to 65535"),
+        complaints().subList(0, 1));
+  }
+
+  @Test
+  void tellsTheLineOfWhatADriverHasSent() throws IOException {
+    write("drive.urp", URP.formatted(CONTROL));
+    write("cell.pinst", "pendant installation 1\n");
+    try (FakeDriver driver = new FakeDriver(SENT.replace("textmsg(name)", "textmsg(nam)"))) {
+      assertEquals(1, pendant("run", "--external-control=" + driver.host().text(), "drive.urp"));
+      String place = "line 3 of the script from " + driver.host().text() + ": ";
+      assertTrue(
+          complaints().stream().anyMatch(each -> each.startsWith("drive.urp: " + place)),
+          () -> complaints().toString());
+    }
+    try (FakeDriver driver = new FakeDriver(SENT.replace("textmsg(name)", "textmsg(name"))) {
+      assertEquals(3, pendant("run", "--external-control=" + driver.host().text(), "drive.urp"));
+      String place = "line 4 of the script from " + driver.host().text() + ": ";
+      assertTrue(
+          complaints().stream().anyMatch(each -> each.startsWith("drive.urp: " + place)),
+          () -> complaints().toString());
+    }
+  }
+
+  @Test
+  void saysThatAScriptDoesNotHoldWhatADriverSends() throws IOException {
+    write("drive.urp", URP.formatted(CONTROL));
+    write("cell.pinst", "pendant installation 1\n");
+    assertEquals(0, pendant("convert", "drive.urp", "drive.script"));
+    assertEquals(
+        List.of(
+            "drive.script: note: what External Control nodes do is not in it: a driver sends that"
+                + " when the program starts"),
+        complaints());
   }
 
   @Test
