@@ -2,6 +2,8 @@ package org.pendant.gui.debug;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
+import org.pendant.controller.program.ControlScript;
 import org.pendant.controller.program.script.GeneratedScript;
 import org.pendant.controller.program.script.GeneratedScript.Place;
 
@@ -27,13 +29,34 @@ public interface RunLines {
   /** The lines of what runs for line {@code shown}, in their order; none if it is not in there. */
   List<Integer> toRun(int shown);
 
-  /**
-   * Of two scripts of one tree, where one runs that begins in its middle: lines belong together if
-   * they stand as far below the first line of the same node.
-   */
+  /** What else is to be said of where line {@code run} of what runs comes from. */
+  default Optional<String> origin(int run) {
+    return Optional.empty();
+  }
+
+  /** As the other of that name, where no driver has sent anything. */
   static RunLines between(GeneratedScript run, GeneratedScript shown) {
+    return between(run, shown, Optional.empty());
+  }
+
+  /**
+   * Of two scripts of one tree, where one runs that begins in its middle, or has what a driver has
+   * sent: lines belong together if they stand as far below the first line of the same node.
+   *
+   * @param sent what is in the one that runs
+   */
+  static RunLines between(
+      GeneratedScript run, GeneratedScript shown, Optional<ControlScript> sent) {
     LineMap outside = LineMap.between(run.text(), shown.text());
     return new RunLines() {
+      @Override
+      public Optional<String> origin(int line) {
+        OptionalInt number = run.receivedLine(line);
+        return number.isPresent()
+            ? sent.map(each -> each.place(number.getAsInt()))
+            : Optional.empty();
+      }
+
       @Override
       public int toShown(int line) {
         Optional<Place> place = run.at(line);

@@ -97,6 +97,7 @@ public final class InstallationView implements View {
     groups.put(
         "Features", List.of(new FeaturesPage(editing, rotation, workbench.session()::state)));
     groups.put("Fieldbus", List.of(new ModbusPage(editing), new EthernetIpPage(editing)));
+    groups.put("URCaps", List.of(new ExternalControlPage(editing)));
   }
 
   private ArmDescription arm() {

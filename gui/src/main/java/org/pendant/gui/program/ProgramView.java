@@ -11,13 +11,11 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.StepNames;
 import org.pendant.controller.program.check.NodeProblem;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.move.JogHold;
@@ -197,7 +195,7 @@ public final class ProgramView implements View {
   }
 
   private void showChecked() {
-    list.setSignals(signals());
+    list.setLabels(labels());
     program.ifPresent(
         shown -> {
           Map<Long, List<NodeProblem>> problems = new HashMap<>();
@@ -350,11 +348,11 @@ public final class ProgramView implements View {
   }
 
   private String label(long key) {
-    return host.tree().find(key).map(node -> StepNames.label(node.step(), signals())).orElse("");
+    return host.tree().find(key).map(node -> labels().of(node.step())).orElse("");
   }
 
-  private UnaryOperator<String> signals() {
-    return new CalledSignals(host.installation())::of;
+  private NodeLabels labels() {
+    return new NodeLabels(host.installation());
   }
 
   /** Selects a node and puts the keys into the field that has to be changed. */
@@ -413,7 +411,7 @@ public final class ProgramView implements View {
   }
 
   private void searched(String wanted) {
-    List<Long> matches = TreeSearch.matches(host.tree(), wanted, signals());
+    List<Long> matches = TreeSearch.matches(host.tree(), wanted, labels());
     list.setFound(matches);
     pane.search().showCount(matches.size());
   }
@@ -424,7 +422,7 @@ public final class ProgramView implements View {
   }
 
   void findNext(boolean forward) {
-    List<Long> matches = TreeSearch.matches(host.tree(), pane.search().wanted(), signals());
+    List<Long> matches = TreeSearch.matches(host.tree(), pane.search().wanted(), labels());
     TreeSearch.next(host.tree(), matches, list.lead().orElse(0), forward).ifPresent(list::select);
   }
 

@@ -19,7 +19,6 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.function.UnaryOperator;
 import javax.swing.JList;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
@@ -42,7 +41,7 @@ final class TreeList extends JList<TreeRow> {
   private transient TreeMarks shownMarks = TreeMarks.NONE;
   private transient Map<Long, List<NodeProblem>> problems = Map.of();
   private transient Set<Long> found = Set.of();
-  private transient UnaryOperator<String> signals = signal -> signal;
+  private transient NodeLabels labels = NodeLabels.PLAIN;
   private transient Optional<DropSpots.Target> drop = Optional.empty();
   private boolean dropCopies;
   private int digits = 2;
@@ -197,9 +196,9 @@ final class TreeList extends JList<TreeRow> {
     repaint();
   }
 
-  /** Has signals called so. */
-  void setSignals(UnaryOperator<String> names) {
-    signals = names;
+  /** Has nodes called so. */
+  void setLabels(NodeLabels wanted) {
+    labels = wanted;
     repaint();
   }
 
@@ -410,7 +409,7 @@ final class TreeList extends JList<TreeRow> {
           : "Click to set or clear a breakpoint (F9)";
     }
     List<NodeProblem> wrong = problems.getOrDefault(row.get().key(), List.of());
-    return wrong.isEmpty() ? row.get().label(signals) : wrong.getFirst().message();
+    return wrong.isEmpty() ? row.get().label(labels) : wrong.getFirst().message();
   }
 
   // --- drops
@@ -481,7 +480,7 @@ final class TreeList extends JList<TreeRow> {
 
     @Override
     public String label(TreeRow row) {
-      return row.label(signals);
+      return row.label(labels);
     }
   }
 }

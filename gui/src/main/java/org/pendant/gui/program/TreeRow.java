@@ -3,7 +3,6 @@ package org.pendant.gui.program;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import java.util.function.UnaryOperator;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.StepNames;
@@ -52,9 +51,9 @@ record TreeRow(ProgramNode node, int number, int depth, boolean off, boolean fol
     return !node.children().isEmpty();
   }
 
-  /** What people read, with signals called as the installation calls them. */
-  String label(UnaryOperator<String> signals) {
-    return StepNames.label(node.step(), signals);
+  /** What people read. */
+  String label(NodeLabels labels) {
+    return labels.of(node.step());
   }
 
   @Override

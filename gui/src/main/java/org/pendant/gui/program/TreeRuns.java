@@ -1,6 +1,8 @@
 package org.pendant.gui.program;
 
 import java.util.Optional;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.program.ExternalControl;
 import org.pendant.controller.program.FirstWaypoint;
 import org.pendant.controller.program.PlayFrom;
 import org.pendant.controller.program.ProgramTree;
@@ -10,6 +12,7 @@ import org.pendant.controller.program.script.GeneratedScript;
 import org.pendant.controller.program.script.ScriptGenerator;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.debug.RunLines;
+import org.pendant.gui.debug.RunPlan;
 import org.pendant.gui.debug.RunScript;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.language.source.Source;
@@ -68,25 +71,35 @@ public final class TreeRuns {
    *
    * @throws IllegalArgumentException if {@link #whyNot} has a reason
    */
-  public RunScript script(ProgramDocument document, long from) {
+  public RunPlan plan(ProgramDocument document, long from) {
     Source shown = document.script().source();
     Optional<TreeProgram> program = trees.of(document);
     if (program.isEmpty()) {
-      return RunScript.whole(shown);
+      return RunPlan.of(RunScript.whole(shown));
     }
     ProgramTree tree = program.get().tree();
     GeneratedScript whole = program.get().script();
-    if (from == 0 || isMain(tree, from)) {
-      return new RunScript(shown, RunLines.SAME, TurnLine.of(tree, whole), 0);
+    boolean all = from == 0 || isMain(tree, from);
+    int waiting = ExternalControl.count(tree);
+    if (all && waiting == 0) {
+      return RunPlan.of(new RunScript(shown, RunLines.SAME, TurnLine.of(tree, whole), 0));
     }
-    GeneratedScript part =
-        ScriptGenerator.generateFrom(
-            program.get().programName(), tree, from, program.get().installation());
-    return new RunScript(
-        Source.of(shown.name(), part.text()),
-        RunLines.between(part, whole),
-        TurnLine.of(tree, part),
-        1);
+    String name = program.get().programName();
+    Installation installation = program.get().installation();
+    return new RunPlan(
+        waiting,
+        installation,
+        sent -> {
+          GeneratedScript run =
+              all
+                  ? ScriptGenerator.generate(name, tree, installation, sent)
+                  : ScriptGenerator.generateFrom(name, tree, from, installation, sent);
+          return new RunScript(
+              Source.of(shown.name(), run.text()),
+              RunLines.between(run, whole, sent),
+              TurnLine.of(tree, run),
+              all ? 0 : 1);
+        });
   }
 
   private static boolean isMain(ProgramTree tree, long key) {

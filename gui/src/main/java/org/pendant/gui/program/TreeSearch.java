@@ -3,7 +3,6 @@ package org.pendant.gui.program;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalLong;
-import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
@@ -18,21 +17,21 @@ final class TreeSearch {
   /**
    * The keys of nodes that have a text in their label or their values, in order.
    *
-   * @param signals what people call a signal
+   * @param labels what people call nodes
    */
-  static List<Long> matches(ProgramTree tree, String text, UnaryOperator<String> signals) {
+  static List<Long> matches(ProgramTree tree, String text, NodeLabels labels) {
     String wanted = text.strip().toLowerCase(Locale.ROOT);
     if (wanted.isEmpty()) {
       return List.of();
     }
     return tree.nodes().stream()
-        .filter(each -> matches(each, wanted, signals))
+        .filter(each -> matches(each, wanted, labels))
         .map(ProgramNode::key)
         .toList();
   }
 
-  private static boolean matches(ProgramNode node, String wanted, UnaryOperator<String> signals) {
-    return contains(StepNames.label(node.step(), signals), wanted)
+  private static boolean matches(ProgramNode node, String wanted, NodeLabels labels) {
+    return contains(labels.of(node.step()), wanted)
         || contains(StepNames.label(node), wanted)
         || contains(values(node), wanted);
   }

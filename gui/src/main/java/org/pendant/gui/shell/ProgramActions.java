@@ -30,7 +30,7 @@ final class ProgramActions {
         "program.run",
         "Run or resume program",
         "F5",
-        controls -> runner.loading() ? "The program is being compiled" : controls.whyNoRun(),
+        controls -> runner.loading() ? runner.whyLoading() : controls.whyNoRun(),
         runner::runOrResume);
     add(
         "program.pause",
@@ -42,13 +42,13 @@ final class ProgramActions {
         "program.stop",
         "Stop program",
         "shift F5",
-        ProgramControls::whyNoStop,
-        () -> runner.send(new Command.StopProgram()));
+        controls -> runner.asking() ? "" : controls.whyNoStop(),
+        runner::stop);
     add(
         "program.step",
         "Hold program, or step to its next line",
         "F10",
-        controls -> runner.loading() ? "The program is being compiled" : controls.whyNoStep(),
+        controls -> runner.loading() ? runner.whyLoading() : controls.whyNoStep(),
         runner::step);
   }
 

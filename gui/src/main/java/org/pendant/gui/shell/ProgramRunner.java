@@ -1,6 +1,7 @@
 package org.pendant.gui.shell;
 
 import java.awt.EventQueue;
+import java.io.IOException;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
@@ -11,6 +12,8 @@ import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.machine.Loaded;
 import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.program.ControlScript;
+import org.pendant.gui.debug.RunPlan;
 import org.pendant.gui.debug.RunScript;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
@@ -18,6 +21,10 @@ import org.pendant.gui.session.Session;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
+import org.pendant.protocols.externalcontrol.Drivers;
+import org.pendant.protocols.externalcontrol.NoScript;
+import org.pendant.protocols.externalcontrol.ScriptRequest;
+import org.pendant.protocols.reach.AllowedHosts;
 
 /** Runs the current program, and has the controller do things; refusals are told. */
 final class ProgramRunner {
@@ -28,11 +35,19 @@ final class ProgramRunner {
   private Optional<Running> running = Optional.empty();
   private BiConsumer<ProgramDocument, RunScript> beforeRun = (document, script) -> {};
   private Gate gate = (document, from, run) -> run.run();
-  private Texts texts = (document, from) -> RunScript.whole(document.script().source());
+  private Texts texts = (document, from) -> RunPlan.of(RunScript.whole(document.script().source()));
+  private final Drivers drivers = new Drivers(AllowedHosts.ANY, Optional.empty());
+  private Optional<ScriptRequest> asked = Optional.empty();
   private boolean loading;
+
+  /** What is about to start must not: its script came just before it was stopped. */
+  private boolean stopped;
 
   /** A program and its text when it was started. */
   private record Running(ProgramDocument document, Source source) {}
+
+  /** What became of a text that is to run. */
+  private record Compiled(RunScript script, Loaded loaded) {}
 
   /** Decides whether a program may start. */
   @FunctionalInterface
@@ -53,7 +68,7 @@ final class ProgramRunner {
      *
      * @param from as for {@link Gate}
      */
-    RunScript of(ProgramDocument document, long from);
+    RunPlan of(ProgramDocument document, long from);
   }
 
   ProgramRunner(Session session, Programs programs, Consumer<String> tell, SourcePlace showSource) {
@@ -78,9 +93,31 @@ final class ProgramRunner {
     texts = wanted;
   }
 
-  /** Whether a program is being compiled. */
+  /** Whether a program is about to start: it is being compiled, or a driver is asked for a part. */
   boolean loading() {
     return loading;
+  }
+
+  /** Why nothing else can be started while {@link #loading}. */
+  String whyLoading() {
+    return asked
+        .map(each -> each.host().text() + " is being asked for the script")
+        .orElse("The program is being compiled");
+  }
+
+  /** Whether a driver is being asked, which {@link #stop} ends. */
+  boolean asking() {
+    return asked.isPresent();
+  }
+
+  /** Stops the program, also one that is about to start and waits for a driver. */
+  void stop() {
+    if (asked.isPresent()) {
+      asked.get().cancel();
+      stopped = true;
+    } else {
+      send(new Command.StopProgram());
+    }
   }
 
   /** Goes on with a held or paused program, or starts the current one as it stands. */
@@ -130,15 +167,44 @@ final class ProgramRunner {
     gate.pass(document, from, () -> load(document, texts.of(document, from), then));
   }
 
-  private void load(ProgramDocument document, RunScript script, Runnable then) {
+  private void load(ProgramDocument document, RunPlan plan, Runnable then) {
     loading = true;
+    stopped = false;
+    asked =
+        plan.waitingNodes() == 0
+            ? Optional.empty()
+            : Optional.of(drivers.ask(plan.installation(), plan.waitingNodes()));
+    Optional<ScriptRequest> request = asked;
     Background.run(
-        () -> session.load(script.source()),
-        loaded -> start(document, script, loaded, then),
+        () -> compiled(plan, request),
+        compiled -> {
+          asked = Optional.empty();
+          if (stopped) {
+            loading = false;
+            return;
+          }
+          start(document, compiled.script(), compiled.loaded(), then);
+        },
         failed -> {
+          asked = Optional.empty();
           loading = false;
           tell.accept(document.name() + " cannot run: " + failed.getMessage());
         });
+  }
+
+  /** Waits for the driver if there is one to wait for. */
+  private Compiled compiled(RunPlan plan, Optional<ScriptRequest> request) throws IOException {
+    try {
+      Optional<ControlScript> sent =
+          request.isPresent() ? Optional.of(request.get().await()) : Optional.empty();
+      RunScript script = plan.script().apply(sent);
+      return new Compiled(script, session.load(script.source()));
+    } catch (NoScript e) {
+      throw new IOException(e.getMessage(), e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IOException("interrupted", e);
+    }
   }
 
   private void start(ProgramDocument document, RunScript script, Loaded loaded, Runnable then) {
@@ -148,13 +214,14 @@ final class ProgramRunner {
         loaded.diagnostics().stream().filter(Diagnostic::isError).findFirst();
     if (error.isPresent()) {
       int start = error.get().range().start();
-      int line = script.lines().toShown(source.line(start));
+      int runLine = source.line(start);
+      int line = script.lines().toShown(runLine);
       long count = loaded.diagnostics().stream().filter(Diagnostic::isError).count();
       String others = count > 1 ? " (and " + (count - 1) + " more)" : "";
       tell.accept(
           document.name()
-              + " cannot run, line "
-              + line
+              + " cannot run, "
+              + script.lines().origin(runLine).orElse("line " + line)
               + ": "
               + ByteText.decoded(error.get().message())
               + others);

@@ -63,7 +63,7 @@ final class RunFrom {
 
   private String whyNot() {
     if (runner.loading()) {
-      return "The program is being compiled";
+      return runner.whyLoading();
     }
     ProgramControls controls = ProgramControls.of(session.state());
     if (controls.state() != ProgramState.STOPPED) {

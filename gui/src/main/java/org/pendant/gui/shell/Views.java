@@ -102,7 +102,7 @@ final class Views {
     startMove = new StartMove(session, this::forgetRun);
     start = new StartChoice(startMove, workbench.settings());
     runner.setGate(this::gate);
-    runner.setTexts(runs::script);
+    runner.setTexts(runs::plan);
     RunFrom.addTo(workbench.actions(), session, runs, program::selected, runner, start, tell);
     workbench.showSourceIn(
         () -> programs.current().isTree() && !editor.component().isShowing() ? program : editor,

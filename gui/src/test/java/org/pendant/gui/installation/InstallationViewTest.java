@@ -24,6 +24,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
 import org.pendant.gui.preview.PreviewWorkbench;
 import org.pendant.gui.session.ActiveInstallation;
@@ -198,6 +199,21 @@ final class InstallationViewTest {
                   .map(Component::getName)
                   .toList();
           assertEquals(List.of(), nameless);
+        });
+  }
+
+  @Test
+  void externalControlGetsItsScriptWhereSomebodyTypes() throws Exception {
+    show(
+        view -> {
+          choose(view, "external-control");
+          type(view, "external-control-host", " 10.0.0.7 ");
+          type(view, "external-control-port", "50012");
+          assertEquals(new ControlHost("10.0.0.7", 50012), active.current().controlHost());
+          type(view, "external-control-port", "0");
+          type(view, "external-control-port", "many");
+          type(view, "external-control-host", "my pc");
+          assertEquals(new ControlHost("10.0.0.7", 50012), active.current().controlHost());
         });
   }
 }

@@ -2,6 +2,7 @@ package org.pendant.gui.program.form;
 
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.program.ExternalControl;
 import org.pendant.controller.program.ForeignStep;
 
 /** The forms of nodes that Pendant does not know. */
@@ -24,15 +25,7 @@ final class ForeignForms {
   }
 
   private static Form contributed(FormContext context, ForeignStep.Contributed step) {
-    return new FormBuilder(
-            context,
-            "contributed",
-            "Contributed node",
-            "Belongs to a URCap. Its data are kept; the script below runs in its place.")
-        .quiet(
-            "source",
-            (step.source().isEmpty() ? "Unknown source" : step.source())
-                + (step.type().isEmpty() ? "" : ", " + step.type()))
+    return about(context, step)
         .part("Script in its place")
         .add(
             new Item.Code(
@@ -48,6 +41,31 @@ final class ForeignForms {
         .part("Data")
         .add(new Item.Code("data", "", String.join("\n", step.data()), false, Optional.empty()))
         .build();
+  }
+
+  private static FormBuilder about(FormContext context, ForeignStep.Contributed step) {
+    if (ExternalControl.is(step)) {
+      return new FormBuilder(
+              context,
+              "external-control",
+              ExternalControl.TYPE,
+              "Hands the arm over to a driver: when the program starts, that is asked for the"
+                  + " script that runs here.")
+          .quiet(
+              "driver",
+              "Asks "
+                  + context.installation().controlHost().text()
+                  + " (Installation, External Control)");
+    }
+    return new FormBuilder(
+            context,
+            "contributed",
+            "Contributed node",
+            "Belongs to a URCap. Its data are kept; the script below runs in its place.")
+        .quiet(
+            "source",
+            (step.source().isEmpty() ? "Unknown source" : step.source())
+                + (step.type().isEmpty() ? "" : ", " + step.type()));
   }
 
   /** The lines of a text; none of an empty one. */

@@ -409,6 +409,15 @@ final class FormPresenterTest {
   }
 
   @Test
+  void externalControlSaysWhomItAsksUnlessAStubStandsInForIt() {
+    open(node(new ForeignStep.Contributed("FZI", "External Control", List.of("<x/>"), List.of())));
+    assertEquals("External Control", presenter.form().orElseThrow().title());
+    assertTrue(presenter.form().toString().contains("Asks 192.168.56.1:50002"));
+    assertEquals("", presenter.typeText("stub", "sync()"));
+    assertEquals("Contributed node", presenter.form().orElseThrow().title());
+  }
+
+  @Test
   void aScriptFileIsReadIntoTheProgram() {
     open(node(new ActionStep.ScriptFile("", List.of())));
     fileText = "sync()\nsleep(1)\n";
