@@ -7,10 +7,15 @@ import static org.pendant.controller.program.ProgramTree.node;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.program.ActionStep;
+import org.pendant.controller.program.ControlScript;
+import org.pendant.controller.program.ExternalControl;
+import org.pendant.controller.program.ForeignStep;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.Section;
@@ -69,6 +74,34 @@ final class PartialRunTest {
     assertTrue(second.getFirst() < first.getFirst());
     second.forEach(each -> assertEquals(line(SECOND), lines.toShown(each)));
     assertEquals(0, lines.toShown(0));
+  }
+
+  @Test
+  void linesThatADriverHasSentBelongToTheirNodeAndKeepTheirNumbers() {
+    ProgramTree tree =
+        new ProgramTree("", Map.of(), List.of(), 1)
+            .insert(
+                ProgramTree.ROOT,
+                0,
+                List.of(
+                    node(
+                        new Section.MainProgram(false),
+                        assign("first"),
+                        node(
+                            new ForeignStep.Contributed(
+                                "FZI", ExternalControl.TYPE, List.of(), List.of())),
+                        assign("last"))));
+    ControlScript sent = ControlScript.of(ControlHost.STANDARD, "sync()\nhalt\n");
+    GeneratedScript whole = ScriptGenerator.generate("test", tree, Installation.NONE);
+    GeneratedScript run =
+        ScriptGenerator.generate("test", tree, Installation.NONE, Optional.of(sent));
+    RunLines lines = RunLines.between(run, whole, Optional.of(sent));
+    int halt = 1 + run.text().lines().map(String::strip).toList().indexOf("halt");
+    assertEquals(Optional.of("line 2 of the script from 192.168.56.1:50002"), lines.origin(halt));
+    assertEquals(Optional.empty(), lines.origin(halt + 2));
+    assertEquals(SECOND, whole.at(lines.toShown(halt)).orElseThrow().key());
+    int last = whole.of(WAIT).orElseThrow().first();
+    assertEquals(List.of(run.of(WAIT).orElseThrow().first()), lines.toRun(last));
   }
 
   @Test

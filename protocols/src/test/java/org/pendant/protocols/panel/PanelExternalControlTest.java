@@ -209,6 +209,29 @@ class PanelExternalControlTest {
   }
 
   @Test
+  void aFailureInTheScriptIsKnownByItsLineThere() throws Exception {
+    save("drive.urp", NODE);
+    String fails = SCRIPT.replace("textmsg(greeting)", "textmsg([1][norm(5)])");
+    try (FakeDriver driver = new FakeDriver(fails)) {
+      Panel panel = panel(Optional.of(driver.host()));
+      panel.load("drive.urp");
+      assertEquals(Optional.empty(), panel.play());
+      awaitEnd();
+      LogEntry.Place place =
+          box.controller().logSince(0).stream()
+              .filter(each -> each.origin() == LogEntry.Origin.ENDING)
+              .flatMap(each -> each.place().stream())
+              .findFirst()
+              .orElseThrow();
+      assertEquals(
+          Optional.of("line 4 of the script from " + driver.host().text()),
+          panel.receivedAt(place.source(), place.line()));
+      assertEquals(Optional.empty(), panel.receivedAt(place.source(), 1));
+      assertEquals(Optional.empty(), panel.receivedAt("other.script", place.line()));
+    }
+  }
+
+  @Test
   void aStopEndsAStartThatWaitsForTheDriver() throws Exception {
     save("drive.urp", NODE);
     CountDownLatch asked = new CountDownLatch(1);
