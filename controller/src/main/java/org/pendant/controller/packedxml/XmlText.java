@@ -12,6 +12,9 @@ public final class XmlText {
   private final Map<String, List<String>> shared = new HashMap<>();
   private boolean tagOpen;
 
+  /** The name of the next element, which has its own as its class; empty for its own. */
+  private String roleName = "";
+
   /** An open element: its step in paths, and how many of each name are in it so far. */
   private record Level(String step, Map<String, Integer> counts) {
     Level(String name, int number) {
@@ -26,14 +29,32 @@ public final class XmlText {
    */
   public XmlText open(String name, String... attributes) {
     line();
+    String tag = tag(name);
+    roleName = "";
     Map<String, Integer> counts = open.getLast().counts();
-    open.add(new Level(name, counts.merge(name, 1, Integer::sum)));
-    out.append('<').append(name);
+    open.add(new Level(tag, counts.merge(tag, 1, Integer::sum)));
+    out.append('<').append(tag);
     tagOpen = true;
+    if (!tag.equals(name)) {
+      attribute("class", name);
+    }
     for (int i = 0; i < attributes.length; i += 2) {
       attribute(attributes[i], attributes[i + 1]);
     }
     return this;
+  }
+
+  /**
+   * Has the next element that is begun called by the part that it plays in the one around it, with
+   * what it is as its class.
+   */
+  public XmlText role(String name) {
+    roleName = name;
+    return this;
+  }
+
+  private String tag(String name) {
+    return roleName.isEmpty() ? name : roleName;
   }
 
   /** Adds an attribute to the element that was just begun. */
@@ -104,9 +125,10 @@ public final class XmlText {
   public boolean first(String name, String key) {
     List<String> target = shared.get(key);
     if (target == null) {
-      int number = 1 + open.getLast().counts().getOrDefault(name, 0);
+      String tag = tag(name);
+      int number = 1 + open.getLast().counts().getOrDefault(tag, 0);
       List<String> path = new ArrayList<>(steps());
-      path.add(new Level(name, number).step());
+      path.add(new Level(tag, number).step());
       shared.put(key, path);
       return true;
     }

@@ -27,7 +27,7 @@ final class ActionReader {
 
   /** The step of an element; empty if it is none of these. */
   Optional<Step> step(XmlElement element) throws UnreadableFile {
-    return switch (Values.kind(element)) {
+    return switch (SwitchedOff.kind(element)) {
       case "Wait" -> waitFor(element).map(ActionStep.Wait::new);
       case "Set" -> setting(element).map(ActionStep.SetAction::new);
       case "SetPayload" -> payload(element).map(ActionStep.SetAction::new);

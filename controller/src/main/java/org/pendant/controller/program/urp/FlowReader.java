@@ -18,7 +18,7 @@ final class FlowReader {
 
   /** The step of an element; empty if it is none of these. */
   Optional<Step> step(XmlElement element) throws UnreadableFile {
-    return switch (Values.kind(element)) {
+    return switch (SwitchedOff.kind(element)) {
       case "If" -> branch(element);
       case "Loop" -> loop(element).map(FlowStep.Loop::new);
       case "Switch" -> Optional.of(new FlowStep.Switch(expressions.in(element)));

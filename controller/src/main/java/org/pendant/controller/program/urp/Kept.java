@@ -17,9 +17,9 @@ final class Kept {
   /** A node that is not known. */
   static ForeignStep.Unknown unknown(XmlElement element, Remarks remarks) {
     element.seeAll();
-    String kind = Values.kind(element);
+    String kind = SwitchedOff.kind(element);
     remarks.add(element, kind + " is not understood; it is kept, and does nothing");
-    return new ForeignStep.Unknown(kind, List.of(element.raw().split("\n", -1)));
+    return new ForeignStep.Unknown(kind, List.of(SwitchedOff.plain(element).split("\n", -1)));
   }
 
   /** A node of a URCap. */
@@ -34,7 +34,8 @@ final class Kept {
     String type = element.text("strategyProgramNodeType");
     List<String> stub = stub(element.comment());
     ForeignStep.Contributed step =
-        new ForeignStep.Contributed(source, type, List.of(element.raw().split("\n", -1)), stub);
+        new ForeignStep.Contributed(
+            source, type, List.of(SwitchedOff.plain(element).split("\n", -1)), stub);
     if (stub.isEmpty() && !ExternalControl.is(step)) {
       remarks.add(
           element,

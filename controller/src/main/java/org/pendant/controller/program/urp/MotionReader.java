@@ -65,7 +65,7 @@ final class MotionReader {
 
   /** The step of an element; empty if it is none of these. */
   Optional<Step> step(XmlElement element, Within within) throws UnreadableFile {
-    return switch (Values.kind(element)) {
+    return switch (SwitchedOff.kind(element)) {
       case "Move" -> Optional.of(move(element));
       case WAYPOINT -> waypoint(element, within);
       case "CircleMove" ->

@@ -37,8 +37,6 @@ final class ProgramReader {
   private static final String CHILDREN = "children";
 
   /** Stands around what is switched off. */
-  private static final String SUPPRESSED = "SuppressedNode";
-
   private static final int MOST_NODES = 200_000;
 
   /** Older files keep the last chosen move in the main program, which means nothing. */
@@ -85,7 +83,7 @@ final class ProgramReader {
     List<ProgramNode> sections = new ArrayList<>();
     Optional<XmlElement> top = root.child(CHILDREN);
     for (XmlElement each : top.isEmpty() ? List.<XmlElement>of() : top.get().children()) {
-      if (each.name().equals(SUPPRESSED)) {
+      if (each.name().equals(SwitchedOff.WRAPPER)) {
         understood.add(each);
         switchedOff = true;
         for (XmlElement inside : each.children()) {
@@ -170,7 +168,7 @@ final class ProgramReader {
     Optional<Clip> own =
         element.name().equals(OWN_NODE) ? clip(Optional.of(element)) : Optional.empty();
     Optional<Step> step =
-        own.isPresent() ? only(own.get()) : sectionStep(Values.kind(element), target);
+        own.isPresent() ? only(own.get()) : sectionStep(SwitchedOff.kind(element), target);
     if (step.isEmpty() || !(step.get() instanceof Section)) {
       Optional<ProgramNode> node = node(target, Within.NOTHING, 1);
       node.ifPresent(
@@ -306,7 +304,7 @@ final class ProgramReader {
       }
       Within here =
           i + 1 < all.size() ? within.before(MotionReader.isOtherMove(all.get(i + 1))) : within;
-      if (each.name().equals(SUPPRESSED)) {
+      if (each.name().equals(SwitchedOff.WRAPPER)) {
         nodes.addAll(suppressed(each, here, depth));
       } else {
         node(each, here, depth).ifPresent(nodes::add);
@@ -351,7 +349,7 @@ final class ProgramReader {
       }
     }
     Remarks ofNode = switchedOff ? new Remarks() : remarks;
-    if (Values.kind(element).equals("Contributed")) {
+    if (SwitchedOff.kind(element).equals("Contributed")) {
       return Optional.of(ProgramTree.node(Kept.contributed(element, ofNode)));
     }
     element.child("motionParameters").ifPresent(understood::add);

@@ -159,11 +159,25 @@ final class ProgramWriter {
 
   private void section(ProgramNode node) {
     boolean off = node.suppressed() && !(node.step() instanceof Section.InitialValues);
-    if (own.contains(node.key()) || off) {
+    if (own.contains(node.key()) || !(node.step() instanceof Section part)) {
       ownNode(node, Within.NOTHING);
       return;
     }
-    switch (node.step()) {
+    if (off) {
+      out.open(SwitchedOff.WRAPPER).role(SwitchedOff.NAME);
+    }
+    if (openSection(part)) {
+      children(node, Within.NOTHING);
+      out.close();
+    }
+    if (off) {
+      out.close();
+    }
+  }
+
+  /** Begins a part of the program; answers whether it stands here and not elsewhere. */
+  private boolean openSection(Section part) {
+    switch (part) {
       case Section.InitialValues values -> {
         out.open(ProgramReader.INITIAL_VALUES);
         out.open("variables");
@@ -187,17 +201,12 @@ final class ProgramWriter {
       }
       case Section.SubProgram sub -> {
         if (!out.first("SubProgram", subKey(sub.name()))) {
-          return;
+          return false;
         }
         openSub("SubProgram", sub);
       }
-      case ActionStep _, FlowStep _, ForeignStep _, MotionStep _, TemplateStep _ -> {
-        ownNode(node, Within.NOTHING);
-        return;
-      }
     }
-    children(node, Within.NOTHING);
-    out.close();
+    return true;
   }
 
   private void initialValue(InitialValue value) {
@@ -233,7 +242,7 @@ final class ProgramWriter {
       return;
     }
     if (node.suppressed()) {
-      out.open("SuppressedNode");
+      out.open(SwitchedOff.WRAPPER).role(SwitchedOff.NAME);
     }
     plain(node, within);
     if (node.suppressed()) {
@@ -242,7 +251,7 @@ final class ProgramWriter {
   }
 
   private void plain(ProgramNode node, Within within) {
-    if (node.step() instanceof ForeignStep foreign && foreign(foreign)) {
+    if (node.step() instanceof ForeignStep foreign && foreign(foreign, node.suppressed())) {
       return;
     }
     boolean known =
@@ -259,6 +268,7 @@ final class ProgramWriter {
         };
     if (!known) {
       own.add(node.key());
+      out.role("");
       ownNode(node.withSuppressed(false), within);
       return;
     }
@@ -306,22 +316,26 @@ final class ProgramWriter {
   }
 
   /** Writes an element as it was; answers whether it still is one. */
-  private boolean foreign(ForeignStep step) {
+  private boolean foreign(ForeignStep step, boolean suppressed) {
     return switch (step) {
-      case ForeignStep.Unknown unknown -> raw(unknown.data());
+      case ForeignStep.Unknown unknown -> raw(unknown.data(), suppressed);
       case ForeignStep.Contributed contributed -> {
         if (!contributed.stub().isEmpty() && whole(contributed.data()).isPresent()) {
           byte[] stub = String.join("\n", contributed.stub()).getBytes(StandardCharsets.UTF_8);
           out.comment(Kept.STUB + Base64.getEncoder().encodeToString(stub));
         }
-        yield raw(contributed.data());
+        yield raw(contributed.data(), suppressed);
       }
     };
   }
 
-  private boolean raw(List<String> data) {
+  private boolean raw(List<String> data, boolean suppressed) {
     Optional<XmlElement> element = whole(data);
-    element.ifPresent(each -> out.raw(each.name(), each.raw()));
+    element.ifPresent(
+        each -> {
+          out.role("");
+          out.raw(each.name(), suppressed ? SwitchedOff.written(each) : each.raw());
+        });
     return element.isPresent();
   }
 

@@ -14,13 +14,6 @@ final class Values {
 
   private Values() {}
 
-  /** What an element is: its name, but for a node that is switched off, whose class says it. */
-  static String kind(XmlElement element) {
-    return element.name().equals("suppressedNode")
-        ? element.attribute("class").orElse(element.name())
-        : element.name();
-  }
-
   /** A number; not finite ones are none. */
   static OptionalDouble number(String text) {
     try {

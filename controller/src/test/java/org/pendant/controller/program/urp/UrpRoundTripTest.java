@@ -1,6 +1,7 @@
 package org.pendant.controller.program.urp;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
@@ -30,6 +31,7 @@ import org.pendant.controller.program.UntilRule;
 import org.pendant.controller.program.WaitFor;
 import org.pendant.controller.program.WaypointPosition;
 import org.pendant.controller.program.WaypointTarget;
+import org.pendant.controller.program.text.ProgramText;
 import org.pendant.controller.program.text.RandomTrees;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
@@ -195,6 +197,66 @@ class UrpRoundTripTest {
             "ConveyorTracking",
             "Unknown"),
         own.stream().map(each -> each.substring(each.indexOf(", ") + 2)).toList());
+  }
+
+  @Test
+  void keepsEveryKindOfNodeSuppressedInTheFormOfPolyScope() throws UnreadableFile {
+    ProgramTree tree = everything();
+    int own = UrpPrograms.ownForms("x", tree, Installation.NONE).size();
+    for (ProgramNode each : tree.nodes()) {
+      if (!(each.step() instanceof Section.MainProgram)) {
+        ProgramTree off = tree.withNode(each.key(), node -> node.withSuppressed(true));
+        assertEquals(off, again(off), each.step().toString());
+        assertEquals(off, ProgramText.read(ProgramText.write(off)).tree(), each.step().toString());
+        assertEquals(own, UrpPrograms.ownForms("x", off, Installation.NONE).size());
+      }
+    }
+  }
+
+  @Test
+  void aSuppressedNodeIsWrittenByItsClass() throws UnreadableFile {
+    ForeignStep weld =
+        new ForeignStep.Unknown(
+            "Weld", List.of("<Weld a=' class=\"b\"'>", "<Weld></Weld>", "</Weld >"));
+    ForeignStep classy = new ForeignStep.Unknown("Glue", List.of("<Glue class=\"b\"/>"));
+    ProgramTree off =
+        tree(
+            node(
+                new Section.MainProgram(false),
+                node(new ActionStep.Folder("f"), node(new ActionStep.Halt())).withSuppressed(true),
+                node(weld).withSuppressed(true),
+                node(classy).withSuppressed(true)),
+            node(new Section.ThreadSection("T", true)).withSuppressed(true),
+            node(new Section.SubProgram("S", "")).withSuppressed(true));
+    String xml = new ProgramWriter("x", off, Installation.NONE).write();
+    for (String part :
+        List.of(
+            "<suppressedNode class=\"Folder\" name=\"f\">",
+            "<suppressedNode class=\"Weld\" a=' class=\"b\"'>\n<Weld></Weld>\n</suppressedNode >",
+            "<Glue class=\"b\"/>",
+            "<suppressedNode class=\"Thread\" name=\"T\"",
+            "<suppressedNode class=\"SubProgram\" name=\"S\"")) {
+      assertTrue(xml.contains(part), part + " is missing in " + xml);
+    }
+    assertEquals(off, again(off));
+  }
+
+  @Test
+  void aForeignNodeThatIsUsedAgainIsWrittenAsItIsCalled() throws UnreadableFile {
+    String xml =
+        """
+        <URProgram name="x"><children><MainProgram><children>
+        <SuppressedNode><suppressedNode speed="1" class = 'Weld' on="x"><a/></suppressedNode></SuppressedNode>
+        </children></MainProgram></children></URProgram>
+        """;
+    ProgramTree read =
+        UrpPrograms.read("x.urp", xml.getBytes(StandardCharsets.UTF_8)).tree().renumbered();
+    long key = read.nodes().getLast().key();
+    ProgramTree used = read.withNode(key, node -> node.withSuppressed(false));
+    String written = new ProgramWriter("x", used, Installation.NONE).write();
+    assertTrue(written.contains("<Weld speed=\"1\" on=\"x\"><a/></Weld>"), written);
+    assertFalse(written.contains("uppressedNode"), written);
+    assertEquals(read, again(read));
   }
 
   @Test
