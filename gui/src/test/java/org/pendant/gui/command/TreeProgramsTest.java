@@ -145,6 +145,24 @@ class TreeProgramsTest {
   }
 
   @Test
+  void namesTheNodeOfAUrpxWhereItFails() throws IOException {
+    write(
+        "index.urpx",
+        """
+        {"application": {"urscript": {"script": "x = 3"}},
+         "program": {"programContent": {"guid": "a", "contributedNode": {"type": "ur-program"},
+             "children": [{"guid": "b", "contributedNode": {"type": "ur-assign"}}]},
+           "urscript": {"script": "$ 1 \\"ur-assign\\"\\ny = [1, 2][norm(5)]",
+             "nodeIDList": ["", "b"]}}}
+        """);
+    assertEquals(1, pendant("run", "index.urpx"));
+    List<String> complaints = complaints();
+    assertTrue(
+        complaints.stream().anyMatch(each -> each.startsWith("index.urpx: node 3 \"ur-assign\"")),
+        complaints::toString);
+  }
+
+  @Test
   void runsProgramsOfOurOwnForm() throws IOException {
     write("say.pendant", OWN);
     assertEquals(0, pendant("run", "say.pendant"));

@@ -27,6 +27,7 @@ import org.pendant.controller.program.script.ScriptGenerator;
 import org.pendant.controller.program.text.ProgramText;
 import org.pendant.controller.program.text.ReadProgram;
 import org.pendant.controller.program.urp.ImportedProgram;
+import org.pendant.controller.program.urp.ShownNodes;
 import org.pendant.controller.program.urp.UrpPrograms;
 import org.pendant.controller.program.urp.UrpxPrograms;
 
@@ -74,8 +75,12 @@ public final class TreeFile {
 
   /** Whether a file of this name should hold a program tree. */
   public static boolean hasEnding(String name) {
-    String lower = name.toLowerCase(Locale.ROOT);
-    return lower.endsWith(UrpxPrograms.ENDING) || isWritable(name);
+    return isForeign(name) || isWritable(name);
+  }
+
+  /** Whether a file of this name holds a program of PolyScope X, which is read and not written. */
+  public static boolean isForeign(String name) {
+    return name.toLowerCase(Locale.ROOT).endsWith(UrpxPrograms.ENDING);
   }
 
   /** Whether a tree can be written to a file of this name. */
@@ -97,7 +102,7 @@ public final class TreeFile {
   private static TreeFile read(String name, byte[] bytes, Installation installation)
       throws BrokenTree {
     String lower = name.toLowerCase(Locale.ROOT);
-    return lower.endsWith(UrpPrograms.ENDING) || lower.endsWith(UrpxPrograms.ENDING)
+    return lower.endsWith(UrpPrograms.ENDING) || isForeign(name)
         ? imported(name, bytes, installation)
         : text(name, bytes, installation);
   }
@@ -106,7 +111,7 @@ public final class TreeFile {
       throws BrokenTree {
     try {
       ImportedProgram read =
-          name.toLowerCase(Locale.ROOT).endsWith(UrpxPrograms.ENDING)
+          isForeign(name)
               ? UrpxPrograms.read(lastPart(name), bytes)
               : UrpPrograms.read(lastPart(name), bytes, installation);
       return new TreeFile(
@@ -280,7 +285,8 @@ public final class TreeFile {
 
   /** The script that it runs as, generated anew each time. */
   public GeneratedScript script() {
-    return ScriptGenerator.generate(programName(), tree, installation, control);
+    GeneratedScript script = ScriptGenerator.generate(programName(), tree, installation, control);
+    return isForeign(name) ? ShownNodes.placed(tree, script) : script;
   }
 
   /** What the generated script is called in messages. */

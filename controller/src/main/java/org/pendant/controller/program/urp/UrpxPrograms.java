@@ -1,12 +1,14 @@
 package org.pendant.controller.program.urp;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.pendant.controller.builtin.StandardBuiltins;
@@ -33,7 +35,8 @@ public final class UrpxPrograms {
   /** Ending of the names of such files. */
   public static final String ENDING = ".urpx";
 
-  private static final String LABEL = "$ ";
+  /** A line that says at which node the script is: its number among those with lines. */
+  private static final Pattern LABEL = Pattern.compile("^(\\s*)\\$ (\\d{1,9}) (.*)");
 
   /** Texts and remarks. */
   private static final Pattern REST = Pattern.compile("\"[^\"]*\"|#.*");
@@ -45,6 +48,12 @@ public final class UrpxPrograms {
   private static final Set<String> WORDS =
       Set.of("if", "elif", "while", "and", "or", "xor", "not", "return", "struct");
 
+  /** The numbers of nodes in the tree, by their ids. */
+  private final Map<String, Integer> numbers = new HashMap<>();
+
+  /** How many nodes the tree has so far; the main program is the first. */
+  private int count = 1;
+
   private UrpxPrograms() {}
 
   /**
@@ -54,6 +63,10 @@ public final class UrpxPrograms {
    * @throws UnreadableFile if it is no program, or was saved without its script
    */
   public static ImportedProgram read(String fileName, byte[] bytes) throws UnreadableFile {
+    return new UrpxPrograms().program(fileName, bytes);
+  }
+
+  private ImportedProgram program(String fileName, byte[] bytes) throws UnreadableFile {
     Map<?, ?> file = object(parsed(bytes), "the file");
     Map<?, ?> program = member(file, "program");
     Map<?, ?> application = member(file, "application");
@@ -148,19 +161,39 @@ public final class UrpxPrograms {
     return object(of.get(name), name);
   }
 
-  /** Lines of the script of a part; labels in it count nodes that are not those of the tree. */
-  private static List<String> script(Map<?, ?> part) throws UnreadableFile {
-    if (!(member(part, "urscript").get("script") instanceof String text)) {
+  /**
+   * Lines of the script of a part. Labels in it count nodes otherwise than the tree does; they
+   * become remarks, with the number of the node in the tree where the file says which node it is.
+   */
+  private List<String> script(Map<?, ?> part) throws UnreadableFile {
+    Map<?, ?> script = member(part, "urscript");
+    if (!(script.get("script") instanceof String text)) {
       throw new UnreadableFile(0, 0, "was saved without its script, so that nothing can run");
     }
-    return text.lines()
-        .map(line -> line.strip().startsWith(LABEL) ? "# " + line.strip().substring(2) : line)
-        .toList();
+    List<?> ids = script.get("nodeIDList") instanceof List<?> all ? all : List.of();
+    return text.lines().map(line -> remark(line, ids)).toList();
   }
 
-  private static ProgramNode node(Map<?, ?> node, int depth) throws UnreadableFile {
+  private String remark(String line, List<?> ids) {
+    Matcher label = LABEL.matcher(line);
+    if (!label.matches()) {
+      return line;
+    }
+    int index = Integer.parseInt(label.group(2));
+    Integer number = index < ids.size() ? numbers.get(ids.get(index)) : null;
+    return label.group(1)
+        + (number == null
+            ? "# " + index + " " + label.group(3)
+            : ShownNodes.remark(number, label.group(3)));
+  }
+
+  private ProgramNode node(Map<?, ?> node, int depth) throws UnreadableFile {
     if (depth > ProgramTree.DEEPEST - 1) {
       throw new UnreadableFile(0, 0, "nodes are more than " + ProgramTree.DEEPEST + " levels deep");
+    }
+    count++;
+    if (node.get("guid") instanceof String id) {
+      numbers.putIfAbsent(id, count);
     }
     String type =
         node.get("contributedNode") instanceof Map<?, ?> contributed

@@ -9,10 +9,15 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.pendant.controller.installation.Installation;
 import org.pendant.controller.packedxml.UnreadableFile;
 import org.pendant.controller.program.ActionStep;
 import org.pendant.controller.program.ProgramNode;
+import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.Section;
+import org.pendant.controller.program.StepNames;
+import org.pendant.controller.program.script.GeneratedScript;
+import org.pendant.controller.program.script.ScriptGenerator;
 
 class UrpxProgramsTest {
   private static final String WAIT =
@@ -28,6 +33,21 @@ class UrpxProgramsTest {
             "programLabel": [{"type": "secondary", "value": "2.00 s"}],
             "children": []}]},
         "urscript": {"script": "$ 1 \\"ur-program\\"\\n$ 2 \\"ur-wait\\"\\nsleep(2)", "nodeIDList": []}}}
+      """;
+
+  /** A loop with a wait in it, and a node that has become nothing. */
+  private static final String LOOP =
+      """
+      {"application": {"urscript": {"script": "$ 1 \\"other\\"\\nx = 1"}},
+       "program": {
+        "programContent": {"guid": "a", "contributedNode": {"type": "ur-program"}, "children": [
+          {"guid": "b", "contributedNode": {"type": "ur-status"}},
+          {"guid": "c", "contributedNode": {"type": "ur-code"}, "children": [
+            {"guid": "d", "contributedNode": {"type": "ur-wait"}},
+            {"guid": "e", "contributedNode": {"type": "ur-halt"}}]},
+          {"guid": "f", "contributedNode": {"type": "ur-empty"}}]},
+        "urscript": {"nodeIDList": ["0", "a", "c", "d", "e", "f"], "script":
+          "$ 1 \\"ur-program\\"\\n$ 2 \\"ur-code\\"\\nwhile (True):\\n  $ 3 \\"ur-wait\\"\\n  # 2 s\\n  sleep(2)\\n\\n  x = 2\\n  $ 4 \\"ur-halt\\"\\n  halt\\nend\\n$ 5 \\"ur-empty\\"\\n$ 9 \\"ur-none\\""}}}
       """;
 
   private static ImportedProgram read(String json) throws UnreadableFile {
@@ -59,6 +79,76 @@ class UrpxProgramsTest {
     assertEquals(
         List.of("the nodes of PolyScope X are only shown; the script that they have become runs"),
         program.remarks());
+  }
+
+  @Test
+  void remarksInTheScriptNameTheNodesOfTheTree() throws UnreadableFile {
+    ProgramNode code = read(LOOP).tree().sections().getFirst().children().getLast();
+    assertEquals(
+        new ActionStep.ScriptFile(
+            "wait.urpx",
+            List.of(
+                "# node 2 \"ur-program\"",
+                "# node 4 \"ur-code\"",
+                "while (True):",
+                "  # node 5 \"ur-wait\"",
+                "  # 2 s",
+                "  sleep(2)",
+                "",
+                "  x = 2",
+                "  # node 6 \"ur-halt\"",
+                "  halt",
+                "end",
+                "# node 7 \"ur-empty\"",
+                "# 9 \"ur-none\"")),
+        code.step());
+  }
+
+  @Test
+  void theLinesOfTheScriptBelongToTheNodesThatAreShown() throws UnreadableFile {
+    ProgramTree tree = read(LOOP).tree().renumbered();
+    GeneratedScript own = ScriptGenerator.generate("wait", tree, Installation.NONE);
+    GeneratedScript script = ShownNodes.placed(tree, own);
+    assertEquals(own.text(), script.text());
+    List<String> lines = script.text().lines().toList();
+    List<String> found =
+        tree.nodes().stream()
+            .filter(node -> ShownNodes.isShown(tree, node.key()))
+            .map(
+                node ->
+                    StepNames.label(node)
+                        + script
+                            .of(node.key())
+                            .map(
+                                at ->
+                                    ": "
+                                        + lines.get(at.first() - 1).strip()
+                                        + " .. "
+                                        + lines.get(at.last() - 1).strip())
+                            .orElse(""))
+            .toList();
+    assertEquals(
+        List.of(
+            "ur-program: while (True): .. # 9 \"ur-none\"",
+            "ur-status",
+            "ur-code: while (True): .. end",
+            "ur-wait: sleep(2) .. x = 2",
+            "ur-halt: halt .. halt",
+            "ur-empty: # node 7 \"ur-empty\" .. # 9 \"ur-none\""),
+        found);
+    int sleep = lines.indexOf("  " + "  sleep(2)") + 1;
+    assertEquals(5, script.at(sleep).orElseThrow().number());
+    assertEquals(5, script.at(sleep + 2).orElseThrow().number());
+    int end = lines.indexOf("  end") + 1;
+    assertEquals(4, script.at(end).orElseThrow().number());
+  }
+
+  @Test
+  void remarksOfOthersMoveNoLines() throws UnreadableFile {
+    String json = WAIT.replace("sleep(2)", "# node 77 \\\"x\\\"\\n# node x\\nsleep(2)");
+    ProgramTree tree = read(json).tree().renumbered();
+    GeneratedScript own = ScriptGenerator.generate("wait", tree, Installation.NONE);
+    assertEquals(own, ShownNodes.placed(tree, own));
   }
 
   @Test
