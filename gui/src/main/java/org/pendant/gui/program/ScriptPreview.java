@@ -1,6 +1,5 @@
 package org.pendant.gui.program;
 
-import java.awt.Font;
 import java.util.Optional;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
@@ -8,12 +7,13 @@ import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.DefaultHighlighter;
 import org.pendant.controller.program.script.GeneratedScript;
+import org.pendant.gui.layout.CodeArea;
 import org.pendant.gui.workbench.Palette;
 
 /** The script that the tree generates, with the lines of the selected node marked. */
 @SuppressWarnings("serial") // never written to a stream
 final class ScriptPreview extends JScrollPane {
-  private final JTextArea text = new JTextArea();
+  private final JTextArea text = new CodeArea();
   private transient GeneratedScript shown = GeneratedScript.EMPTY;
   private long key;
 
@@ -30,10 +30,6 @@ final class ScriptPreview extends JScrollPane {
   public void updateUI() {
     super.updateUI();
     if (text != null) {
-      Font font = UIManager.getFont("monospaced.font");
-      if (font != null) {
-        text.setFont(font);
-      }
       text.setBackground(UIManager.getColor("TextArea.background"));
       mark();
     }

@@ -2,7 +2,6 @@ package org.pendant.gui.program;
 
 import java.awt.BorderLayout;
 import java.awt.Component;
-import java.awt.Font;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.BorderFactory;
@@ -18,6 +17,7 @@ import javax.swing.text.BadLocationException;
 import javax.swing.undo.UndoManager;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.program.text.TextProblem;
+import org.pendant.gui.layout.CodeArea;
 import org.pendant.gui.layout.Typed;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.workbench.Palette;
@@ -26,7 +26,7 @@ import org.pendant.gui.workbench.Palette;
 @SuppressWarnings("serial") // never written to a stream
 final class TextPane extends JPanel {
   private final JTextArea about = new JTextArea();
-  private final JTextArea text = new JTextArea();
+  private final JTextArea text = new CodeArea();
   private final JList<TextProblem> list = new JList<>();
   private final JScrollPane problems = new JScrollPane(list);
   private final JButton back = new JButton("Show as tree");
@@ -87,11 +87,7 @@ final class TextPane extends JPanel {
   @Override
   public void updateUI() {
     super.updateUI();
-    if (text != null) {
-      Font font = UIManager.getFont("monospaced.font");
-      if (font != null) {
-        text.setFont(font);
-      }
+    if (about != null) {
       about.setFont(UIManager.getFont("Label.font"));
     }
   }
