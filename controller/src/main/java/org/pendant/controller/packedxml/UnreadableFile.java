@@ -37,7 +37,15 @@ public final class UnreadableFile extends Exception {
 
   /** What and where, as compilers say it: {@code pick.urp:3:7: error: ...}. */
   public String report(String fileName) {
-    String place = line == 0 ? "" : ":" + line + ":" + column;
-    return fileName + place + ": error: " + getMessage();
+    return place(fileName) + ": error: " + getMessage();
+  }
+
+  /** What and where, within a sentence: {@code pick.urp:3:7: ...}. */
+  public String told(String fileName) {
+    return place(fileName) + ": " + getMessage();
+  }
+
+  private String place(String fileName) {
+    return line == 0 ? fileName : fileName + ":" + line + ":" + column;
   }
 }

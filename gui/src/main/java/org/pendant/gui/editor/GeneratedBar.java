@@ -6,6 +6,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.workbench.Palette;
 
 /** Says that a script comes from a program tree, and leads there. */
@@ -15,13 +16,22 @@ final class GeneratedBar extends JPanel {
   /**
    * A bar.
    *
+   * @param program the tree
    * @param desk does what its buttons say
    */
-  GeneratedBar(EditorDesk desk) {
+  GeneratedBar(ProgramDocument program, EditorDesk desk) {
     super(new MigLayout("insets 4 12 4 12, gap 8", "[grow, fill, 0::][][]"));
     setName("generated-bar");
-    JLabel text = new JLabel("Generated from the program tree, which the Program screen edits");
-    text.setToolTipText(text.getText());
+    JLabel text = new JLabel();
+    text.setName("generated-text");
+    say(text, program);
+    program.addListener(
+        new ProgramDocument.Listener() {
+          @Override
+          public void fileChanged() {
+            say(text, program);
+          }
+        });
     add(text, "wmin 0");
     record Press(String name, String title, String action) {}
     for (Press each :
@@ -33,6 +43,14 @@ final class GeneratedBar extends JPanel {
       button.addActionListener(event -> desk.run(each.action()));
       add(button);
     }
+  }
+
+  private static void say(JLabel text, ProgramDocument program) {
+    text.setText(
+        program.readOnly()
+            ? "Script of a PolyScope X program, read-only"
+            : "Generated from the program tree, which the Program screen edits");
+    text.setToolTipText(text.getText());
   }
 
   @Override

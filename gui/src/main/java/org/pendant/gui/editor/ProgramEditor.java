@@ -108,7 +108,7 @@ final class ProgramEditor extends JPanel {
   private JPanel head() {
     JPanel head = new JPanel(new BorderLayout());
     if (generated()) {
-      head.add(new GeneratedBar(desk), BorderLayout.NORTH);
+      head.add(new GeneratedBar(program, desk), BorderLayout.NORTH);
     }
     head.add(notice, BorderLayout.SOUTH);
     return head;

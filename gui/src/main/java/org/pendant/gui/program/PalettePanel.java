@@ -124,6 +124,12 @@ final class PalettePanel extends JPanel {
     return new Dimension(UIScale.scale(110), UIScale.scale(120));
   }
 
+  /** Whether nodes can be added. */
+  void setUsable(boolean usable) {
+    search.setEnabled(usable);
+    list.setEnabled(usable);
+  }
+
   /** Goes to the search field. */
   void focus() {
     search.requestFocusInWindow();
@@ -212,7 +218,7 @@ final class PalettePanel extends JPanel {
     @Override
     public void mousePressed(MouseEvent event) {
       pressed =
-          SwingUtilities.isLeftMouseButton(event)
+          list.isEnabled() && SwingUtilities.isLeftMouseButton(event)
               ? Optional.of(event.getPoint())
               : Optional.empty();
     }

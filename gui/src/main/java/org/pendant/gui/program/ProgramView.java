@@ -1,5 +1,6 @@
 package org.pendant.gui.program;
 
+import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import java.awt.EventQueue;
 import java.awt.event.KeyEvent;
@@ -46,18 +47,16 @@ public final class ProgramView implements View {
   private final TreeList list = new TreeList();
   private final TreeCommands commands;
   private final ProgramHost host;
-  private final NodeForms forms;
   private final TreePane pane;
   private final PalettePanel palette;
   private final ThreeParts parts;
   private final TextPane text;
   private final EmptyPane empty;
-  private final SeveralPane several;
+  private final ForeignBar foreignBar;
   private final ScriptPreview preview = new ScriptPreview();
   private final ValuesPane values = new ValuesPane();
   private final JTabbedPane tabs = new JTabbedPane();
-  private final CardLayout commandCards = new CardLayout();
-  private final JPanel command = new JPanel(commandCards);
+  private final CommandTab command;
   private final TreeProgram.Listener changes = new Changes();
   private Optional<TreeProgram> program = Optional.empty();
   private boolean asText;
@@ -94,7 +93,7 @@ public final class ProgramView implements View {
             new JogHold(workbench.session()::submit, EventQueue::invokeLater),
             list::select,
             () -> shownNode().map(ProgramNode::key).orElse(0L));
-    forms = new NodeForms(workbench, host);
+    command = new CommandTab(new NodeForms(workbench, host), commands);
     TreeDrag drag = new TreeDrag(list, commands::drop);
     list.mouse().setDrag(drag);
     list.onSelection(this::selectionChanged);
@@ -110,7 +109,7 @@ public final class ProgramView implements View {
     pane.showFollow(follow);
     text = new TextPane(this::showTree);
     empty = new EmptyPane(workbench.actions());
-    several = new SeveralPane(commands);
+    foreignBar = new ForeignBar(workbench.actions());
     parts = new ThreeParts(palette, pane, tabs, workbench.settings());
     build();
     TreeActions.addTo(workbench.actions(), this, commands);
@@ -119,8 +118,6 @@ public final class ProgramView implements View {
   }
 
   private void build() {
-    command.add(forms.component(), "one");
-    command.add(several, "several");
     tabs.setName("program-tabs");
     tabs.getAccessibleContext().setAccessibleName("Node, script and variables");
     tabs.addTab("Command", command);
@@ -132,7 +129,10 @@ public final class ProgramView implements View {
     content.setLayout(cards);
     content.add(empty, EMPTY);
     content.add(text, TEXT);
-    content.add(parts, TREE);
+    JPanel tree = new JPanel(new BorderLayout());
+    tree.add(foreignBar, BorderLayout.NORTH);
+    tree.add(parts);
+    content.add(tree, TREE);
   }
 
   @Override
@@ -186,6 +186,9 @@ public final class ProgramView implements View {
       return;
     }
     cards.show(content, TREE);
+    foreignBar.show(shown.document());
+    palette.setUsable(commands.editable());
+    pane.setEditable(commands.editable());
     if (!shown.tree().equals(list.tree())) {
       list.show(shown.tree());
     }
@@ -212,14 +215,7 @@ public final class ProgramView implements View {
         program
             .map(each -> ProgramPlaces.of(each.tree(), each.installation(), list.selected()))
             .orElse(Waymarks.NONE));
-    int count = list.selected().size();
-    if (count > 1) {
-      several.show(count);
-      commandCards.show(command, "several");
-    } else {
-      forms.show(shownNode());
-      commandCards.show(command, "one");
-    }
+    command.show(program, list.selected().size(), shownNode(), list.lead());
   }
 
   private Optional<ProgramNode> shownNode() {
@@ -359,7 +355,7 @@ public final class ProgramView implements View {
   private void goTo(NodeProblem problem) {
     list.select(problem.key());
     tabs.setSelectedComponent(command);
-    forms.focus(problem.field());
+    command.focus(problem.field());
   }
 
   /** Adds lines of URScript behind the selected node. */
@@ -376,6 +372,10 @@ public final class ProgramView implements View {
 
   boolean hasProgram() {
     return program.isPresent();
+  }
+
+  boolean canEditText() {
+    return hasProgram() && !programs.current().readOnly();
   }
 
   /**
@@ -395,6 +395,9 @@ public final class ProgramView implements View {
   }
 
   void rename() {
+    if (commands.refused()) {
+      return;
+    }
     list.lead()
         .ifPresent(
             key ->
@@ -437,7 +440,7 @@ public final class ProgramView implements View {
 
   void focusForm() {
     tabs.setSelectedComponent(command);
-    forms.focus("");
+    command.focus("");
   }
 
   void focusTree() {

@@ -63,7 +63,7 @@ final class TreeActions {
             "add-" + kind.name().toLowerCase(Locale.ROOT).replace('_', '-'),
             "Add: " + kind.title(),
             "",
-            commands::ready,
+            commands::editable,
             () -> commands.add(kind));
       }
     }
@@ -71,12 +71,17 @@ final class TreeActions {
 
   private void nodes() {
     node("cut", "Cut nodes", "control X", commands::cut);
-    node("copy", "Copy nodes", "control C", commands::copy);
+    add(
+        "copy",
+        "Copy nodes",
+        "control C",
+        () -> commands.canCopy() && view.keysMeanTree(),
+        commands::copy);
     add(
         "paste",
         "Paste nodes",
         "control V",
-        () -> commands.ready() && view.keysMeanTree(),
+        () -> commands.editable() && view.keysMeanTree(),
         commands::paste);
     node("delete", "Delete nodes", "DELETE", commands::delete);
     node("duplicate", "Duplicate nodes", "control D", commands::duplicate);
@@ -84,7 +89,12 @@ final class TreeActions {
     node("move-down", "Move nodes down", "alt DOWN", () -> commands.shift(true));
     node("suppress", "Suppress nodes, or use them again", "control SLASH", commands::suppress);
     node("rename", "Rename node", "F2", view::rename);
-    node("fold", "Fold or unfold node", "control PERIOD", view::toggleFold);
+    add(
+        "fold",
+        "Fold or unfold node",
+        "control PERIOD",
+        () -> commands.ready() && view.keysMeanTree(),
+        view::toggleFold);
   }
 
   private void going() {
@@ -114,11 +124,11 @@ final class TreeActions {
         "F9",
         commands::ready,
         view::toggleBreakpoint);
-    add("palette", "Find a node to add", "control shift A", commands::ready, view::focusPalette);
+    add("palette", "Find a node to add", "control shift A", commands::editable, view::focusPalette);
     add("form", "Go to the form of the node", "", commands::ready, view::focusForm);
     add("to-tree", "Go to the tree", "", commands::ready, view::focusTree);
     add("script", "Show the node in the script", "", commands::ready, view::showInScript);
-    add("as-text", "Edit the program file as text", "", () -> view.hasProgram(), view::editAsText);
+    add("as-text", "Edit the program file as text", "", view::canEditText, view::editAsText);
     add("close", "Close the program in front", "control W", () -> view.hasProgram(), view::close);
     add("follow", "Follow the program in the tree, or not", "", () -> true, view::toggleFollow);
   }

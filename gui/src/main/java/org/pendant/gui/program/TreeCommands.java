@@ -60,14 +60,31 @@ final class TreeCommands {
     program = wanted;
   }
 
-  /** Whether there is a tree that can be changed. */
+  /** Whether there is a tree. */
   boolean ready() {
     return program.filter(each -> each.textProblems().isEmpty()).isPresent();
   }
 
-  /** Whether some node is selected that can be taken away, copied or suppressed. */
+  /** Whether there is a tree that can be changed. */
+  boolean editable() {
+    return ready() && program.flatMap(TreeProgram::whyNotChanged).isEmpty();
+  }
+
+  /** Whether some node is selected that can be taken away or suppressed. */
   boolean canChange() {
+    return editable() && canCopy();
+  }
+
+  /** Whether some node is selected that can be copied. */
+  boolean canCopy() {
     return ready() && !chosen().isEmpty();
+  }
+
+  /** Tells why the tree cannot be changed, if that is so. */
+  boolean refused() {
+    Optional<String> whyNot = program.flatMap(TreeProgram::whyNotChanged);
+    whyNot.ifPresent(tell);
+    return whyNot.isPresent();
   }
 
   private ProgramTree tree() {
@@ -95,6 +112,9 @@ final class TreeCommands {
 
   /** Adds a node of a kind where the selection is. */
   void add(NodeKind kind) {
+    if (refused()) {
+      return;
+    }
     ProgramTree before = tree();
     Optional<NewSpots.Addition> addition = NewSpots.of(before, selection.lead(), kind);
     if (!ready() || addition.isEmpty()) {
@@ -132,6 +152,9 @@ final class TreeCommands {
 
   /** Adds lines of URScript behind the selection, each as a node. */
   void addScript(String code) {
+    if (refused()) {
+      return;
+    }
     List<ProgramNode> nodes =
         code.lines().map(line -> ProgramTree.node(new ActionStep.ScriptLine(line))).toList();
     if (ready() && !nodes.isEmpty()) {
@@ -142,6 +165,9 @@ final class TreeCommands {
 
   /** Puts nodes where somebody has dropped them. */
   void drop(TreeDrag.Cargo cargo, Spot spot) {
+    if (refused()) {
+      return;
+    }
     if (!cargo.moved()) {
       insert(about(cargo.ofTree() ? "Copy" : "Add", cargo.nodes()), cargo.nodes(), spot);
       return;
@@ -157,6 +183,9 @@ final class TreeCommands {
   // --- the selected nodes
 
   void delete() {
+    if (refused()) {
+      return;
+    }
     List<ProgramNode> nodes = chosen();
     if (nodes.isEmpty()) {
       tell.accept("The main program stays; its nodes can be deleted");
@@ -170,14 +199,15 @@ final class TreeCommands {
   }
 
   void copy() {
-    List<ProgramNode> nodes = chosen();
-    if (!nodes.isEmpty()) {
-      clipboard.put(TreeClips.write(tree(), nodes));
+    List<Long> chosen = TreeEdits.keys(chosen());
+    if (!chosen.isEmpty()) {
+      ProgramTree written = program.orElseThrow().written();
+      clipboard.put(TreeClips.write(written, TreeEdits.tops(written, chosen)));
     }
   }
 
   void cut() {
-    if (!chosen().isEmpty()) {
+    if (!refused() && !chosen().isEmpty()) {
       copy();
       delete();
     }
@@ -185,6 +215,9 @@ final class TreeCommands {
 
   /** Puts the nodes of the clipboard into the selected node, or behind it. */
   void paste() {
+    if (refused()) {
+      return;
+    }
     Optional<Clip> clip = ProgramText.readClip(clipboard.get());
     if (clip.isEmpty() || clip.get().nodes().isEmpty()) {
       tell.accept("There are no nodes on the clipboard");
@@ -217,7 +250,7 @@ final class TreeCommands {
 
   void duplicate() {
     List<ProgramNode> nodes = chosen();
-    if (nodes.isEmpty()) {
+    if (refused() || nodes.isEmpty()) {
       return;
     }
     ProgramTree before = tree();
@@ -233,13 +266,16 @@ final class TreeCommands {
 
   /** Moves the selected nodes one line up or down. */
   void shift(boolean down) {
+    if (refused()) {
+      return;
+    }
     List<ProgramNode> nodes = TreeEdits.tops(tree(), selection.selected());
     TreeEdits.shifted(tree(), nodes, down).ifPresent(spot -> moveTo(nodes, spot));
   }
 
   void suppress() {
     List<ProgramNode> nodes = chosen();
-    if (!nodes.isEmpty()) {
+    if (!refused() && !nodes.isEmpty()) {
       boolean on = nodes.stream().allMatch(ProgramNode::suppressed);
       change(
           about(on ? "Use" : "Suppress", nodes),
@@ -249,6 +285,9 @@ final class TreeCommands {
 
   /** Calls a node otherwise; a name that another place has already is refused. */
   void rename(long key, String name) {
+    if (refused()) {
+      return;
+    }
     Optional<String> before = tree().find(key).flatMap(node -> Renames.nameOf(node.step()));
     if (before.isEmpty() || before.get().equals(name)) {
       return;

@@ -6,6 +6,7 @@ import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
@@ -36,6 +37,7 @@ final class TreePane extends JPanel {
   private final IncompleteBar incomplete;
   private final JToggleButton follow = new JToggleButton(new ToolIcon(ToolIcon.Sign.FOLLOW));
   private final transient Actions actions;
+  private final List<JButton> edits = new ArrayList<>();
 
   TreePane(
       TreeList list,
@@ -98,6 +100,9 @@ final class TreePane extends JPanel {
     button.getAccessibleContext().setAccessibleName(sign.title());
     button.setToolTipText(sign.title());
     button.addActionListener(event -> run(sign.action()));
+    if (sign != ToolIcon.Sign.COPY) {
+      edits.add(button);
+    }
     return button;
   }
 
@@ -151,6 +156,11 @@ final class TreePane extends JPanel {
     }
     item.addActionListener(event -> action.run().run());
     return item;
+  }
+
+  /** Whether the tree can be changed. */
+  void setEditable(boolean editable) {
+    edits.forEach(each -> each.setEnabled(editable));
   }
 
   void showFollow(boolean on) {

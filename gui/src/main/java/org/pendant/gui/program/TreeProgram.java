@@ -18,6 +18,7 @@ import org.pendant.controller.program.script.ScriptGenerator;
 import org.pendant.controller.program.text.ProgramText;
 import org.pendant.controller.program.text.ReadProgram;
 import org.pendant.controller.program.text.TextProblem;
+import org.pendant.controller.program.urp.ShownNodes;
 import org.pendant.gui.session.ProgramDocument;
 
 /**
@@ -35,13 +36,20 @@ public final class TreeProgram implements ProgramDocument.Listener {
   private final TreeHistory history;
   private final NodeBreakpoints breakpoints = new NodeBreakpoints();
   private final List<Listener> listeners = new ArrayList<>();
+
+  /** What the text says. */
+  private ProgramTree written;
+
+  /** What is shown of that. */
   private ProgramTree tree;
+
   private List<TextProblem> textProblems = List.of();
   private Found found = new Found(0, GeneratedScript.EMPTY, List.of());
   private Map<Long, List<NodeProblem>> problemsByKey = Map.of();
   private final List<Runnable> waiting = new ArrayList<>();
   private final AtomicLong version = new AtomicLong();
   private String checkedName = "";
+  private boolean readOnly;
   private boolean writing;
 
   /** Who wants to know. */
@@ -90,7 +98,7 @@ public final class TreeProgram implements ProgramDocument.Listener {
     this.sink = sink;
     history = new TreeHistory(clockMs);
     ReadProgram read = read(document.text());
-    tree = read.tree();
+    take(read.tree());
     textProblems = read.problems();
     document.addListener(this);
     check();
@@ -103,6 +111,12 @@ public final class TreeProgram implements ProgramDocument.Listener {
         : ProgramText.read(text);
   }
 
+  private void take(ProgramTree next) {
+    readOnly = document.readOnly();
+    written = next;
+    tree = readOnly ? ForeignTree.shown(next) : next;
+  }
+
   /** The document whose text the tree is. */
   public ProgramDocument document() {
     return document;
@@ -111,6 +125,21 @@ public final class TreeProgram implements ProgramDocument.Listener {
   /** The tree as it is now; while there are {@link #textProblems} what could be read of it. */
   public ProgramTree tree() {
     return tree;
+  }
+
+  /** The tree as the text has it, where it is shown otherwise. */
+  ProgramTree written() {
+    return written;
+  }
+
+  /** Why the tree cannot be changed; empty if it can. */
+  Optional<String> whyNotChanged() {
+    return readOnly
+        ? Optional.of(
+            document.name()
+                + " is a program of PolyScope X, which is shown and not changed;"
+                + " save it as a program of Pendant first")
+        : Optional.empty();
   }
 
   /** Why the text is no tree; while there are any, the tree cannot be changed. */
@@ -126,14 +155,14 @@ public final class TreeProgram implements ProgramDocument.Listener {
   // --- changes
 
   /**
-   * Replaces the tree, unless the text is none.
+   * Replaces the tree, unless the text is none or {@link #whyNotChanged} has a reason.
    *
    * @param what people read when they undo it
    * @param key of the node that it is about, 0 for none: changes of one node with the same words
    *     within a short time are one
    */
   public void change(String what, long key, ProgramTree next) {
-    if (next.equals(tree) || !textProblems.isEmpty()) {
+    if (readOnly || next.equals(tree) || !textProblems.isEmpty()) {
       return;
     }
     history.changing(what, key, tree);
@@ -166,7 +195,7 @@ public final class TreeProgram implements ProgramDocument.Listener {
   }
 
   private void show(ProgramTree next) {
-    tree = next;
+    take(next);
     writing = true;
     document.setText(ProgramText.write(next));
     writing = false;
@@ -181,8 +210,10 @@ public final class TreeProgram implements ProgramDocument.Listener {
     }
     ReadProgram read = read(document.text());
     if (read.problems().isEmpty()) {
-      history.changing("Change the text", 0, tree);
-      tree = KeptKeys.of(tree, read.tree());
+      if (!readOnly) {
+        history.changing("Change the text", 0, tree);
+      }
+      take(KeptKeys.of(written, read.tree()));
     }
     textProblems = read.problems();
     check();
@@ -191,9 +222,16 @@ public final class TreeProgram implements ProgramDocument.Listener {
 
   @Override
   public void fileChanged() {
+    boolean freed = readOnly != document.readOnly();
+    if (freed) {
+      take(written);
+    }
     // The script is called like its file.
-    if (!programName().equals(checkedName)) {
+    if (freed || !programName().equals(checkedName)) {
       check();
+    }
+    if (freed) {
+      listeners().forEach(Listener::treeChanged);
     }
   }
 
@@ -202,7 +240,8 @@ public final class TreeProgram implements ProgramDocument.Listener {
   /** Something else than the tree has changed that the script depends on. */
   void check() {
     long wanted = version.incrementAndGet();
-    ProgramTree checked = tree;
+    ProgramTree checked = written;
+    boolean foreign = readOnly;
     Installation with = installation.get();
     String name = programName();
     checkedName = name;
@@ -210,7 +249,8 @@ public final class TreeProgram implements ProgramDocument.Listener {
     worker.execute(
         () -> {
           if (wanted == version.get() && readable) {
-            GeneratedScript script = ScriptGenerator.generate(name, checked, with);
+            GeneratedScript own = ScriptGenerator.generate(name, checked, with);
+            GeneratedScript script = foreign ? ShownNodes.placed(checked, own) : own;
             List<NodeProblem> problems = ProgramCheck.problems(checked, with);
             display.execute(() -> found(new Found(wanted, script, problems)));
           }
@@ -219,10 +259,7 @@ public final class TreeProgram implements ProgramDocument.Listener {
 
   /** What the program is called in its script. */
   String programName() {
-    String name = document.name();
-    return name.endsWith(ProgramDocument.TREE)
-        ? name.substring(0, name.length() - ProgramDocument.TREE.length())
-        : name;
+    return document.bareName();
   }
 
   private void found(Found now) {

@@ -40,9 +40,13 @@ public final class TreeRuns {
     if (program.isEmpty()) {
       return Optional.of("The program is a script");
     }
-    return program.get().tree().find(from).isEmpty()
-        ? Optional.of("Select a node on the Program screen first")
-        : PlayFrom.whyNot(program.get().tree(), from);
+    ProgramTree tree = program.get().tree();
+    if (tree.find(from).isEmpty()) {
+      return Optional.of("Select a node on the Program screen first");
+    }
+    return document.readOnly() && !isMain(tree, from)
+        ? Optional.of("A program of PolyScope X runs from its beginning")
+        : PlayFrom.whyNot(tree, from);
   }
 
   /** Why the program in front cannot start at a node; empty if it can. */

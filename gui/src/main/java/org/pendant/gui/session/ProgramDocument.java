@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.program.file.TreeFile;
 import org.pendant.language.source.Source;
 
 /**
@@ -75,14 +76,30 @@ public final class ProgramDocument {
   }
 
   private static String scriptName(String treeName) {
-    return treeName.endsWith(TREE)
-        ? treeName.substring(0, treeName.length() - TREE.length()) + SCRIPT
-        : treeName;
+    return isTreeName(treeName) ? withoutEnding(treeName) + SCRIPT : treeName;
+  }
+
+  private static boolean isTreeName(String name) {
+    return name.endsWith(TREE) || TreeFile.isForeign(name);
+  }
+
+  private static String withoutEnding(String treeName) {
+    return treeName.substring(0, treeName.lastIndexOf('.'));
+  }
+
+  /** Its name, without the ending that files with program trees have. */
+  public String bareName() {
+    return isTreeName(name()) ? withoutEnding(name()) : name();
   }
 
   /** Whether the text is a program tree, not a script. */
   public boolean isTree() {
-    return tree.isEmpty() && name().endsWith(TREE);
+    return tree.isEmpty() && isTreeName(name());
+  }
+
+  /** Whether it is a program of PolyScope X, which can be shown and run, but not changed. */
+  public boolean readOnly() {
+    return onDisk.filter(ProgramFile::readOnly).isPresent();
   }
 
   /**

@@ -8,40 +8,70 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.util.List;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileTrouble;
+import org.pendant.controller.packedxml.UnreadableFile;
+import org.pendant.controller.program.file.TreeFile;
+import org.pendant.controller.program.text.ProgramText;
+import org.pendant.controller.program.urp.ImportedProgram;
+import org.pendant.controller.program.urp.UrpxPrograms;
 
 /**
  * A program as it is on disk. Its methods read and write, so they are not for the dispatch thread.
  *
  * @param path where it is
- * @param text what it says; lines end with a line feed
+ * @param text what it says; lines end with a line feed. Of a program of PolyScope X, which is only
+ *     read, the program tree as Pendant writes it
  * @param charset how characters are written: UTF-8, or Latin-1 for bytes that are no UTF-8
  * @param carriageReturns whether lines end with carriage return and line feed on disk
+ * @param remarks what people should know about a program of PolyScope X besides
  */
-public record ProgramFile(Path path, String text, Charset charset, boolean carriageReturns) {
+public record ProgramFile(
+    Path path, String text, Charset charset, boolean carriageReturns, List<String> remarks) {
   /** Far above any real program; a larger file is a mistake. */
   private static final int LARGEST_MIB = 32;
 
   private static final int MIB = 1 << 20;
 
+  /** The remarks are copied. */
+  public ProgramFile {
+    remarks = List.copyOf(remarks);
+  }
+
   /** A file that does not exist yet: UTF-8 and line feeds. */
   public static ProgramFile create(Path path, String text) {
-    return new ProgramFile(path, text, StandardCharsets.UTF_8, false);
+    return new ProgramFile(path, text, StandardCharsets.UTF_8, false, List.of());
   }
 
   /**
    * Reads a file.
    *
-   * @throws IOException if it cannot be read, has more than 32 MiB, or is no text; its message is
-   *     the file and the reason
+   * @throws IOException if it cannot be read, has more than 32 MiB, is no text, or should be a
+   *     program of PolyScope X and is none; its message is the file and the reason
    */
   public static ProgramFile read(Path path) throws IOException {
     try {
-      return of(path, bytes(path));
+      byte[] bytes = bytes(path);
+      return TreeFile.isForeign(path.toString()) ? foreign(path, bytes) : of(path, bytes);
+    } catch (UnreadableFile e) {
+      throw new IOException(e.told(path.toString()), e);
     } catch (IOException e) {
       throw FileTrouble.of(path, e);
     }
+  }
+
+  private static ProgramFile foreign(Path path, byte[] bytes) throws UnreadableFile {
+    ImportedProgram read = UrpxPrograms.read(path.getFileName().toString(), bytes);
+    List<String> remarks =
+        read.remarks().stream().filter(each -> !each.equals(UrpxPrograms.ONLY_SHOWN)).toList();
+    return new ProgramFile(
+        path, ProgramText.write(read.tree()), StandardCharsets.UTF_8, false, remarks);
+  }
+
+  /** Whether it is a program of PolyScope X: it can be shown and run, not written. */
+  public boolean readOnly() {
+    return TreeFile.isForeign(path.toString());
   }
 
   private static byte[] bytes(Path path) throws IOException {
@@ -79,12 +109,16 @@ public record ProgramFile(Path path, String text, Charset charset, boolean carri
     // Only where every line ends so: anything else would not be written as it was read.
     boolean carriageReturns = text.contains("\r\n") && !text.replace("\r\n", "").contains("\n");
     return new ProgramFile(
-        path, carriageReturns ? text.replace("\r\n", "\n") : text, charset, carriageReturns);
+        path,
+        carriageReturns ? text.replace("\r\n", "\n") : text,
+        charset,
+        carriageReturns,
+        List.of());
   }
 
   /** The same file with another text. */
   public ProgramFile withText(String other) {
-    return new ProgramFile(path, other, charset, carriageReturns);
+    return new ProgramFile(path, other, charset, carriageReturns, remarks);
   }
 
   /**
@@ -93,16 +127,24 @@ public record ProgramFile(Path path, String text, Charset charset, boolean carri
    */
   public ProgramFile copyTo(Path other, String otherText) {
     Charset fitting = charset.newEncoder().canEncode(otherText) ? charset : StandardCharsets.UTF_8;
-    return new ProgramFile(other, otherText, fitting, carriageReturns);
+    return new ProgramFile(other, otherText, fitting, carriageReturns, List.of());
   }
 
   /**
    * Writes the file so that it is either the old one or the new one, whatever happens meanwhile.
    *
-   * @throws IOException if it cannot be written, or has characters that its charset has not; its
-   *     message is the file and the reason
+   * @throws IOException if it cannot be written, has characters that its charset has not, or would
+   *     be a program of PolyScope X; its message is the file and the reason
    */
   public void write() throws IOException {
+    if (readOnly()) {
+      throw new IOException(
+          path
+              + ": programs of PolyScope X are read and not written; must be called "
+              + ProgramDocument.TREE
+              + " or "
+              + ProgramDocument.SCRIPT);
+    }
     AtomicFile.write(path, bytes());
   }
 

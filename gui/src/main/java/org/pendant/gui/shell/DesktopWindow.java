@@ -114,7 +114,8 @@ final class DesktopWindow {
     SaveQueue saves = new SaveQueue();
     DocumentSaver saver = new DocumentSaver(saves, notices, status::tell, this::warn);
     files =
-        new ProgramFiles(programs, saver, settings, status::tell, this::warn, docks.component());
+        new ProgramFiles(
+            programs, saver, settings, notices, status::tell, this::warn, docks.component());
     installationFiles =
         new InstallationFiles(
             views.installation(),

@@ -108,8 +108,12 @@ final class DiskWatch {
     ProgramDocument document = found.watched().document();
     switch (found) {
       case Found.Gone gone -> {
-        document.gone();
-        tell.accept(document.name() + " is on disk no more; saving writes it again");
+        if (document.readOnly()) {
+          tell.accept(document.name() + " is on disk no more; a copy of it can be saved");
+        } else {
+          document.gone();
+          tell.accept(document.name() + " is on disk no more; saving writes it again");
+        }
       }
       case Found.Unreadable(Watched file, String why) ->
           tell.accept("What has changed on disk cannot be read: " + why);

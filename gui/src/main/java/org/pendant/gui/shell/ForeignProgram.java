@@ -44,8 +44,7 @@ record ForeignProgram(Path file, String name, String text, List<String> remarks)
       return new ForeignProgram(
           file, name, ProgramText.write(read.tree()), few(fileName, read.remarks()));
     } catch (UnreadableFile e) {
-      String at = e.line() > 0 ? ":" + e.line() + ":" + e.column() : "";
-      throw new IOException(file + at + ": " + e.getMessage(), e);
+      throw new IOException(e.told(file.toString()), e);
     } catch (IOException e) {
       throw new IOException(file + ": " + FileTrouble.reason(e), e);
     }

@@ -163,7 +163,11 @@ final class ProgramActions {
             "file.save",
             "Save program",
             "control S",
-            () -> programs.current().modified() || programs.current().file().isEmpty(),
+            () ->
+                programs.current().modified()
+                    || programs.current().file().isEmpty()
+                    // it says why it cannot be saved
+                    || programs.current().readOnly(),
             () -> files.save(programs.current())),
         () -> "Nothing has changed");
     actions.add(

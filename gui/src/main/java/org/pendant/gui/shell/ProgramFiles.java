@@ -9,12 +9,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.controller.program.ProgramTree;
+import org.pendant.controller.program.file.TreeFile;
 import org.pendant.controller.program.text.ProgramText;
 import org.pendant.gui.export.SaveDialog;
 import org.pendant.gui.export.SaveRequest;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
 import org.pendant.gui.session.Programs;
+import org.pendant.gui.shell.Notices.Choice;
 import org.pendant.gui.workbench.Settings;
 
 /** Opens and saves programs. Only the dispatch thread calls it; it reads and writes elsewhere. */
@@ -26,6 +28,7 @@ final class ProgramFiles {
   private final Programs programs;
   private final DocumentSaver saver;
   private final Settings settings;
+  private final Notices notices;
   private final Consumer<String> tell;
   private final Consumer<String> warn;
   private final Component parent;
@@ -42,12 +45,14 @@ final class ProgramFiles {
       Programs programs,
       DocumentSaver saver,
       Settings settings,
+      Notices notices,
       Consumer<String> tell,
       Consumer<String> warn,
       Component parent) {
     this.programs = programs;
     this.saver = saver;
     this.settings = settings;
+    this.notices = notices;
     this.tell = tell;
     this.warn = warn;
     this.parent = parent;
@@ -80,7 +85,7 @@ final class ProgramFiles {
         parent,
         "Open program",
         "Programs and scripts",
-        new String[] {"pendant", "urp", "script", "urscript"},
+        new String[] {"pendant", "urp", "urpx", "script", "urscript"},
         folder(),
         this::open);
   }
@@ -165,11 +170,26 @@ final class ProgramFiles {
    * @param then hears whether it is on disk now
    */
   void save(ProgramDocument document, Consumer<Boolean> then) {
-    if (document.file().isEmpty()) {
+    if (document.readOnly()) {
+      offerCopies(document);
+      then.accept(false);
+    } else if (document.file().isEmpty()) {
       saveAs(document, then);
     } else {
       saver.save(document, remembering(document, then));
     }
+  }
+
+  private void offerCopies(ProgramDocument document) {
+    notices.ask(
+        "read-only-" + System.identityHashCode(document),
+        document.name()
+            + " is not saved: programs of PolyScope X are read and not written."
+            + " The file stays as it is; a copy can be saved.",
+        List.of(
+            new Choice("Save a copy as program\u2026", () -> saveAs(document)),
+            new Choice("Save a copy as script\u2026", () -> saveScript(document)),
+            Choice.nothing("Close")));
   }
 
   /** Asks where to save a program. */
@@ -178,7 +198,7 @@ final class ProgramFiles {
   }
 
   private void saveAs(ProgramDocument document, Consumer<Boolean> then) {
-    Path here = document.file().orElse(Path.of(document.name()));
+    Path here = fitting(document, document.file().orElse(Path.of(document.name())));
     SaveDialog.ask(
         parent,
         new SaveRequest(
@@ -199,9 +219,11 @@ final class ProgramFiles {
   /** A tree is known by the ending of its file. */
   private static Path fitting(ProgramDocument document, Path path) {
     String name = path.getFileName().toString();
-    return document.isTree() && !name.endsWith(ProgramDocument.TREE)
-        ? path.resolveSibling(name + ProgramDocument.TREE)
-        : path;
+    if (!document.isTree() || name.endsWith(ProgramDocument.TREE)) {
+      return path;
+    }
+    String bare = TreeFile.isForeign(name) ? name.substring(0, name.lastIndexOf('.')) : name;
+    return path.resolveSibling(bare + ProgramDocument.TREE);
   }
 
   /** The folder of the program that was opened last. */

@@ -53,6 +53,51 @@ final class ProgramDocumentTest {
   }
 
   @Test
+  void aProgramOfPolyScopeXIsATreeThatIsOnlyRead() throws IOException {
+    Path file = folder.resolve("Pick.URPX");
+    Files.writeString(
+        file,
+        """
+        {"application": {"urscript": {"script": "reset_world_model()"}},
+         "program": {"programContent": {}, "urscript": {"script": "x = 1"}}}
+        """);
+    ProgramDocument document = ProgramDocument.of(ProgramFile.read(file));
+    assertTrue(document.isTree());
+    assertTrue(document.readOnly());
+    assertEquals("Pick", document.bareName());
+    assertEquals("Pick.script", document.script().name());
+    assertTrue(document.text().startsWith("pendant program 1"), document.text());
+    assertEquals(
+        List.of(
+            "the script that sets up the robot is suppressed, as it needs functions of PolyScope"
+                + " X: reset_world_model"),
+        document.onDisk().orElseThrow().remarks());
+    assertEquals(
+        file
+            + ": programs of PolyScope X are read and not written; must be called .pendant or"
+            + " .script",
+        assertThrows(IOException.class, () -> document.toSave().orElseThrow().write())
+            .getMessage());
+    assertTrue(Files.readString(file).startsWith("{\"application\""));
+    ProgramFile copy = document.toSaveAs(folder.resolve("mine.pendant"));
+    copy.write();
+    document.saved(copy);
+    assertFalse(document.readOnly());
+  }
+
+  @Test
+  void aBrokenProgramOfPolyScopeXIsRefusedWithItsPlace() throws IOException {
+    Path file = folder.resolve("pick.urpx");
+    Files.writeString(file, "{\n  \"program\": }");
+    String message = assertThrows(IOException.class, () -> ProgramFile.read(file)).getMessage();
+    assertTrue(message.startsWith(file + ":2:14: is no JSON: "), message);
+    Files.writeString(file, "{\"program\": {}, \"application\": {\"urscript\": {}}}");
+    assertEquals(
+        file + ": was saved without its script, so that nothing can run",
+        assertThrows(IOException.class, () -> ProgramFile.read(file)).getMessage());
+  }
+
+  @Test
   void savingClearsTheMarkOnlyForWhatWasWritten() throws IOException {
     Path file = folder.resolve("p.script");
     ProgramDocument document = ProgramDocument.untitled("a.script", "one");

@@ -136,6 +136,35 @@ final class DocumentSaverTest {
   }
 
   @Test
+  void aProgramOfPolyScopeXIsNotSavedButOffersCopies() throws Exception {
+    Path foreign = file.resolveSibling("pick.urpx");
+    String json =
+        "{\"application\": {\"urscript\": {\"script\": \"\"}}, \"program\":"
+            + " {\"programContent\": {}, \"urscript\": {\"script\": \"x = 1\"}}}";
+    Files.writeString(foreign, json);
+    ProgramDocument read = ProgramDocument.of(ProgramFile.read(foreign));
+    DispatchThread.run(
+        () ->
+            new ProgramFiles(
+                    new Programs(read),
+                    saver,
+                    new NoSettings(),
+                    notices,
+                    told::add,
+                    warned::add,
+                    notices)
+                .save(read, saved::add));
+    assertEquals(List.of(false), saved);
+    assertEquals(json, Files.readString(foreign));
+    for (String each :
+        List.of("Save a copy as program\u2026", "Save a copy as script\u2026", "Close")) {
+      assertTrue(button(notices, each).isPresent(), each);
+    }
+    choose("Close");
+    assertFalse(notices.any());
+  }
+
+  @Test
   void theWindowClosesAfterWhatIsBeingSavedIsOnDisk() throws Exception {
     List<String> left = new ArrayList<>();
     Leaving leaving = leaving(left);
@@ -173,7 +202,8 @@ final class DocumentSaverTest {
     ActiveInstallation installation = new ActiveInstallation();
     return new Leaving(
         programs,
-        new ProgramFiles(programs, saver, new NoSettings(), told::add, warned::add, notices),
+        new ProgramFiles(
+            programs, saver, new NoSettings(), notices, told::add, warned::add, notices),
         installation,
         new InstallationFiles(
             installation, saver, new NoSettings(), notices, told::add, warned::add, notices),

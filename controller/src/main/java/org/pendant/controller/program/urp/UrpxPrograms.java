@@ -35,6 +35,10 @@ public final class UrpxPrograms {
   /** Ending of the names of such files. */
   public static final String ENDING = ".urpx";
 
+  /** The remark on every such program. */
+  public static final String ONLY_SHOWN =
+      "the nodes of PolyScope X are only shown; the script that they have become runs";
+
   /** A line that says at which node the script is: its number among those with lines. */
   private static final Pattern LABEL = Pattern.compile("^(\\s*)\\$ (\\d{1,9}) (.*)");
 
@@ -71,7 +75,7 @@ public final class UrpxPrograms {
     Map<?, ?> program = member(file, "program");
     Map<?, ?> application = member(file, "application");
     List<String> remarks = new ArrayList<>();
-    remarks.add("the nodes of PolyScope X are only shown; the script that they have become runs");
+    remarks.add(ONLY_SHOWN);
     List<String> setUp = script(application);
     List<String> missing = missing(setUp);
     if (!missing.isEmpty()) {
