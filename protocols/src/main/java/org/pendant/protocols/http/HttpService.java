@@ -5,4 +5,9 @@ package org.pendant.protocols.http;
 public interface HttpService {
   /** The answer to a request; may wait. */
   HttpReply answer(HttpCall call) throws InterruptedException;
+
+  /** How large the body of a request may be. */
+  default BodyLimit bodyLimit(String method, String path) {
+    return BodyLimit.USUAL;
+  }
 }

@@ -1,6 +1,7 @@
 package org.pendant.protocols.http;
 
 import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.net.ProtocolException;
@@ -8,30 +9,44 @@ import org.pendant.protocols.net.Session;
 
 /** The requests of one client, answered in their order. */
 public final class HttpSession implements Session {
+  private static final byte[] GO_ON =
+      "HTTP/1.1 100 Continue\r\n\r\n".getBytes(StandardCharsets.US_ASCII);
+
   private final Connection connection;
   private final HttpService service;
-  private final HttpCutter cutter = new HttpCutter();
+  private final HttpCutter cutter;
   private boolean ended;
 
   /** A client that has just connected. */
   public HttpSession(Connection connection, HttpService service) {
     this.connection = connection;
     this.service = service;
+    cutter = new HttpCutter(service::bodyLimit);
   }
 
   @Override
   public void received(ByteBuffer bytes) throws ProtocolException {
     try {
       for (Optional<HttpCall> call = next(bytes); call.isPresent(); call = next(bytes)) {
-        connection.send(service.answer(call.get()).bytes(call.get().keep()));
+        byte[] answer = service.answer(call.get()).bytes(call.get().keep());
+        cutter.forget();
+        connection.send(answer);
         if (!call.get().keep()) {
           ended = true;
           connection.closeAfterSending();
         }
       }
+      if (cutter.tellToGoOn()) {
+        connection.send(GO_ON.clone());
+      }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
+  }
+
+  @Override
+  public void closed() {
+    cutter.forget();
   }
 
   /** Nothing counts behind the last request that a client has announced. */
