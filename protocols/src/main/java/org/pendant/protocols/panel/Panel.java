@@ -45,6 +45,7 @@ public final class Panel {
   private final PanelSetup setup;
   private final Identity identity;
   private final ProgramShelf shelf;
+  private final ProgramStore store;
   private final Reports reports;
 
   /** One change of the program at a time. */
@@ -70,6 +71,7 @@ public final class Panel {
     this.setup = setup;
     identity = Identity.of(setup.robotId());
     shelf = new ProgramShelf(setup.programs(), controller);
+    store = new ProgramStore(setup.programs(), shelf);
     reports = new Reports(controller, setup, this::loaded);
   }
 
@@ -157,6 +159,11 @@ public final class Panel {
    */
   public List<ProgramFile> programs() throws IOException {
     return shelf.programs();
+  }
+
+  /** Where clients put programs of PolyScope X, and get them from. */
+  public ProgramStore store() {
+    return store;
   }
 
   private void setUp(LoadedProgram program) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.pendant.controller.program.file.TreeFile;
+import org.pendant.controller.program.urp.UrpxPrograms;
 
 /**
  * A program of the programs folder.
@@ -17,7 +18,8 @@ import org.pendant.controller.program.file.TreeFile;
 public record ProgramFile(String name, Instant created, Instant modified) {
   /** Endings of programs; of two files with one name the first of these is meant. */
   static final List<String> ENDINGS =
-      Stream.concat(TreeFile.ENDINGS.stream(), Stream.of(TreeFile.SCRIPT)).toList();
+      Stream.concat(TreeFile.ENDINGS.stream(), Stream.of(TreeFile.SCRIPT, UrpxPrograms.ENDING))
+          .toList();
 
   /** Whether a file is called as programs are. */
   static boolean isProgram(String name) {

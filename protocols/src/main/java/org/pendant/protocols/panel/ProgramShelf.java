@@ -37,7 +37,7 @@ final class ProgramShelf {
   private static final String SCRIPT = ".script";
 
   /** Programs that are listed: more are of no use to anybody. */
-  private static final int MOST_LISTED = 1000;
+  static final int MOST_LISTED = 1000;
 
   private final ProgramsFolder folder;
   private final Controller controller;
@@ -50,8 +50,9 @@ final class ProgramShelf {
   /**
    * Reads and compiles a program.
    *
-   * @param bytes name of a {@code .script}, {@code .urp} or {@code .pendant} file, one {@code char}
-   *     a byte: relative to the folder, below {@code /programs/}, or with the folder's own path
+   * @param bytes name of a {@code .script}, {@code .urp}, {@code .pendant} or {@code .urpx} file,
+   *     one {@code char} a byte: relative to the folder, below {@code /programs/}, or with the
+   *     folder's own path
    */
   LoadedProgram load(String bytes) throws LoadTrouble {
     String name = inside(bytes);

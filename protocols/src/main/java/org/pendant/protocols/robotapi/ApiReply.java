@@ -15,6 +15,11 @@ final class ApiReply {
     return new HttpReply(HttpStatus.OK, JSON, answer.text());
   }
 
+  /** A text that is JSON already. */
+  static HttpReply of(String json) {
+    return new HttpReply(HttpStatus.OK, JSON, json);
+  }
+
   /**
    * Something was not done.
    *

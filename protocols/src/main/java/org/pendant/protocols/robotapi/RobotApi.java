@@ -3,6 +3,7 @@ package org.pendant.protocols.robotapi;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.protocols.http.BodyLimit;
 import org.pendant.protocols.http.HttpCall;
 import org.pendant.protocols.http.HttpReply;
 import org.pendant.protocols.http.HttpService;
@@ -17,11 +18,20 @@ final class RobotApi implements HttpService {
   private static final String FORBIDDEN = "Forbidden - Operation Not Allowed";
 
   private final RobotApiDesk desk;
+  private final ProgramTransfers transfers;
   private final RemoteControl remote;
 
-  RobotApi(RobotApiDesk desk, RemoteControl remote) {
+  RobotApi(RobotApiDesk desk, ProgramTransfers transfers, RemoteControl remote) {
     this.desk = desk;
+    this.transfers = transfers;
     this.remote = remote;
+  }
+
+  @Override
+  public BodyLimit bodyLimit(String method, String path) {
+    return Operation.of(method, path(path)).filter(Operation::transfers).isPresent()
+        ? transfers.limit()
+        : BodyLimit.USUAL;
   }
 
   @Override
@@ -31,24 +41,28 @@ final class RobotApi implements HttpService {
     if (operation.isEmpty()) {
       List<String> methods =
           Arrays.stream(Operation.values())
-              .filter(each -> each.path().equals(path))
+              .filter(each -> each.isAt(path))
               .map(Operation::method)
               .toList();
       return methods.isEmpty()
           ? ApiReply.refused(HttpStatus.NOT_FOUND, "Not Found", "there is no " + call.path())
           : ApiReply.otherMethod(methods);
     }
-    if (operation.get().acts()) {
-      if (call.headers().containsKey("origin")) {
-        // a page in the browser of somebody who can reach this port, by whatever name
-        return ApiReply.refused(HttpStatus.FORBIDDEN, FORBIDDEN, "web pages may not control it");
-      }
-      if (!remote.mayControl()) {
-        return ApiReply.refused(
-            HttpStatus.FORBIDDEN, FORBIDDEN, "the robot is in local control, must be in remote");
-      }
+    Operation wanted = operation.get();
+    if ((wanted.changes() || wanted.transfers()) && call.headers().containsKey("origin")) {
+      // a page in the browser of somebody who can reach this port, by whatever name
+      return ApiReply.refused(HttpStatus.FORBIDDEN, FORBIDDEN, "web pages may not control it");
     }
-    return desk.answer(operation.get(), call.body());
+    if (wanted.acts() && !remote.mayControl()) {
+      return ApiReply.refused(
+          HttpStatus.FORBIDDEN, FORBIDDEN, "the robot is in local control, must be in remote");
+    }
+    return switch (wanted) {
+      case UPLOAD -> transfers.add(call);
+      case UPDATE -> transfers.replace(call);
+      case DOWNLOAD -> transfers.give(wanted.nameIn(path));
+      default -> desk.answer(wanted, call.body());
+    };
   }
 
   /** Below the address of the API; empty if it is not there. A slash at the end does not count. */

@@ -53,7 +53,7 @@ final class RobotApiDesk {
   }
 
   /**
-   * Carries out an operation; may wait.
+   * Carries out an operation that transfers no program; may wait.
    *
    * @param body of the request
    */
@@ -78,6 +78,8 @@ final class RobotApiDesk {
         case LOAD -> load(text(body, "name"));
         case LOAD_AS_BEFORE -> load(text(body, "programName"));
         case PROGRAMS -> programs();
+        case UPLOAD, UPDATE, DOWNLOAD ->
+            throw new IllegalArgumentException(operation + " is for ProgramTransfers");
         case CONTROL_MODE -> mode(remote.mayControl() ? "REMOTE" : "LOCAL");
         case OPERATIONAL_MODE ->
             mode(panel.operationalMode() == OperationalMode.MANUAL ? "MANUAL" : "AUTOMATIC");

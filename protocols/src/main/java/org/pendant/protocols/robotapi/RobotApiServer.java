@@ -33,7 +33,11 @@ public final class RobotApiServer implements Server {
    */
   public static RobotApiServer open(Outside outside, PortNumbers numbers, Panel panel)
       throws IOException {
-    RobotApi api = new RobotApi(new RobotApiDesk(panel, outside.remote()), outside.remote());
+    RobotApi api =
+        new RobotApi(
+            new RobotApiDesk(panel, outside.remote()),
+            new ProgramTransfers(panel.store()),
+            outside.remote());
     return new RobotApiServer(
         TcpPort.open(
             numbers.listening("Robot API", STANDARD_PORT).with(IdleLimits.of(IDLE)),

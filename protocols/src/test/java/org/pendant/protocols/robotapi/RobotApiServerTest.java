@@ -227,7 +227,7 @@ class RobotApiServerTest {
   void whatCannotBeLoadedIsToldWithTheReason() throws Exception {
     assertEquals(
         "404 {\"message\":\"Program not found\",\"details\":\"none is not there, with none"
-            + " of the endings .pendant, .urp, .script\"}",
+            + " of the endings .pendant, .urp, .script, .urpx\"}",
         put("/program/v1/loaded", "{\"name\":\"none\"}"));
     String broken = put("/program/v1/loaded", "{\"name\":\"broken\"}");
     assertTrue(

@@ -84,7 +84,9 @@ public final class ShownNodes {
 
   private static boolean belongs(String line, int depth) {
     int indent = line.length() - line.stripLeading().length();
-    return line.isBlank() || indent > depth || indent == depth && !REMARK.matcher(line).lookingAt();
+    return line.isBlank()
+        || indent > depth
+        || (indent == depth && !REMARK.matcher(line).lookingAt());
   }
 
   /** Adds a node that has lines and those below it; answers the last line of them all, or 0. */

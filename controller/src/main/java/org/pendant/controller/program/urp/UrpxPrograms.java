@@ -67,11 +67,24 @@ public final class UrpxPrograms {
    * @throws UnreadableFile if it is no program, or was saved without its script
    */
   public static ImportedProgram read(String fileName, byte[] bytes) throws UnreadableFile {
-    return new UrpxPrograms().program(fileName, bytes);
+    return new UrpxPrograms().program(fileName, object(parsed(bytes), "the file"));
   }
 
-  private ImportedProgram program(String fileName, byte[] bytes) throws UnreadableFile {
+  /**
+   * The name that PolyScope X has for a program, whatever its file is called.
+   *
+   * @throws UnreadableFile if it is no program, was saved without its script, or says no name
+   */
+  public static String nameIn(byte[] bytes) throws UnreadableFile {
     Map<?, ?> file = object(parsed(bytes), "the file");
+    var _ = new UrpxPrograms().program("", file);
+    if (member(member(file, "program"), "programInformation").get("name") instanceof String name) {
+      return name;
+    }
+    throw new UnreadableFile(0, 0, "says no name: programInformation must have one");
+  }
+
+  private ImportedProgram program(String fileName, Map<?, ?> file) throws UnreadableFile {
     Map<?, ?> program = member(file, "program");
     Map<?, ?> application = member(file, "application");
     List<String> remarks = new ArrayList<>();
@@ -84,21 +97,29 @@ public final class UrpxPrograms {
               + String.join(", ", missing));
     }
     ProgramNode nodes = node(member(program, "programContent"), 1).withSuppressed(true);
-    ProgramNode before =
-        ProgramTree.node(new ActionStep.ScriptFile(fileName, setUp))
-            .withSuppressed(!missing.isEmpty());
-    ProgramNode code = ProgramTree.node(new ActionStep.ScriptFile(fileName, script(program)));
+    List<ProgramNode> all = new ArrayList<>(List.of(nodes));
+    node(fileName, setUp).map(node -> node.withSuppressed(!missing.isEmpty())).ifPresent(all::add);
+    node(fileName, script(program)).ifPresent(all::add);
     ProgramTree tree =
         new ProgramTree("", Map.of(), List.of(), 1)
             .insert(
                 ProgramTree.ROOT,
                 0,
-                List.of(ProgramTree.node(new Section.MainProgram(false), nodes, before, code)));
+                List.of(
+                    ProgramTree.node(
+                        new Section.MainProgram(false), all.toArray(ProgramNode[]::new))));
     String name =
         fileName.endsWith(ENDING)
             ? fileName.substring(0, fileName.length() - ENDING.length())
             : fileName;
     return new ImportedProgram(name, tree, List.of(), Optional.empty(), remarks);
+  }
+
+  /** A node that runs a script; empty if there is nothing in it. */
+  private static Optional<ProgramNode> node(String fileName, List<String> script) {
+    return script.stream().allMatch(String::isBlank)
+        ? Optional.empty()
+        : Optional.of(ProgramTree.node(new ActionStep.ScriptFile(fileName, script)));
   }
 
   /** Functions that a script calls and that are neither in it nor in the language. */

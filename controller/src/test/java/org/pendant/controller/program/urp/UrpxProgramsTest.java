@@ -16,6 +16,7 @@ import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.Section;
 import org.pendant.controller.program.StepNames;
+import org.pendant.controller.program.check.ProgramCheck;
 import org.pendant.controller.program.script.GeneratedScript;
 import org.pendant.controller.program.script.ScriptGenerator;
 
@@ -149,6 +150,42 @@ class UrpxProgramsTest {
     ProgramTree tree = read(json).tree().renumbered();
     GeneratedScript own = ScriptGenerator.generate("wait", tree, Installation.NONE);
     assertEquals(own, ShownNodes.placed(tree, own));
+  }
+
+  @Test
+  void aScriptWithNothingInItIsNoNode() throws UnreadableFile {
+    ProgramTree tree =
+        read("""
+        {"application": {"urscript": {"script": "\\n"}},
+         "program": {"programContent": {}, "urscript": {"script": ""}}}
+        """)
+            .tree();
+    assertEquals(1, tree.sections().getFirst().children().size());
+    assertEquals(List.of(), ProgramCheck.problems(tree, Installation.NONE));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      textBlock =
+          """
+          "programInformation": {"name": "café 2"},      | café 2
+          "programInformation": {"nam": "a"}, "x": 1,    | x: error: says no name: programInformation must have one
+          "other": 1,                                    | x: error: is no program of PolyScope X: programInformation is missing, must be an object
+          """)
+  void tellsTheNameInAProgram(String information, String name) {
+    String json =
+        "{\"application\": {\"urscript\": {\"script\": \"\"}}, \"program\": {"
+            + information
+            + " \"programContent\": {}, \"urscript\": {\"script\": \"\"}}}";
+    String said;
+    try {
+      said = UrpxPrograms.nameIn(json.getBytes(StandardCharsets.UTF_8));
+    } catch (UnreadableFile e) {
+      said = e.report("x");
+    }
+    assertEquals(name, said);
   }
 
   @Test
