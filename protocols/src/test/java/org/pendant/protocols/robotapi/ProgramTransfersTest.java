@@ -127,7 +127,8 @@ class ProgramTransfersTest {
     assertEquals(List.of("programs/test caf\u00e9+.urpx"), files());
     String name =
         new String("test caf\u00e9+".getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
-    assertTrue(panel.loadNamed(name).program().source().text().contains("textmsg(1)"));
+    assertTrue(
+        panel.loadNamed(name).program().orElseThrow().source().text().contains("textmsg(1)"));
   }
 
   @Test
