@@ -40,8 +40,7 @@ final class NodeLabelsTest {
 
   @Test
   void linesOfTheTreeCallSignalsByTheirNames() {
-    List<String> labels =
-        TreeRow.of(tree, Set.of()).stream().map(row -> row.label(names)).toList();
+    List<String> labels = TreeRow.of(tree, Set.of()).stream().map(row -> row.label(names)).toList();
     assertEquals("Set Close gripper = On", labels.getLast());
   }
 
