@@ -199,10 +199,11 @@ final class ForceModeLimitTest {
   @CsvSource({"ur5e, 0.1, 0.17", "ur3e, 0.01, 0.02", "ur10e, 0, 0", "ur5e, 0, 0"})
   void ordinaryMovesNeverComeNearALimit(String robot, double metres, double radians) {
     arm = new PressingArm(ControllerOptions.headless().withRobot(robot));
-    String limits = "[%s, %s, 0.1, %s, %s, %s]";
+    String limits =
+        "[%s, %s, 0.1, %s, %s, %s]".formatted(metres, metres, radians, radians, radians);
     arm.start(
         "home = get_target_joint_positions()\nhere = get_target_tcp_pose()\n"
-            + floatZ(limits.formatted(metres, metres, radians, radians, radians))
+            + floatZ(limits)
             + """
             movel(pose_trans(p[0, 0.15, 0, 0, 0, 0], here), a=5, v=1)
             movel(pose_trans(p[0, -0.15, 0.05, 0, 0, 0], here), a=1.2, v=0.25, r=0.02)
