@@ -6,11 +6,11 @@ import java.io.UncheckedIOException;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.value.Value;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 /**

@@ -13,7 +13,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.call.Builtins;
+import org.pendant.controller.function.Builtins;
 import org.pendant.language.service.Completion;
 import org.pendant.language.service.FormatOptions;
 import org.pendant.language.service.FormatResult;

@@ -13,9 +13,9 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.ProgramLoader;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.ProgramLoader;
 import org.pendant.language.check.Checker;
 import org.pendant.language.check.ProgramForm;
 import org.pendant.language.parse.ParseResult;
@@ -59,10 +59,10 @@ public class LanguageBenchmark {
 
   /** Text to instructions, as {@code pendant run} does it. */
   @Benchmark
-  public Loaded load() {
-    Loaded loaded = ProgramLoader.load(source, builtins);
-    requireNoErrors(loaded.diagnostics());
-    return loaded;
+  public LoadResult load() {
+    LoadResult loadResult = ProgramLoader.load(source, builtins);
+    requireNoErrors(loadResult.diagnostics());
+    return loadResult;
   }
 
   private static void requireNoErrors(List<Diagnostic> diagnostics) {

@@ -14,13 +14,13 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.pendant.controller.motion.ArcRoute;
-import org.pendant.controller.motion.ArmHeadroom;
-import org.pendant.controller.motion.Headroom;
 import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.motion.MotionTicket;
 import org.pendant.controller.motion.Move;
 import org.pendant.controller.motion.MoveLimits;
+import org.pendant.controller.motion.PathLimits;
 import org.pendant.controller.motion.Routes;
+import org.pendant.controller.motion.TorquePathLimits;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
@@ -59,11 +59,11 @@ public class MovePlanningBenchmark {
   public void prepare() {
     arm = ArmLibrary.load("ur5e");
     forward = new ForwardKinematics(arm.dh());
-    Headroom all = new ArmHeadroom(arm).share(1, 1, Double.POSITIVE_INFINITY);
+    PathLimits all = new TorquePathLimits(arm).share(1, 1, Double.POSITIVE_INFINITY);
     Pose home = forward.tcpPose(READY, TCP);
     ArcRoute arc =
         new ArcRoute(
-            arm, beside(home, 0.05, 0.05), beside(home, 0, 0.1), false, TCP, Headroom.UNLIMITED);
+            arm, beside(home, 0.05, 0.05), beside(home, 0, 0.1), false, TCP, PathLimits.UNLIMITED);
     circle =
         new Move(
             from -> arc.from(from, forward.tcpPose(from, TCP)), USUAL, 0, 0, Move.Kind.PROCESS);

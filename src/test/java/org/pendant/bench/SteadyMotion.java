@@ -8,13 +8,13 @@ import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.ToolCentre;
 import org.pendant.controller.motion.ArcRoute;
-import org.pendant.controller.motion.Headroom;
 import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.motion.MotionPlan;
 import org.pendant.controller.motion.MotionTicket;
 import org.pendant.controller.motion.Move;
 import org.pendant.controller.motion.MoveLimits;
 import org.pendant.controller.motion.PathLimiter;
+import org.pendant.controller.motion.PathLimits;
 import org.pendant.controller.motion.Routes;
 import org.pendant.controller.motion.StopJ;
 import org.pendant.controller.motion.StopL;
@@ -25,7 +25,7 @@ import org.pendant.controller.motion.force.FrameKind;
 import org.pendant.controller.motion.offset.OffsetType;
 import org.pendant.controller.safety.SpeedCaps;
 import org.pendant.controller.toolpath.RunPlan;
-import org.pendant.controller.toolpath.Station;
+import org.pendant.controller.toolpath.ToolConfiguration;
 import org.pendant.controller.toolpath.Toolpaths;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.ArmDescription;
@@ -203,7 +203,7 @@ public final class SteadyMotion {
       case BLEND_MIXED -> blend(line(beside(0.041, 0, 0), RADIUS_M), joints(READY, 0));
       case OPTIMOVEJ -> {
         Joints goal = new Joints(1, -1, -2, -1.5, 1.2, 0.5);
-        Headroom some = box.headroom().share(1e-4, 1, Double.POSITIVE_INFINITY);
+        PathLimits some = box.headroom().share(1e-4, 1, Double.POSITIVE_INFINITY);
         start(
             new Move(
                 from -> Routes.joints(arm, from, goal, forward.tcpPose(goal, TCP), TCP, some),
@@ -212,7 +212,7 @@ public final class SteadyMotion {
                 JERK_RAMP_S));
       }
       case OPTIMOVEL -> {
-        Headroom some = box.headroom().share(1e-4, 1, Double.POSITIVE_INFINITY);
+        PathLimits some = box.headroom().share(1e-4, 1, Double.POSITIVE_INFINITY);
         Pose goal = beside(0.1, 0.2, 0.1);
         start(
             new Move(
@@ -338,7 +338,8 @@ public final class SteadyMotion {
 
   private Move circle(MoveLimits limits) {
     ArcRoute arc =
-        new ArcRoute(arm, beside(0.05, 0.05, 0), beside(0, 0.1, 0), false, TCP, Headroom.UNLIMITED);
+        new ArcRoute(
+            arm, beside(0.05, 0.05, 0), beside(0, 0.1, 0), false, TCP, PathLimits.UNLIMITED);
     return new Move(
         from -> arc.from(from, forward.tcpPose(from, TCP)), limits, 0, 0, Move.Kind.PROCESS);
   }
@@ -362,9 +363,10 @@ public final class SteadyMotion {
     boolean remote = kind == Kind.TOOLPATH_REMOTE;
     boolean free = kind == Kind.TOOLPATH_FREE;
     Pose flange = forward.flangePose(READY);
-    Station station = new Station(remote, remote ? Poses.trans(flange, TCP) : TCP);
+    ToolConfiguration toolConfiguration =
+        new ToolConfiguration(remote, remote ? Poses.trans(flange, TCP) : TCP);
     Toolpaths toolpaths = new Toolpaths(arm, true);
-    toolpaths.initialize(station, free);
+    toolpaths.initialize(toolConfiguration, free);
     toolpaths.setPcs(remote ? TCP : Poses.trans(flange, TCP));
     int lines = 100;
     for (int i = 1; i <= lines; i++) {

@@ -16,7 +16,7 @@ import org.openjdk.jmh.annotations.Warmup;
 import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.motion.MotionTicket;
 import org.pendant.controller.toolpath.RunPlan;
-import org.pendant.controller.toolpath.Station;
+import org.pendant.controller.toolpath.ToolConfiguration;
 import org.pendant.controller.toolpath.Toolpaths;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.ArmDescription;
@@ -52,9 +52,10 @@ public class ToolpathBenchmark {
     Pose flange = new ForwardKinematics(arm.dh()).flangePose(START_RAD);
     boolean remote = kind.equals("remote");
     Pose tool = new Pose(0, 0, 0.1, 0, 0, 0);
-    Station station = new Station(remote, remote ? Poses.trans(flange, tool) : tool);
+    ToolConfiguration toolConfiguration =
+        new ToolConfiguration(remote, remote ? Poses.trans(flange, tool) : tool);
     toolpaths = new Toolpaths(arm, true);
-    toolpaths.initialize(station, kind.equals("free"));
+    toolpaths.initialize(toolConfiguration, kind.equals("free"));
     Pose start = remote ? tool : Poses.trans(flange, tool);
     toolpaths.setPcs(start);
     for (int i = 1; i <= LINES; i++) {

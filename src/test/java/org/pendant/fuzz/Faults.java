@@ -6,9 +6,9 @@ import java.util.Optional;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.machine.Loaded;
+import org.pendant.controller.function.Builtins;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.vm.LoadResult;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.DiagnosticFormat;
 import org.pendant.language.source.Source;
@@ -22,14 +22,14 @@ final class Faults {
   /** What went wrong inside, if anything did; that a program fails is none. */
   static Optional<String> ofRun(Source source, Builtins builtins) {
     Controller controller = new Controller(ControllerOptions.headless(), builtins);
-    Loaded loaded = controller.load(source);
-    if (loaded.program().isEmpty()) {
-      return loaded.diagnostics().stream()
+    LoadResult loadResult = controller.load(source);
+    if (loadResult.program().isEmpty()) {
+      return loadResult.diagnostics().stream()
           .filter(Diagnostic::isError)
           .findFirst()
           .map(each -> "does not compile: " + DiagnosticFormat.format(source, each));
     }
-    var _ = controller.submit(new Command.StartProgram(loaded.program().get()));
+    var _ = controller.submit(new Command.StartProgram(loadResult.program().get()));
     for (int frame = 0; frame < FRAMES; frame++) {
       controller.advance();
     }

@@ -20,14 +20,14 @@ import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.protocols.BoxPorts;
-import org.pendant.protocols.net.FrameFan;
 import org.pendant.protocols.net.PeerLog;
+import org.pendant.protocols.net.StateBroadcaster;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.panel.Panel;
-import org.pendant.protocols.panel.PanelSetup;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
+import org.pendant.protocols.server.ServerContext;
+import org.pendant.protocols.teachpendant.PendantSetup;
+import org.pendant.protocols.teachpendant.RemotePendant;
 
 /** A box with all its ports in this process, and what must hold whatever clients have done. */
 final class FuzzedBox implements AutoCloseable {
@@ -46,7 +46,7 @@ final class FuzzedBox implements AutoCloseable {
               faults.add(text);
             }
           });
-  private final FrameFan frames = new FrameFan(controller.feed(), log);
+  private final StateBroadcaster frames = new StateBroadcaster(controller.feed(), log);
   private final FrameLoop loop = FrameLoop.start(controller, new WallClock());
   private final BoxPorts ports;
   private int threads;
@@ -55,11 +55,11 @@ final class FuzzedBox implements AutoCloseable {
   FuzzedBox(Path folder) {
     ports =
         BoxPorts.open(
-            new Outside(controller, frames, log, RemoteControl.disabled()),
+            new ServerContext(controller, frames, log, RemoteControl.disabled()),
             PortNumbers.anyFree(),
-            new Panel(
+            new RemotePendant(
                 controller,
-                new PanelSetup(
+                new PendantSetup(
                     ControllerOptions.DEFAULT_ROBOT, ProgramsFolder.at(folder), folder)));
   }
 

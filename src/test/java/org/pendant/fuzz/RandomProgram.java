@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
-import org.pendant.controller.call.Builtins;
+import org.pendant.controller.function.Builtins;
 import org.pendant.language.signature.Parameter;
 import org.pendant.language.signature.Signature;
 import org.pendant.language.signature.Type;

@@ -7,9 +7,9 @@ import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.LongStream;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.ProgramLoader;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.ProgramLoader;
 import org.pendant.language.service.FormatOptions;
 import org.pendant.language.service.ScriptAnalysis;
 import org.pendant.language.source.Diagnostic;
@@ -92,20 +92,20 @@ final class ScriptFuzzer {
   }
 
   private Optional<String> fault(Source source, boolean edited) {
-    Loaded loaded = ProgramLoader.load(source, builtins);
-    if (loaded.program().isPresent()) {
+    LoadResult loadResult = ProgramLoader.load(source, builtins);
+    if (loadResult.program().isPresent()) {
       compiled.incrementAndGet();
-    } else if (loaded.diagnostics().isEmpty()) {
+    } else if (loadResult.diagnostics().isEmpty()) {
       return Optional.of("neither a program nor a reason");
     }
     long syntaxErrors =
-        loaded.diagnostics().stream()
+        loadResult.diagnostics().stream()
             .filter(each -> each.wireText().startsWith("syntax_error"))
             .count();
     if (syntaxErrors > MOST_SYNTAX_ERRORS) {
       return Optional.of(syntaxErrors + " syntax errors");
     }
-    for (Diagnostic diagnostic : loaded.diagnostics()) {
+    for (Diagnostic diagnostic : loadResult.diagnostics()) {
       if (diagnostic.range().end() > source.text().length()) {
         return Optional.of("beyond the end of the text: " + diagnostic);
       }

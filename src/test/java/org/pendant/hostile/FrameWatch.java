@@ -12,11 +12,11 @@ import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Reply;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.value.IntValue;
 import org.pendant.controller.value.Value;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 /**
@@ -104,12 +104,12 @@ final class FrameWatch {
   }
 
   private void start(String text) {
-    Loaded loaded =
+    LoadResult loadResult =
         controller.load(Source.of("hostile.script", text.getBytes(StandardCharsets.ISO_8859_1)));
-    if (loaded.program().isEmpty()) {
-      throw new IllegalStateException(loaded.diagnostics() + "\n" + text);
+    if (loadResult.program().isEmpty()) {
+      throw new IllegalStateException(loadResult.diagnostics() + "\n" + text);
     }
-    var reply = controller.submit(new Command.StartProgram(loaded.program().get()));
+    var reply = controller.submit(new Command.StartProgram(loadResult.program().get()));
     controller.advance();
     if (!(reply.join() instanceof Reply.Done)) {
       throw new IllegalStateException(reply.join() + "\n" + text);

@@ -9,9 +9,9 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** That everything can be reached and read, by key, by a screen reader and in a small window. */
 final class AccessWindowTest {
-  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+  @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 
-  private final OpenWindow window = desk.window();
+  private final OpenWindow window = sharedWindow.window();
 
   @Test
   void everythingThatKeysReachHasANameOnEveryScreen() {

@@ -9,9 +9,9 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** Panels that are dragged and folded, and keys that are changed. */
 final class ArrangeWindowTest {
-  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+  @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 
-  private final OpenWindow window = desk.window();
+  private final OpenWindow window = sharedWindow.window();
 
   @AfterEach
   void putBack() {

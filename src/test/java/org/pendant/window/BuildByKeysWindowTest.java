@@ -15,7 +15,7 @@ import org.pendant.controller.program.text.ReadProgram;
 
 /** A program made of nodes, from nothing to the file and back, by the keyboard alone. */
 final class BuildByKeysWindowTest {
-  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+  @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 
   private static final String TREE = "program-tree";
   private static final List<String> BUILT =
@@ -29,7 +29,7 @@ final class BuildByKeysWindowTest {
           "Set digital_out[4] = On",
           "textmsg(\"placed it\")");
 
-  private final OpenWindow window = desk.window();
+  private final OpenWindow window = sharedWindow.window();
 
   @TempDir Path folder;
 

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** A program made of nodes, from nothing, by the mouse alone. */
 final class BuildByMouseWindowTest {
-  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+  @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 
   private static final String TREE = "program-tree";
   private static final String PALETTE = "program-palette";
@@ -19,7 +19,7 @@ final class BuildByMouseWindowTest {
   private static final String CLOSE = "Set digital_out[3] = On";
   private static final String OPEN = "Set digital_out[3] = Off";
 
-  private final OpenWindow window = desk.window();
+  private final OpenWindow window = sharedWindow.window();
 
   @Test
   void pickAndPlaceIsBuiltTaughtAndRun() {

@@ -11,9 +11,9 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** That keys go where people type, whatever the program does meanwhile. */
 final class FocusWindowTest {
-  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+  @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 
-  private final OpenWindow window = desk.window();
+  private final OpenWindow window = sharedWindow.window();
   private ServerSocket visited;
   private Socket visitor;
 
@@ -65,7 +65,7 @@ final class FocusWindowTest {
 
   @Test
   void whatIsTypedAfterGoToLineComesToTheScript() {
-    desk.program("one = 1", "two = 2");
+    sharedWindow.program("one = 1", "two = 2");
     window.click("rail-script");
     window.click("script-text");
     window.awaitFocus("script-text");
@@ -81,7 +81,7 @@ final class FocusWindowTest {
 
   /** The next step lasts until {@link #endTheStep}, however long it takes to go elsewhere. */
   private void holdBeforeWaiting() throws IOException {
-    desk.program(
+    sharedWindow.program(
         "socket_open(\"127.0.0.1\", " + visited.getLocalPort() + ")",
         "socket_read_byte_list(1, timeout=0)",
         "i = 2",

@@ -7,9 +7,9 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** Moving by hand, and what the log leads to. */
 final class HandWindowTest {
-  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+  @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 
-  private final OpenWindow window = desk.window();
+  private final OpenWindow window = sharedWindow.window();
 
   private double number(String name) {
     return Double.parseDouble(window.words(name));
@@ -42,7 +42,7 @@ final class HandWindowTest {
 
   @Test
   void messageLeadsToTheLineThatWroteIt() {
-    desk.run("i = 1", "textmsg(\"from line two\")");
+    sharedWindow.run("i = 1", "textmsg(\"from line two\")");
     window.awaitWords("program-state", "stopped");
     window.click("rail-log");
     window.awaitWords("log-table", "from line two");

@@ -11,13 +11,13 @@ import org.pendant.client.Served;
 
 /** The ports of the controller in the window, and a program that comes by them. */
 final class PortsWindowTest {
-  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+  @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 
   private static final int PRIMARY = 30_001;
   private static final int ADDRESS = 220;
   private static final String OFFSET = "2000";
 
-  private final OpenWindow window = desk.window();
+  private final OpenWindow window = sharedWindow.window();
 
   private void fill(String field, String text) {
     window.click(field);
@@ -28,7 +28,7 @@ final class PortsWindowTest {
 
   @Test
   void aProgramFromOutsideRunsUnderItsOwnNameUntilItIsStoppedHere() throws IOException {
-    desk.program("sleep(1)");
+    sharedWindow.program("sleep(1)");
     window.perform("Show Ports");
     window.awaitShown("ports-open");
     InetAddress address = InetAddress.getByName(Served.host(ADDRESS));

@@ -5,13 +5,14 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** Writing, running and debugging programs in the window. */
 final class ProgramWindowTest {
-  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+  @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 
-  private final OpenWindow window = desk.window();
+  private final OpenWindow window = sharedWindow.window();
 
   @Test
   void runByKeyMovesTheArmAndLogsWhatItSays() {
-    desk.program("movej([0.3, -1.5, -1.5, -1.5, 1.5, 0], a=5, v=3)", "textmsg(\"arrived\")");
+    sharedWindow.program(
+        "movej([0.3, -1.5, -1.5, -1.5, 1.5, 0], a=5, v=3)", "textmsg(\"arrived\")");
     window.press("F5");
     window.awaitWords("run-joints-Base", "17.19");
     window.awaitWords("program-state", "stopped");
@@ -21,7 +22,7 @@ final class ProgramWindowTest {
 
   @Test
   void pausedProgramGoesOnAndStops() {
-    desk.run("while True:", "  sync()", "end");
+    sharedWindow.run("while True:", "  sync()", "end");
     window.awaitWords("program-state", "running");
     window.press("F6");
     window.awaitWords("program-state", "paused");
@@ -33,7 +34,7 @@ final class ProgramWindowTest {
 
   @Test
   void mistakeIsExplainedWhileTyping() {
-    desk.program("i = 1");
+    sharedWindow.program("i = 1");
     window.click("rail-script");
     window.click("script-text");
     window.awaitFocus("script-text");
@@ -50,7 +51,7 @@ final class ProgramWindowTest {
 
   @Test
   void forcedInputIsSeenByTheProgram() {
-    desk.run(
+    sharedWindow.run(
         "while not get_standard_digital_in(3):",
         "  sync()",
         "end",
@@ -67,7 +68,7 @@ final class ProgramWindowTest {
 
   @Test
   void programIsHeldAtABreakpointSteppedAndGivenAnotherValue() {
-    desk.program("count = 1", "count = count + 1", "textmsg(\"it is \", count)");
+    sharedWindow.program("count = 1", "count = count + 1", "textmsg(\"it is \", count)");
     window.click("rail-script");
     window.click("script-text");
     window.awaitFocus("script-text");

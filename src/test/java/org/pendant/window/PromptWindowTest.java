@@ -5,13 +5,13 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** Popups and questions of programs, answered by keyboard, with Stop always in sight. */
 final class PromptWindowTest {
-  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+  @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 
-  private final OpenWindow window = desk.window();
+  private final OpenWindow window = sharedWindow.window();
 
   @Test
   void popupIsAnsweredByEnter() {
-    desk.run("popup(\"take the part\", \"Please\", blocking=True)", "textmsg(\"taken\")");
+    sharedWindow.run("popup(\"take the part\", \"Please\", blocking=True)", "textmsg(\"taken\")");
     window.awaitWords("popup-title", "Please");
     window.awaitWords("popup-text", "take the part");
     window.awaitEnabled("program-stop");
@@ -23,7 +23,7 @@ final class PromptWindowTest {
 
   @Test
   void programIsStoppedFromThePopupByKey() {
-    desk.run("popup(\"take the part\", blocking=True)", "textmsg(\"taken after all\")");
+    sharedWindow.run("popup(\"take the part\", blocking=True)", "textmsg(\"taken after all\")");
     window.awaitFocus("popup-continue");
     window.press("shift TAB");
     window.awaitFocus("popup-stop");
@@ -34,7 +34,7 @@ final class PromptWindowTest {
 
   @Test
   void popupsQueueAndThoseThatDoNotBlockLeaveTheProgramRunning() {
-    desk.run("popup(\"first\")", "popup(\"second\")", "while True:", "  sync()", "end");
+    sharedWindow.run("popup(\"first\")", "popup(\"second\")", "while True:", "  sync()", "end");
     window.awaitWords("popup-text", "first");
     window.awaitWords("popup-place", "1 of 2");
     window.awaitWords("program-state", "running");
@@ -50,7 +50,7 @@ final class PromptWindowTest {
 
   @Test
   void yesOrNoIsAnsweredByItsLetterAndNoHasTheFocus() {
-    desk.run(
+    sharedWindow.run(
         "a = request_boolean_from_primary_client(\"Mark the part?\")",
         "b = request_boolean_from_primary_client(\"And pack it?\")",
         "textmsg(a, b)");
@@ -67,7 +67,8 @@ final class PromptWindowTest {
 
   @Test
   void wholeNumberIsCheckedAtTheField() {
-    desk.run("textmsg(\"parts \", request_integer_from_primary_client(\"How many parts?\"))");
+    sharedWindow.run(
+        "textmsg(\"parts \", request_integer_from_primary_client(\"How many parts?\"))");
     window.awaitFocus("popup-field");
     window.type("2.5\n");
     window.awaitWords("popup-error", "Must be a whole number");
@@ -82,7 +83,7 @@ final class PromptWindowTest {
 
   @Test
   void numberIsTyped() {
-    desk.run("textmsg(\"offset \", request_float_from_primary_client(\"Offset [mm]\"))");
+    sharedWindow.run("textmsg(\"offset \", request_float_from_primary_client(\"Offset [mm]\"))");
     window.awaitFocus("popup-field");
     window.type("-12.5\n");
     window.awaitWords("run-messages", "offset -12.5");
@@ -90,7 +91,7 @@ final class PromptWindowTest {
 
   @Test
   void textIsTyped() {
-    desk.run("textmsg(\"part \", request_string_from_primary_client(\"Which part?\"))");
+    sharedWindow.run("textmsg(\"part \", request_string_from_primary_client(\"Which part?\"))");
     window.awaitFocus("popup-field");
     window.type("Bolt M8\n");
     window.awaitWords("run-messages", "part Bolt M8");
@@ -98,7 +99,7 @@ final class PromptWindowTest {
 
   @Test
   void cancelStopsTheProgram() {
-    desk.run("request_string_from_primary_client(\"Which part?\")", "textmsg(\"went on\")");
+    sharedWindow.run("request_string_from_primary_client(\"Which part?\")", "textmsg(\"went on\")");
     window.awaitFocus("popup-field");
     window.click("popup-stop");
     window.awaitHidden("popup-text");
@@ -107,7 +108,8 @@ final class PromptWindowTest {
 
   @Test
   void questionLeavesTheKeyboardToSomebodyWhoTypesUntilItIsAskedFor() {
-    desk.program("sleep(1)", "textmsg(\"named \", request_string_from_primary_client(\"Who?\"))");
+    sharedWindow.program(
+        "sleep(1)", "textmsg(\"named \", request_string_from_primary_client(\"Who?\"))");
     window.click("rail-script");
     window.click("script-text");
     window.awaitFocus("script-text");
@@ -132,7 +134,7 @@ final class PromptWindowTest {
 
   @Test
   void stopIsToldOnOtherScreensAndLeadsToItsLine() {
-    desk.program("sleep(0.5)", "protective_stop()", "sleep(1)");
+    sharedWindow.program("sleep(0.5)", "protective_stop()", "sleep(1)");
     window.click("rail-log");
     window.press("F5");
     window.awaitWords("stop-notice", "the program asks for it");

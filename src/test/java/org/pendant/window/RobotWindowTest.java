@@ -9,9 +9,9 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** The arm, its stops and the look of the window. */
 final class RobotWindowTest {
-  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+  @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 
-  private final OpenWindow window = desk.window();
+  private final OpenWindow window = sharedWindow.window();
 
   @Test
   void heldButtonTurnsAJointAndLettingGoStopsIt() {
@@ -68,7 +68,7 @@ final class RobotWindowTest {
 
   @Test
   void protectiveStopIsExplainedAndUnlocked() {
-    desk.program("sleep(0.1)", "protective_stop()", "sleep(1)");
+    sharedWindow.program("sleep(0.1)", "protective_stop()", "sleep(1)");
     window.press("F5");
     window.awaitWords("safety-mode", "rotective stop");
     window.awaitWords("stop-card", "C209");

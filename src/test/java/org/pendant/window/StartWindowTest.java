@@ -32,13 +32,13 @@ import org.pendant.models.pose.Pose;
 
 /** Starting programs that are trees: at a node, and with the arm away from where they go first. */
 final class StartWindowTest {
-  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+  @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 
   /** So far away that the move there is still seen on a busy machine. */
   private static final Joints PLACE =
       Joints.of(0.6, -Math.PI / 2, -Math.PI / 2, -Math.PI / 2, Math.PI / 2, 0);
 
-  private final OpenWindow window = desk.window();
+  private final OpenWindow window = sharedWindow.window();
 
   @TempDir Path folder;
 

@@ -5,12 +5,12 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** Variables of a program that runs, in the panel, on the Run screen and in charts. */
 final class VariablesWindowTest {
-  @RegisterExtension static final SharedWindow desk = new SharedWindow();
+  @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 
-  private final OpenWindow window = desk.window();
+  private final OpenWindow window = sharedWindow.window();
 
   private void runCounting() {
-    desk.run(
+    sharedWindow.run(
         "count = 0",
         "limit = 5",
         "place = p[1, 2, 3, 0, 0, 0]",

@@ -7,21 +7,21 @@ import java.util.SortedMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.box.Repeatability;
+import org.pendant.controller.box.Determinism;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.call.Builtins;
 import org.pendant.controller.debug.Debugger;
+import org.pendant.controller.function.Builtins;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.machine.InterpreterJournal;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.Machine;
-import org.pendant.controller.machine.ProgramLoader;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.state.StateFeed;
+import org.pendant.controller.state.StateStream;
 import org.pendant.controller.value.Value;
 import org.pendant.controller.variables.VariableTracer;
+import org.pendant.controller.vm.InterpreterJournal;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.Machine;
+import org.pendant.controller.vm.ProgramLoader;
 import org.pendant.language.source.Source;
 
 /**
@@ -34,8 +34,8 @@ public final class Controller {
   private final Builtins builtins;
   private final ControlBox box;
   private final Machine machine;
-  private final CommandDesk desk;
-  private final InstallationDesk installed;
+  private final CommandQueue commandQueue;
+  private final InstallationHandler installed;
   private final Frame frame;
 
   /**
@@ -53,17 +53,17 @@ public final class Controller {
     this.builtins = builtins;
     box = new ControlBox(options.boxSetup());
     machine = new Machine(builtins, box, options.memoryBytes());
-    installed = new InstallationDesk(box, machine);
+    installed = new InstallationHandler(box, machine);
     options.installation().ifPresent(installed::begin);
     options.inputs().forEach(this::setInput);
     options.signals().forEach(box.signals()::write);
     installed.takeLevels();
     options.encoders().forEach((index, ticksPerS) -> box.encoders().get(index).run(ticksPerS));
     Debugger debugger = new Debugger(machine);
-    HandDesk hand = new HandDesk(box, machine);
+    ManualControl hand = new ManualControl(box, machine);
     VariableTracer tracer = new VariableTracer(machine);
-    desk = new CommandDesk(box, machine, debugger, hand, tracer, installed);
-    frame = new Frame(box, machine, debugger, desk, hand, tracer, installed);
+    commandQueue = new CommandQueue(box, machine, debugger, hand, tracer, installed);
+    frame = new Frame(box, machine, debugger, commandQueue, hand, tracer, installed);
   }
 
   private void setInput(String name, boolean level) {
@@ -93,7 +93,7 @@ public final class Controller {
   }
 
   /** Parses, checks and compiles a program; any thread. */
-  public Loaded load(Source source) {
+  public LoadResult load(Source source) {
     return ProgramLoader.load(source, builtins);
   }
 
@@ -102,12 +102,12 @@ public final class Controller {
    * executor runs in the frame loop and must be short.
    */
   public CompletableFuture<Reply> submit(Command command) {
-    return desk.post(command).reply();
+    return commandQueue.post(command).reply();
   }
 
   /** As {@link #submit}, for who may want to take the command back; any thread. */
   public PendingCommand post(Command command) {
-    return desk.post(command);
+    return commandQueue.post(command);
   }
 
   /**
@@ -115,14 +115,14 @@ public final class Controller {
    * frames.
    */
   public void noteCommandsIn(CommandJournal journal) {
-    desk.noteIn(journal);
+    commandQueue.noteIn(journal);
   }
 
   /**
    * Whether what has happened can happen once more, with the same options and commands; any thread.
    */
-  public Repeatability repeatability() {
-    return box.clock().repeatability();
+  public Determinism determinism() {
+    return box.clock().determinism();
   }
 
   /** Runs one frame in the calling thread. */
@@ -161,7 +161,7 @@ public final class Controller {
   }
 
   /** Every snapshot in turn, for who must not miss a frame; any thread. */
-  public StateFeed feed() {
+  public StateStream feed() {
     return frame.feed();
   }
 

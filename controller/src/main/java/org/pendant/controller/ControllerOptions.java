@@ -7,11 +7,11 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.box.BoxSetup;
+import org.pendant.controller.external.Connectors;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.message.Operator;
-import org.pendant.controller.outside.Doors;
 import org.pendant.controller.safety.PowerTimes;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.world.Scene;
@@ -48,7 +48,7 @@ public final class ControllerOptions {
   private PowerTimes powerTimes = PowerTimes.STANDARD;
   private Optional<InstantSource> systemTime = Optional.empty();
   private ProgramsFolder programsFolder = ProgramsFolder.NONE;
-  private Doors outside = Doors.NONE;
+  private Connectors outside = Connectors.NONE;
   private Optional<Installation> installation = Optional.empty();
   private long memoryBytes = standardMemoryBytes();
 
@@ -206,8 +206,8 @@ public final class ControllerOptions {
   }
 
   /** With ways to other computers; without any, programs that want there fail. */
-  public ControllerOptions withOutside(Doors doors) {
-    return changed(copy -> copy.outside = doors);
+  public ControllerOptions withOutside(Connectors connectors) {
+    return changed(copy -> copy.outside = connectors);
   }
 
   /** Id of the arm. */

@@ -6,10 +6,6 @@ import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.eip.AssemblyWatchdog;
 import org.pendant.controller.io.InputWatchdogs;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.Machine;
-import org.pendant.controller.machine.ProgramState;
-import org.pendant.controller.machine.ScriptFailure;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.motion.MotionFailure;
@@ -24,10 +20,14 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.RuntimeState;
 import org.pendant.controller.state.SafetyStatus;
-import org.pendant.controller.state.StateFeed;
+import org.pendant.controller.state.StateStream;
 import org.pendant.controller.value.Value;
 import org.pendant.controller.variables.VariableSampler;
 import org.pendant.controller.variables.VariableTracer;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.Machine;
+import org.pendant.controller.vm.ProgramState;
+import org.pendant.controller.vm.ScriptFailure;
 import org.pendant.language.source.SourceRange;
 import org.pendant.models.arm.Joints;
 
@@ -38,15 +38,15 @@ final class Frame {
 
   private final ControlBox box;
   private final Machine machine;
-  private final CommandDesk desk;
+  private final CommandQueue commandQueue;
   private final Debugger debugger;
-  private final HandDesk hand;
+  private final ManualControl hand;
   private final VariableSampler sampler;
   private final VariableTracer tracer;
-  private final InstallationDesk installed;
+  private final InstallationHandler installed;
 
-  private final StopWitness witness = new StopWitness();
-  private final RuntimeWitness runtime = new RuntimeWitness();
+  private final StopSnapshot witness = new StopSnapshot();
+  private final RuntimeStateTracker runtime = new RuntimeStateTracker();
   private ProgramState followed = ProgramState.STOPPED;
   private ProgramStatus program = ProgramStatus.NONE;
   private Optional<Ending> internalEnding = Optional.empty();
@@ -62,21 +62,21 @@ final class Frame {
   /** When this frame began by the computer's clock; in virtual time nothing depends on it. */
   private long beganNs = System.nanoTime();
 
-  private final StateFeed feed = new StateFeed();
+  private final StateStream feed = new StateStream();
   private volatile ControllerState state;
 
   Frame(
       ControlBox box,
       Machine machine,
       Debugger debugger,
-      CommandDesk desk,
-      HandDesk hand,
+      CommandQueue commandQueue,
+      ManualControl hand,
       VariableTracer tracer,
-      InstallationDesk installed) {
+      InstallationHandler installed) {
     this.box = box;
     this.machine = machine;
     this.debugger = debugger;
-    this.desk = desk;
+    this.commandQueue = commandQueue;
     this.hand = hand;
     this.tracer = tracer;
     this.installed = installed;
@@ -107,7 +107,7 @@ final class Frame {
     held = runScripts();
     if (held) {
       // a debugger holds the frame: time stands still, and the next call goes on with it
-      desk.refuseSecondaries("a debugger holds program " + machine.programName());
+      commandQueue.refuseSecondaries("a debugger holds program " + machine.programName());
       publish();
       return;
     }
@@ -123,14 +123,14 @@ final class Frame {
   }
 
   /** Every snapshot in turn; any thread. */
-  StateFeed feed() {
+  StateStream feed() {
     return feed;
   }
 
   private void applyCommands() {
     box.links().modbus().step(box.clock().timeS());
     box.links().toolLine().step();
-    desk.drain(this::followProgram);
+    commandQueue.drain(this::followProgram);
     installed.step();
     followWatchdogs();
     followAssemblies();
@@ -202,7 +202,7 @@ final class Frame {
     if (box.popups().blocked()) {
       machine.pause();
     }
-    desk.runSecondaries();
+    commandQueue.runSecondaries();
     followProgram();
     return false;
   }
@@ -301,7 +301,7 @@ final class Frame {
 
   private void publish() {
     state = snapshot();
-    desk.reply();
+    commandQueue.reply();
     feed.publish(state);
   }
 
@@ -413,7 +413,7 @@ final class Frame {
       box.log().internalError(cause);
       machine.stop();
     }
-    box.clock().repeatability().lose("an internal error ended the program");
+    box.clock().determinism().taint("an internal error ended the program");
     internalEnding =
         Optional.of(
             new Ending.Failed(

@@ -12,8 +12,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.eip.AssemblyData;
 import org.pendant.controller.eip.AssemblyPair;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.SafetyMode;
+import org.pendant.controller.vm.ProgramState;
 
 class AssemblyProgramTest {
   private static final int FROM_PLC = 111;

@@ -15,14 +15,14 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.io.SignalBank;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.recording.Recorder;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
 
@@ -40,10 +40,10 @@ final class ControllerTest {
   private final List<String> lines = new ArrayList<>();
 
   private static Program program(Controller controller, String text) {
-    Loaded loaded =
+    LoadResult loadResult =
         controller.load(Source.of("test.script", text.getBytes(StandardCharsets.ISO_8859_1)));
-    assertTrue(loaded.program().isPresent(), () -> loaded.diagnostics().toString());
-    return loaded.program().get();
+    assertTrue(loadResult.program().isPresent(), () -> loadResult.diagnostics().toString());
+    return loadResult.program().get();
   }
 
   private void advance() {

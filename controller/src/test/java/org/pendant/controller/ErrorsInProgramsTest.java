@@ -7,11 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.ProgramState;
-import org.pendant.controller.machine.ScriptFailure;
+import org.pendant.controller.function.Builtins;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.ProgramState;
+import org.pendant.controller.vm.ScriptFailure;
 import org.pendant.language.source.Source;
 
 /** What a program meets that Java calls an error ends the program, and nothing else. */

@@ -14,8 +14,8 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.debug.Breakpoint;
 import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 /** A debugger that holds the frame, through the controller's commands and snapshots. */

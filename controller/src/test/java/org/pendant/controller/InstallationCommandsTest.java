@@ -10,6 +10,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.external.Connectors;
+import org.pendant.controller.external.FakeModbus;
 import org.pendant.controller.freedrive.FreedriveHolder;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationVariable;
@@ -17,11 +19,8 @@ import org.pendant.controller.installation.text.InstallationText;
 import org.pendant.controller.installation.text.ReadInstallation;
 import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.io.SignalText;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.modbus.ModbusSignalState;
-import org.pendant.controller.outside.Doors;
-import org.pendant.controller.outside.FakeModbus;
 import org.pendant.controller.safety.Applies;
 import org.pendant.controller.safety.Axis;
 import org.pendant.controller.safety.RobotMode;
@@ -29,6 +28,7 @@ import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyPlane;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmLibrary;
 
@@ -51,7 +51,7 @@ class InstallationCommandsTest {
 
   private ControllerOptions options(String lines) {
     return ControllerOptions.headless()
-        .withOutside(new Doors(Doors.NONE.sockets(), Doors.NONE.rpc(), devices))
+        .withOutside(new Connectors(Connectors.NONE.sockets(), Connectors.NONE.rpc(), devices))
         .withInstallation(installation(lines));
   }
 

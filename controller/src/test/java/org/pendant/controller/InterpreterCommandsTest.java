@@ -8,16 +8,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.machine.Interpreter;
-import org.pendant.controller.machine.InterpreterEvent;
-import org.pendant.controller.machine.InterpreterEvent.Accepted;
-import org.pendant.controller.machine.InterpreterJournal;
-import org.pendant.controller.machine.InterpreterStatus;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.Popup;
+import org.pendant.controller.vm.Interpreter;
+import org.pendant.controller.vm.InterpreterEvent;
+import org.pendant.controller.vm.InterpreterEvent.Accepted;
+import org.pendant.controller.vm.InterpreterJournal;
+import org.pendant.controller.vm.InterpreterStatus;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 /** Interpreter mode as those outside use it (manual 13). */

@@ -8,22 +8,23 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.external.Connectors;
+import org.pendant.controller.external.FakeModbus;
+import org.pendant.controller.external.FakeModbus.FakePoint;
+import org.pendant.controller.external.ModbusAddress;
+import org.pendant.controller.external.ModbusErrors;
+import org.pendant.controller.external.ModbusExchange;
+import org.pendant.controller.external.ModbusKind;
 import org.pendant.controller.modbus.ModbusSignalState;
-import org.pendant.controller.outside.Doors;
-import org.pendant.controller.outside.FakeModbus;
-import org.pendant.controller.outside.FakeModbus.FakePoint;
-import org.pendant.controller.outside.ModbusAddress;
-import org.pendant.controller.outside.ModbusErrors;
-import org.pendant.controller.outside.ModbusExchange;
-import org.pendant.controller.outside.ModbusKind;
+import org.pendant.controller.vm.ProgramState;
 
 class ModbusProgramTest {
   private final FakeModbus devices = new FakeModbus();
   private final RunningProgram program =
       new RunningProgram(
           ControllerOptions.headless()
-              .withOutside(new Doors(Doors.NONE.sockets(), Doors.NONE.rpc(), devices)));
+              .withOutside(
+                  new Connectors(Connectors.NONE.sockets(), Connectors.NONE.rpc(), devices)));
 
   private void start(String lines) {
     program.start("def f():\n" + lines + "end\n");

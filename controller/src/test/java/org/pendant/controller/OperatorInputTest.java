@@ -12,9 +12,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.ArmChoice;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.Answer;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Operator;
@@ -22,6 +19,9 @@ import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.PreparedAnswer;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.message.Question.Kind;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 /** Programs that ask the operator (manual 18.73 to 18.76), and the popups that they show. */
@@ -34,14 +34,14 @@ final class OperatorInputTest {
         ControllerOptions.headless().withArm(ArmChoice.IDEAL).withOperator(operator));
   }
 
-  private Loaded load(String text) {
+  private LoadResult load(String text) {
     return controller.load(Source.of("ask.script", text.getBytes(StandardCharsets.ISO_8859_1)));
   }
 
   private void start(String... lines) {
-    Loaded loaded = load(String.join("\n", lines) + "\n");
-    assertTrue(loaded.program().isPresent(), () -> loaded.diagnostics().toString());
-    assertEquals(new Reply.Done(), ask(new Command.StartProgram(loaded.program().get())));
+    LoadResult loadResult = load(String.join("\n", lines) + "\n");
+    assertTrue(loadResult.program().isPresent(), () -> loadResult.diagnostics().toString());
+    assertEquals(new Reply.Done(), ask(new Command.StartProgram(loadResult.program().get())));
   }
 
   private void prepared(String... answers) {
@@ -269,8 +269,8 @@ final class OperatorInputTest {
 
   @Test
   void secondaryProgramMayNotAsk() {
-    Loaded loaded = load("sec s():\n  request_string_from_primary_client(\"x\")\nend\n");
-    assertTrue(loaded.program().isEmpty());
+    LoadResult loadResult = load("sec s():\n  request_string_from_primary_client(\"x\")\nend\n");
+    assertTrue(loadResult.program().isEmpty());
   }
 
   @Test

@@ -11,7 +11,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
@@ -46,16 +46,16 @@ final class OptimoveProgramTest {
 
   @Test
   void leadsToAnObjectOfTheSceneAndToAPoseInItsFrame() {
-    Pose shelf = new Pose(-0.3, -0.4, 0.3, 0, Math.PI, 0);
+    Pose pose = new Pose(-0.3, -0.4, 0.3, 0, Math.PI, 0);
     SceneObject box =
-        new SceneObject.Box("shelf", shelf, new Vector3(0.01, 0.01, 0.01), new Material(10, 0, 0));
+        new SceneObject.Box("shelf", pose, new Vector3(0.01, 0.01, 0.01), new Material(10, 0, 0));
     Scene scene = new Scene(List.of(box), Optional.empty(), List.of());
     Controller controller = new Controller(ControllerOptions.headless().withScene(scene));
     run(controller, "optimovej(struct(pose=p[0, 0, -0.1, 0, 0, 0], frame=\"shelf\"))\n");
     Pose above = controller.state().arm().targetTcpInBase();
     assertEquals(0, Poses.distance(new Pose(-0.3, -0.4, 0.4, 0, Math.PI, 0), above), 1e-9);
     run(controller, "tool_wrench_limit_disable()\noptimovel(\"shelf\", v=0.1)\n");
-    assertEquals(0, Poses.distance(shelf, controller.state().arm().targetTcpInBase()), 1e-9);
+    assertEquals(0, Poses.distance(pose, controller.state().arm().targetTcpInBase()), 1e-9);
   }
 
   private static void run(Controller controller, String text) {

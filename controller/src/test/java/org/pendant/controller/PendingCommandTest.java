@@ -46,7 +46,7 @@ class PendingCommandTest {
 
   @Test
   void whatIsTakenBackLeavesItsPlaceToOthers() {
-    for (int i = 0; i < 5 * CommandDesk.CAPACITY; i++) {
+    for (int i = 0; i < 5 * CommandQueue.CAPACITY; i++) {
       assertTrue(controller.post(SLOWER).withdraw());
     }
     PendingCommand last = controller.post(SLOWER);
@@ -56,7 +56,7 @@ class PendingCommandTest {
 
   @Test
   void moreThanAFrameTakesIsRefusedAtOnce() {
-    for (int i = 0; i < CommandDesk.CAPACITY; i++) {
+    for (int i = 0; i < CommandQueue.CAPACITY; i++) {
       controller.post(SLOWER);
     }
     assertInstanceOf(Reply.Refused.class, controller.post(SLOWER).reply().getNow(null));

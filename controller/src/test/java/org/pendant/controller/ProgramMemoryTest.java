@@ -8,8 +8,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.ScriptFailure;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.ScriptFailure;
 
 /** The values of a program have a limit together; what it has dropped does not count. */
 class ProgramMemoryTest {

@@ -11,11 +11,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.ProgramEvent;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.RuntimeState;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.ProgramEvent;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.arm.Joints;
 
 /** A program that somebody sends takes the place of the one that runs. */

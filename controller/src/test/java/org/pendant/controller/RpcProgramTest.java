@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.outside.Doors;
-import org.pendant.controller.outside.FakeServer;
+import org.pendant.controller.external.Connectors;
+import org.pendant.controller.external.FakeServer;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 
@@ -15,7 +15,8 @@ class RpcProgramTest {
   private final FakeServer server = new FakeServer();
   private final RunningProgram program =
       new RunningProgram(
-          ControllerOptions.headless().withOutside(new Doors(Doors.NONE.sockets(), url -> server)));
+          ControllerOptions.headless()
+              .withOutside(new Connectors(Connectors.NONE.sockets(), url -> server)));
 
   /** Starts a program whose first line has made a handle. */
   private void connected(String lines) {

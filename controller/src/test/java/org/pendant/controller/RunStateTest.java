@@ -6,9 +6,9 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalWrite;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
+import org.pendant.controller.vm.ProgramState;
 
 /** Outputs 0 to 7 follow the program by the choices 0 to 7 (manual 19.9). */
 class RunStateTest {

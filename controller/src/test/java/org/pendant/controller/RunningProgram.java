@@ -7,11 +7,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 /** A controller whose arm has mass, with a program on it and all that the log said. */
@@ -76,10 +76,10 @@ final class RunningProgram {
   }
 
   Program program(String text) {
-    Loaded loaded =
+    LoadResult loadResult =
         controller.load(Source.of("test.script", text.getBytes(StandardCharsets.ISO_8859_1)));
-    assertTrue(loaded.program().isPresent(), () -> loaded.diagnostics().toString());
-    return loaded.program().get();
+    assertTrue(loadResult.program().isPresent(), () -> loadResult.diagnostics().toString());
+    return loadResult.program().get();
   }
 
   void start(String text) {

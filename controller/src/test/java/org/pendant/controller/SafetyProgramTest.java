@@ -9,10 +9,10 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.arm.Joints;
 
 /** Programs that stop the arm, pause themselves or switch everything off. */

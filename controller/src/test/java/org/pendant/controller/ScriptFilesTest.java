@@ -18,15 +18,15 @@ import org.junit.jupiter.api.TestFactory;
 import org.pendant.controller.ScriptCase.Kind;
 import org.pendant.controller.ScriptCase.Mark;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramState;
-import org.pendant.controller.machine.ScriptFailure;
+import org.pendant.controller.function.Builtins;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.SafetyStatus;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramState;
+import org.pendant.controller.vm.ScriptFailure;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
 
@@ -68,11 +68,11 @@ final class ScriptFilesTest {
   private static void run(ScriptCase script, boolean windowsLineEnds) {
     Source source = script.source(windowsLineEnds);
     Controller controller = new Controller(ControllerOptions.headless(), BUILTINS);
-    Loaded loaded = controller.load(source);
-    boolean compiles = loaded.program().isPresent();
-    compareDiagnostics(script, source, loaded.diagnostics(), compiles);
+    LoadResult loadResult = controller.load(source);
+    boolean compiles = loadResult.program().isPresent();
+    compareDiagnostics(script, source, loadResult.diagnostics(), compiles);
     if (compiles) {
-      compareRun(script, controller, loaded.program().get());
+      compareRun(script, controller, loadResult.program().get());
     }
   }
 

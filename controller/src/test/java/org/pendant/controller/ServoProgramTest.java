@@ -8,11 +8,11 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ArmState;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.arm.Joints;
 
 /** Pauses and stops while a program steers the arm. */

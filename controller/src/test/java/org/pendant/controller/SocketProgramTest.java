@@ -9,11 +9,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.ProgramState;
-import org.pendant.controller.outside.Doors;
-import org.pendant.controller.outside.FakeSocket;
-import org.pendant.controller.outside.OutsideSocket;
+import org.pendant.controller.external.Connectors;
+import org.pendant.controller.external.ExternalSocket;
+import org.pendant.controller.external.FakeSocket;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 class SocketProgramTest {
@@ -21,7 +21,7 @@ class SocketProgramTest {
   private final RunningProgram program =
       new RunningProgram(
           ControllerOptions.headless()
-              .withOutside(new Doors((host, port) -> open(), Doors.NONE.rpc())));
+              .withOutside(new Connectors((host, port) -> open(), Connectors.NONE.rpc())));
 
   private FakeSocket open() {
     FakeSocket socket = new FakeSocket();
@@ -66,7 +66,7 @@ class SocketProgramTest {
     assertEquals(ProgramState.RUNNING, program.programState());
     program.advance(2);
     assertEquals(List.of("False"), program.said());
-    assertEquals(OutsideSocket.Stage.CLOSED, sockets.getFirst().stage());
+    assertEquals(ExternalSocket.Stage.CLOSED, sockets.getFirst().stage());
   }
 
   @Test
@@ -186,7 +186,7 @@ class SocketProgramTest {
     assertEquals(ProgramState.RUNNING, program.programState());
     program.done(new Command.StopProgram());
     assertEquals(ProgramState.STOPPED, program.programState());
-    assertEquals(OutsideSocket.Stage.CLOSED, sockets.getFirst().stage());
+    assertEquals(ExternalSocket.Stage.CLOSED, sockets.getFirst().stage());
   }
 
   @Test
@@ -318,8 +318,8 @@ class SocketProgramTest {
   void openingANameAgainClosesTheFirstSocket() {
     FakeSocket first = connected("  socket_open(\"peer\", 4001)\n");
     program.advance(2);
-    assertEquals(OutsideSocket.Stage.CLOSED, first.stage());
-    assertEquals(OutsideSocket.Stage.CONNECTING, sockets.get(1).stage());
+    assertEquals(ExternalSocket.Stage.CLOSED, first.stage());
+    assertEquals(ExternalSocket.Stage.CONNECTING, sockets.get(1).stage());
   }
 
   @Test
@@ -351,7 +351,7 @@ class SocketProgramTest {
           kill o
         end
         """);
-    assertEquals(OutsideSocket.Stage.CLOSED, sockets.getFirst().stage());
+    assertEquals(ExternalSocket.Stage.CLOSED, sockets.getFirst().stage());
   }
 
   @Test
@@ -372,14 +372,14 @@ class SocketProgramTest {
     Controller controller =
         new Controller(
             ControllerOptions.headless()
-                .withOutside(new Doors((host, port) -> open(), Doors.NONE.rpc())));
-    Loaded loaded =
+                .withOutside(new Connectors((host, port) -> open(), Connectors.NONE.rpc())));
+    LoadResult loadResult =
         controller.load(
             Source.of(
                 "t.script",
                 "def f():\n  sleep(0.01)\n  socket_open(\"peer\", 1)\n  sleep(1)\nend\n"
                     .getBytes(StandardCharsets.ISO_8859_1)));
-    var _ = controller.submit(new Command.StartProgram(loaded.program().orElseThrow()));
+    var _ = controller.submit(new Command.StartProgram(loadResult.program().orElseThrow()));
     controller.advance();
     assertFalse(controller.waitsForOutside());
     assertTrue(controller.runUntil(controller::waitsForOutside, 20));
@@ -408,17 +408,17 @@ class SocketProgramTest {
 
   @Test
   void aSecondaryProgramCannotRead() {
-    Loaded loaded =
+    LoadResult loadResult =
         new Controller(ControllerOptions.headless())
             .load(
                 Source.of(
                     "t.script",
                     "sec s():\n socket_read_string()\nend\n"
                         .getBytes(StandardCharsets.ISO_8859_1)));
-    assertTrue(loaded.program().isEmpty());
+    assertTrue(loadResult.program().isEmpty());
     assertTrue(
-        loaded.diagnostics().toString().contains("takes robot time"),
-        loaded.diagnostics()::toString);
+        loadResult.diagnostics().toString().contains("takes robot time"),
+        loadResult.diagnostics()::toString);
   }
 
   @Test

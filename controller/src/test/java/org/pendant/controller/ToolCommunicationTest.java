@@ -7,15 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.external.Connectors;
+import org.pendant.controller.external.ToolSerialConnector;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.io.ToolCommunication.Parity;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.outside.Doors;
-import org.pendant.controller.outside.ToolSerialDoor;
+import org.pendant.controller.vm.ProgramState;
 
 /** Programs that set up the serial line of the tool connector. */
 class ToolCommunicationTest {
@@ -26,14 +26,14 @@ class ToolCommunicationTest {
   private final RunningProgram program =
       new RunningProgram(
           ControllerOptions.headless()
-              .withOutside(Doors.NONE.withToolSerial(line))
+              .withOutside(Connectors.NONE.withToolSerial(line))
               .withSignals(
                   List.of(
                       new SignalWrite.AnalogInput(
                           AnalogBank.TOOL_IN, 1, 7, AnalogDomain.VOLTAGE))));
 
   /** Something at the tool that takes its time. */
-  private static final class Line implements ToolSerialDoor {
+  private static final class Line implements ToolSerialConnector {
     private final List<ToolCommunication> asked = new ArrayList<>();
     private List<News> news = List.of();
     private boolean ready = true;
@@ -124,7 +124,7 @@ class ToolCommunicationTest {
         "def f():\n  sleep(0.1)\n  set_tool_communication(True, 9600, 0, 1, 1, 0)\nend\n");
     line.ready = false;
     program.advance(52);
-    line.news = List.of(new ToolSerialDoor.News(true, "there is no such device"));
+    line.news = List.of(new ToolSerialConnector.News(true, "there is no such device"));
     line.ready = true;
     program.advance(1);
     LogEntry entry = program.state().newEntries().getFirst();

@@ -13,11 +13,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Origin;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
@@ -63,10 +63,10 @@ final class ToolpathProgramTest {
         new Controller(ControllerOptions.headless().withProgramsFolder(ProgramsFolder.at(folder)));
     entries.clear();
     String text = "def prog():\n" + BEGIN + body + "\nend\n";
-    Loaded loaded =
+    LoadResult loadResult =
         controller.load(Source.of("t.script", text.getBytes(StandardCharsets.ISO_8859_1)));
-    assertTrue(loaded.program().isPresent(), () -> loaded.diagnostics().toString());
-    var _ = controller.submit(new Command.StartProgram(loaded.program().get()));
+    assertTrue(loadResult.program().isPresent(), () -> loadResult.diagnostics().toString());
+    var _ = controller.submit(new Command.StartProgram(loadResult.program().get()));
     advance();
   }
 

@@ -10,9 +10,9 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.arm.Joints;
 
 /** Whatever holds a program up or slows it down changes no point of the path of its arm. */

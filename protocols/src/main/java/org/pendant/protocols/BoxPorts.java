@@ -9,17 +9,17 @@ import org.pendant.protocols.eip.EipServer;
 import org.pendant.protocols.interpreter.InterpreterServer;
 import org.pendant.protocols.modbus.ModbusServer;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.panel.Panel;
 import org.pendant.protocols.primary.PrimaryServer;
 import org.pendant.protocols.realtime.RealtimeServer;
 import org.pendant.protocols.robotapi.RobotApiServer;
 import org.pendant.protocols.rtde.RtdeServer;
-import org.pendant.protocols.script.ScriptDesk;
-import org.pendant.protocols.serve.MissingPort;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.PortOpening;
-import org.pendant.protocols.serve.Server;
+import org.pendant.protocols.script.ScriptHandler;
+import org.pendant.protocols.server.MissingPort;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.PortOpening;
+import org.pendant.protocols.server.Server;
+import org.pendant.protocols.server.ServerContext;
+import org.pendant.protocols.teachpendant.RemotePendant;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.protocols.toolserial.ToolSerialServer;
 
@@ -40,32 +40,44 @@ public final class BoxPorts implements AutoCloseable {
    * Opens all ports that can be had; {@link #missing} says which cannot. There is a Robot API where
    * a port is chosen for it: boxes with PolyScope 5 have none.
    *
-   * @param panel works the box for the dashboard's clients
+   * @param remotePendant works the box for the dashboard's clients
    */
-  public static BoxPorts open(Outside outside, PortNumbers numbers, Panel panel) {
-    ScriptDesk desk = new ScriptDesk(outside);
+  public static BoxPorts open(
+      ServerContext serverContext, PortNumbers numbers, RemotePendant remotePendant) {
+    ScriptHandler scriptHandler = new ScriptHandler(serverContext);
     BoxPorts ports = new BoxPorts();
-    ports.add(PrimaryServer.open(outside, numbers, desk));
-    ports.add(RealtimeServer.open(outside, numbers, desk));
-    ports.open(RtdeServer.STANDARD_PORT, () -> RtdeServer.open(outside, numbers));
-    ports.open(DashboardServer.STANDARD_PORT, () -> DashboardServer.open(outside, numbers, panel));
+    ports.add(PrimaryServer.open(serverContext, numbers, scriptHandler));
+    ports.add(RealtimeServer.open(serverContext, numbers, scriptHandler));
+    ports.open(RtdeServer.STANDARD_PORT, () -> RtdeServer.open(serverContext, numbers));
+    ports.open(
+        DashboardServer.STANDARD_PORT,
+        () -> DashboardServer.open(serverContext, numbers, remotePendant));
     ports.open(
         InterpreterServer.STANDARD_PORT,
-        () -> InterpreterServer.open(outside, numbers, panel.setup().logs()));
-    ports.open(ModbusServer.STANDARD_PORT, () -> ModbusServer.open(outside, numbers));
-    ports.open(EipServer.STANDARD_PORT, () -> EipServer.open(outside, numbers));
+        () -> InterpreterServer.open(serverContext, numbers, remotePendant.setup().logs()));
+    ports.open(ModbusServer.STANDARD_PORT, () -> ModbusServer.open(serverContext, numbers));
+    ports.open(EipServer.STANDARD_PORT, () -> EipServer.open(serverContext, numbers));
     if (numbers.chosen().containsKey(RobotApiServer.STANDARD_PORT)) {
-      ports.open(RobotApiServer.STANDARD_PORT, () -> RobotApiServer.open(outside, numbers, panel));
+      ports.open(
+          RobotApiServer.STANDARD_PORT,
+          () -> RobotApiServer.open(serverContext, numbers, remotePendant));
     }
     return ports;
   }
 
-  /** As {@link #open(Outside, PortNumbers, Panel)}, with the port of the tool's serial line. */
+  /**
+   * As {@link #open(ServerContext, PortNumbers, RemotePendant)}, with the port of the tool's serial
+   * line.
+   */
   public static BoxPorts open(
-      Outside outside, PortNumbers numbers, Panel panel, ToolSerialLine line) {
-    BoxPorts ports = open(outside, numbers, panel);
+      ServerContext serverContext,
+      PortNumbers numbers,
+      RemotePendant remotePendant,
+      ToolSerialLine line) {
+    BoxPorts ports = open(serverContext, numbers, remotePendant);
     ports.open(
-        ToolSerialServer.STANDARD_PORT, () -> ToolSerialServer.open(line, numbers, outside.log()));
+        ToolSerialServer.STANDARD_PORT,
+        () -> ToolSerialServer.open(line, numbers, serverContext.log()));
     return ports;
   }
 

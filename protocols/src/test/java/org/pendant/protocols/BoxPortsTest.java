@@ -22,13 +22,13 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.protocols.modbus.ModbusServer;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.panel.Panel;
-import org.pendant.protocols.panel.PanelSetup;
 import org.pendant.protocols.robotapi.RobotApiServer;
 import org.pendant.protocols.script.RunningBox;
-import org.pendant.protocols.serve.MissingPort;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.server.MissingPort;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
+import org.pendant.protocols.teachpendant.PendantSetup;
+import org.pendant.protocols.teachpendant.RemotePendant;
 
 class BoxPortsTest {
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
@@ -36,12 +36,14 @@ class BoxPortsTest {
   @TempDir Path folder;
 
   private RunningBox box;
-  private Panel panel;
+  private RemotePendant remotePendant;
 
   @BeforeEach
   void start() {
     box = new RunningBox(ControllerOptions.headless(), RemoteControl.disabled());
-    panel = new Panel(box.controller(), new PanelSetup("ur5e", ProgramsFolder.at(folder), folder));
+    remotePendant =
+        new RemotePendant(
+            box.controller(), new PendantSetup("ur5e", ProgramsFolder.at(folder), folder));
   }
 
   @AfterEach
@@ -73,7 +75,8 @@ class BoxPortsTest {
   @Test
   void everyPortListensUnderANameOfItsOwn() throws IOException {
     Set<String> names = new HashSet<>();
-    try (BoxPorts ports = BoxPorts.open(box.outside(), PortNumbers.anyFree(), panel)) {
+    try (BoxPorts ports =
+        BoxPorts.open(box.serverContext(), PortNumbers.anyFree(), remotePendant)) {
       for (TcpPort each : ports.ports()) {
         connect(each.number());
         names.add(each.name());
@@ -85,11 +88,12 @@ class BoxPortsTest {
 
   @Test
   void theRobotApiIsThereWhereAPortIsChosenForIt() throws IOException {
-    try (BoxPorts ports = BoxPorts.open(box.outside(), PortNumbers.anyFree(), panel)) {
+    try (BoxPorts ports =
+        BoxPorts.open(box.serverContext(), PortNumbers.anyFree(), remotePendant)) {
       assertTrue(ports.ports().stream().noneMatch(each -> each.name().equals("Robot API")));
     }
     PortNumbers numbers = PortNumbers.anyFree().with(RobotApiServer.STANDARD_PORT, 0);
-    try (BoxPorts ports = BoxPorts.open(box.outside(), numbers, panel)) {
+    try (BoxPorts ports = BoxPorts.open(box.serverContext(), numbers, remotePendant)) {
       connect(
           ports.ports().stream()
               .filter(each -> each.name().equals("Robot API"))
@@ -101,7 +105,7 @@ class BoxPortsTest {
 
   @Test
   void closingClosesAllOfThem() throws IOException {
-    BoxPorts ports = BoxPorts.open(box.outside(), PortNumbers.anyFree(), panel);
+    BoxPorts ports = BoxPorts.open(box.serverContext(), PortNumbers.anyFree(), remotePendant);
     List<Integer> numbers = ports.ports().stream().map(TcpPort::number).toList();
     ports.close();
     for (int each : numbers) {
@@ -113,7 +117,7 @@ class BoxPortsTest {
   void whatWasClosedCanBeHadAgainAtOnce() throws IOException {
     PortNumbers numbers = PortNumbers.anyFree().with(29_999, free());
     for (int i = 0; i < 20; i++) {
-      BoxPorts.open(box.outside(), numbers, panel).close();
+      BoxPorts.open(box.serverContext(), numbers, remotePendant).close();
     }
   }
 
@@ -126,7 +130,7 @@ class BoxPortsTest {
               .with(29_999, dashboard)
               .with(30_011, taken.getLocalPort())
               .with(ModbusServer.STANDARD_PORT, taken.getLocalPort());
-      try (BoxPorts ports = BoxPorts.open(box.outside(), numbers, panel)) {
+      try (BoxPorts ports = BoxPorts.open(box.serverContext(), numbers, remotePendant)) {
         assertEquals(
             List.of(30_011, ModbusServer.STANDARD_PORT),
             ports.missing().stream().map(MissingPort::standardPort).toList());

@@ -9,17 +9,17 @@ import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.VirtualClock;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
-import org.pendant.protocols.reach.AllowedHosts;
+import org.pendant.protocols.egress.AllowedHosts;
 
 /** Runs programs that reach for the outside, in virtual time, and keeps what they say. */
 public final class ScriptRun implements AutoCloseable {
   private static final int MOST_FRAMES = 10_000;
 
-  private final ScriptDoors doors;
+  private final ScriptConnectors scriptConnectors;
   private final Controller controller;
   private final VirtualClock clock = new VirtualClock();
   private final List<LogEntry> entries = new ArrayList<>();
@@ -31,8 +31,9 @@ public final class ScriptRun implements AutoCloseable {
 
   /** A controller that may reach {@code allowed} computers. */
   public ScriptRun(AllowedHosts allowed) {
-    doors = new ScriptDoors(allowed);
-    controller = new Controller(ControllerOptions.headless().withOutside(doors.doors()));
+    scriptConnectors = new ScriptConnectors(allowed);
+    controller =
+        new Controller(ControllerOptions.headless().withOutside(scriptConnectors.connectors()));
   }
 
   /** Runs the lines of a program to its end; answers what it has written with textmsg. */
@@ -47,13 +48,13 @@ public final class ScriptRun implements AutoCloseable {
 
   /** Starts the lines of a program. */
   public void start(String lines) throws InterruptedException {
-    Loaded loaded =
+    LoadResult loadResult =
         controller.load(
             Source.of(
                 "test.script",
                 ("def test():\n" + lines + "end\n").getBytes(StandardCharsets.ISO_8859_1)));
-    assertTrue(loaded.program().isPresent(), () -> loaded.diagnostics().toString());
-    var _ = controller.submit(new Command.StartProgram(loaded.program().get()));
+    assertTrue(loadResult.program().isPresent(), () -> loadResult.diagnostics().toString());
+    var _ = controller.submit(new Command.StartProgram(loadResult.program().get()));
     advance();
   }
 
@@ -95,6 +96,6 @@ public final class ScriptRun implements AutoCloseable {
   /** Closes what the program has left open. */
   @Override
   public void close() {
-    doors.close();
+    scriptConnectors.close();
   }
 }

@@ -69,7 +69,7 @@ public final class DynamicArm implements SimulatedArm {
   private final JointStep step = new JointStep();
   private final JointServos servos;
   private final FreeMotors freeMotors;
-  private final Outside outside;
+  private final ExternalForces externalForces;
   private final Flange flange;
   private final JointHeat heat;
   private final SplittableRandom noise;
@@ -87,7 +87,7 @@ public final class DynamicArm implements SimulatedArm {
     body = new ArmBody(truth, setup.startRad());
     servos = new JointServos(arm, setup.model());
     freeMotors = new FreeMotors(arm, setup.model());
-    outside = new Outside(arm, setup.world());
+    externalForces = new ExternalForces(arm, setup.world());
     flange = new Flange(arm);
     heat = new JointHeat(arm, sensors);
     noise = new SplittableRandom(setup.seed());
@@ -97,7 +97,7 @@ public final class DynamicArm implements SimulatedArm {
 
   @Override
   public void step(ArmCommand command) {
-    if (resting && !outside.changed() && command.equals(last)) {
+    if (resting && !externalForces.changed() && command.equals(last)) {
       readEncoders();
       heat.step(sensors);
       return;
@@ -126,7 +126,7 @@ public final class DynamicArm implements SimulatedArm {
 
   private void brake() {
     servos.release();
-    outside.lookAhead(body);
+    externalForces.lookAhead(body);
     body.brake(BRAKE_RAD_PER_S2);
     body.endFrame();
     flange.update(body.q, body.qd, body.qdd);
@@ -141,16 +141,16 @@ public final class DynamicArm implements SimulatedArm {
 
   private void drive(Drives drives) {
     body.weigh(step);
-    outside.lookAhead(body);
-    int steps = outside.inContact() ? CONTACT_STEPS : 1;
+    externalForces.lookAhead(body);
+    int steps = externalForces.inContact() ? CONTACT_STEPS : 1;
     double stepS = FrameTime.FRAME_S / steps;
     Arrays.fill(motorSum, 0);
     for (int left = steps - 1; left >= 0; left--) {
       if (steps > 1) {
-        outside.feel(body, stepS / 2);
+        externalForces.feel(body, stepS / 2);
       }
       drives.prepare(left * stepS, stepS, body, step);
-      body.advance(stepS, outside.torqueNm, step);
+      body.advance(stepS, externalForces.torqueNm, step);
       drives.stepped(left * stepS, stepS, body, step);
       for (int i = 0; i < N; i++) {
         motorSum[i] += step.motorNm[i];
@@ -224,7 +224,7 @@ public final class DynamicArm implements SimulatedArm {
 
   @Override
   public Wrench loadOnFlange() {
-    return flange.loadOf(load, outside.wrench6);
+    return flange.loadOf(load, externalForces.wrench6);
   }
 
   @Override
@@ -255,7 +255,7 @@ public final class DynamicArm implements SimulatedArm {
 
   @Override
   public void setToolCentre(Pose tcpInFlange) {
-    outside.setToolCentre(tcpInFlange);
+    externalForces.setToolCentre(tcpInFlange);
     resting = false;
   }
 

@@ -13,7 +13,7 @@ public final class BoxClock {
   private static final long FRAME_NS = 1_000_000_000L / FrameTime.FRAMES_PER_SECOND;
 
   private final Optional<InstantSource> wall;
-  private final Repeatability repeatability = new Repeatability(this);
+  private final Determinism determinism = new Determinism(this);
   private long frame;
   private double behindS;
   private double nextToldS;
@@ -44,7 +44,7 @@ public final class BoxClock {
 
   /** The date and time of day; that of the wall cannot be repeated. */
   public Instant systemTime() {
-    repeatability.loseInRealTime("a program asked for the date");
+    determinism.loseInRealTime("a program asked for the date");
     return wall.isPresent() ? wall.get().instant() : VIRTUAL_START.plusNanos(timeNs());
   }
 
@@ -69,8 +69,8 @@ public final class BoxClock {
   }
 
   /** Whether the frames up to now can run once more with the same outcome. */
-  public Repeatability repeatability() {
-    return repeatability;
+  public Determinism determinism() {
+    return determinism;
   }
 
   /** Whether the clock of the wall drives the frames, so that a run cannot be repeated exactly. */

@@ -1,34 +1,34 @@
 package org.pendant.controller.box;
 
 import org.pendant.controller.eip.Assemblies;
+import org.pendant.controller.external.Connectors;
+import org.pendant.controller.external.ExternalConnections;
 import org.pendant.controller.io.InputWatchdogs;
 import org.pendant.controller.io.Signals;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.modbus.ModbusSignals;
-import org.pendant.controller.outside.Doors;
-import org.pendant.controller.outside.OutsideLinks;
 
 /**
  * What joins the box to other computers and devices: connections that programs open, and what
  * clients write and read.
  */
 public final class BoxLinks {
-  private final OutsideLinks outside;
+  private final ExternalConnections outside;
   private final ModbusSignals modbus;
   private final ToolLine toolLine;
   private final InputWatchdogs inputWatchdogs = new InputWatchdogs();
   private final Assemblies assemblies = new Assemblies();
   private Published published = Published.NOTHING;
 
-  BoxLinks(Doors doors, Signals signals, MessageLog log) {
-    outside = new OutsideLinks(doors);
-    modbus = new ModbusSignals(doors.modbus(), log);
+  BoxLinks(Connectors connectors, Signals signals, MessageLog log) {
+    outside = new ExternalConnections(connectors);
+    modbus = new ModbusSignals(connectors.modbus(), log);
     signals.runState().lead(modbus::follow);
-    toolLine = new ToolLine(doors.toolSerial(), signals, log);
+    toolLine = new ToolLine(connectors.toolSerial(), signals, log);
   }
 
   /** The connections of programs to other computers. */
-  public OutsideLinks outside() {
+  public ExternalConnections outside() {
     return outside;
   }
 

@@ -3,9 +3,9 @@ package org.pendant.controller.box;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.external.Connectors;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.Operator;
-import org.pendant.controller.outside.Doors;
 import org.pendant.controller.safety.PowerTimes;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.world.Scene;
@@ -29,7 +29,7 @@ import org.pendant.models.arm.Joints;
  * @param systemTime where the date comes from; without one it starts at {@link
  *     BoxClock#VIRTUAL_START} and goes with the frames, so that runs repeat exactly
  * @param programsFolder where programs may read files
- * @param doors by which programs reach other computers
+ * @param connectors by which programs reach other computers
  */
 public record BoxSetup(
     ArmDescription arm,
@@ -44,7 +44,7 @@ public record BoxSetup(
     PowerTimes powerTimes,
     Optional<InstantSource> systemTime,
     ProgramsFolder programsFolder,
-    Doors doors) {
+    Connectors connectors) {
   /**
    * Where the arm stands when nothing else is said: forearm level, tool down, away from every
    * singularity, so that a program may begin with a linear move.
@@ -84,6 +84,6 @@ public record BoxSetup(
         PowerTimes.STANDARD,
         Optional.empty(),
         ProgramsFolder.NONE,
-        Doors.NONE);
+        Connectors.NONE);
   }
 }

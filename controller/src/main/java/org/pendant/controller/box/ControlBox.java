@@ -14,12 +14,12 @@ import org.pendant.controller.freedrive.Freedrive;
 import org.pendant.controller.io.DigitalIo;
 import org.pendant.controller.io.Signals;
 import org.pendant.controller.message.MessageLog;
-import org.pendant.controller.message.PopupBoard;
+import org.pendant.controller.message.OpenPopups;
 import org.pendant.controller.message.PromptNumbers;
-import org.pendant.controller.message.QuestionBoard;
-import org.pendant.controller.motion.ArmHeadroom;
+import org.pendant.controller.message.PromptQueue;
 import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.motion.MotionControl;
+import org.pendant.controller.motion.TorquePathLimits;
 import org.pendant.controller.motion.force.ContactWatch;
 import org.pendant.controller.motion.force.ForceMode;
 import org.pendant.controller.motion.offset.ConveyorTracking;
@@ -64,7 +64,7 @@ public final class ControlBox {
   private final ConveyorTracking conveyor = new ConveyorTracking();
   private final PathOffsetting pathOffset = new PathOffsetting();
   private final Servoing servoing;
-  private final ArmHeadroom headroom;
+  private final TorquePathLimits headroom;
   private final Freedrive freedrive;
   private final ForceMode forceMode;
   private final ContactWatch contactWatch = new ContactWatch();
@@ -75,8 +75,8 @@ public final class ControlBox {
   private final Signals signals = new Signals();
   private final MessageLog log = new MessageLog();
   private final BoxLinks links;
-  private final PopupBoard popups;
-  private final QuestionBoard questions;
+  private final OpenPopups popups;
+  private final PromptQueue questions;
   private final RandomGenerator random;
   private ProgramsFolder programsFolder;
   private BaseLight baseLight = BaseLight.STANDARD;
@@ -109,7 +109,7 @@ public final class ControlBox {
     toolpaths = new Toolpaths(setup.arm(), setup.systemTime().isEmpty());
     programsFolder = setup.programsFolder();
     servoing = new Servoing(setup.arm(), motion);
-    headroom = new ArmHeadroom(setup.arm());
+    headroom = new TorquePathLimits(setup.arm());
     headroom.limitSpeeds(speedCaps);
     motion.limitRamps(
         (last, own, before, wanted) -> headroom().reachableScaling(last, own, before, wanted));
@@ -163,10 +163,11 @@ public final class ControlBox {
                 flange,
                 contactWatch,
                 log));
-    links = new BoxLinks(WatchedDoors.of(setup.doors(), clock.repeatability()), signals, log);
+    links =
+        new BoxLinks(DeterminismGuard.of(setup.connectors(), clock.determinism()), signals, log);
     PromptNumbers numbers = new PromptNumbers();
-    popups = new PopupBoard(setup.operator(), log, numbers);
-    questions = new QuestionBoard(setup.operator(), log, numbers);
+    popups = new OpenPopups(setup.operator(), log, numbers);
+    questions = new PromptQueue(setup.operator(), log, numbers);
     // not the service-loaded generators: looking one up costs more than a short program's run
     random = new SplittableRandom(setup.seed());
   }
@@ -258,7 +259,7 @@ public final class ControlBox {
   }
 
   /** What the arm can do with the payload and the mounting of now. */
-  public ArmHeadroom headroom() {
+  public TorquePathLimits headroom() {
     headroom.setPayload(model.payload());
     headroom.setGravity(
         model.feltAccelerationMPerS2(0),
@@ -348,12 +349,12 @@ public final class ControlBox {
   }
 
   /** The popups on the screen. */
-  public PopupBoard popups() {
+  public OpenPopups popups() {
     return popups;
   }
 
   /** The questions that wait for the operator. */
-  public QuestionBoard questions() {
+  public PromptQueue questions() {
     return questions;
   }
 

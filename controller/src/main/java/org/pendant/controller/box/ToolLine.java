@@ -1,34 +1,34 @@
 package org.pendant.controller.box;
 
 import java.util.List;
+import org.pendant.controller.external.ToolSerialConnector;
 import org.pendant.controller.io.Signals;
 import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.message.MessageLog;
-import org.pendant.controller.outside.ToolSerialDoor;
 
 /** The serial line of the tool connector: the box's side of it. The frame loop owns this. */
 public final class ToolLine {
-  private final ToolSerialDoor door;
+  private final ToolSerialConnector door;
   private final Signals signals;
   private final MessageLog log;
 
-  ToolLine(ToolSerialDoor door, Signals signals, MessageLog log) {
+  ToolLine(ToolSerialConnector door, Signals signals, MessageLog log) {
     this.door = door;
     this.signals = signals;
     this.log = log;
   }
 
   /** Sets the line up, or turns it off; the analog inputs on the same wires follow at once. */
-  public ToolSerialDoor.SetUp setUp(ToolCommunication wanted) {
+  public ToolSerialConnector.SetUp setUp(ToolCommunication wanted) {
     signals.setToolCommunication(wanted);
     return door.setUp(wanted);
   }
 
   /** Logs what has happened outside; every frame. */
   public void step() {
-    List<ToolSerialDoor.News> news = door.takeNews();
+    List<ToolSerialConnector.News> news = door.takeNews();
     for (int i = 0; i < news.size(); i++) {
-      ToolSerialDoor.News each = news.get(i);
+      ToolSerialConnector.News each = news.get(i);
       if (each.trouble()) {
         log.warning(each.text());
       } else {

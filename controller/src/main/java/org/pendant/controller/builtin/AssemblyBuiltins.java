@@ -2,13 +2,13 @@ package org.pendant.controller.builtin;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Declaration;
-import org.pendant.controller.call.Outcome;
 import org.pendant.controller.eip.AssemblyField;
 import org.pendant.controller.eip.AssemblyHandle;
 import org.pendant.controller.eip.NumberType;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Declaration;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.io.WatchdogAction;
 import org.pendant.controller.value.HandleValue;
 import org.pendant.controller.value.Kind;

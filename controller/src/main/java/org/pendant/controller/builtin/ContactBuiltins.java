@@ -1,8 +1,8 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Outcome;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.motion.force.ContactWatch;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.NumberList;

@@ -2,14 +2,14 @@ package org.pendant.controller.builtin;
 
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Effect;
-import org.pendant.controller.call.Outcome;
 import org.pendant.controller.encoder.CountRange;
 import org.pendant.controller.encoder.Encoder;
 import org.pendant.controller.encoder.Encoders;
 import org.pendant.controller.encoder.PulseDecoder;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Effect;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.value.ScriptError;

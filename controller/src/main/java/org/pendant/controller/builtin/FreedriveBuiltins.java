@@ -1,14 +1,14 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Effect;
-import org.pendant.controller.call.Outcome;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.freedrive.FreedriveHolder;
 import org.pendant.controller.freedrive.FreedriveMode;
 import org.pendant.controller.freedrive.FreedriveStart;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Effect;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.NumberList;
 import org.pendant.controller.value.PoseValue;

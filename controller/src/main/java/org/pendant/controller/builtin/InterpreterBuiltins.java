@@ -1,6 +1,6 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.call.Builtins;
+import org.pendant.controller.function.Builtins;
 import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 

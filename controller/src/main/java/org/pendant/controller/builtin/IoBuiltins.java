@@ -1,10 +1,10 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Declaration;
-import org.pendant.controller.call.Effect;
-import org.pendant.controller.call.Outcome;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Declaration;
+import org.pendant.controller.function.Effect;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;

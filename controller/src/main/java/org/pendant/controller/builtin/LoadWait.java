@@ -2,8 +2,8 @@ package org.pendant.controller.builtin;
 
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.call.Wait;
-import org.pendant.controller.toolpath.OffFrame;
+import org.pendant.controller.function.Wait;
+import org.pendant.controller.toolpath.BackgroundTask;
 import org.pendant.controller.toolpath.nc.NcPath;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
@@ -13,11 +13,11 @@ final class LoadWait implements Wait {
   private static final String FUNCTION = "mc_load_path: ";
 
   private final ControlBox box;
-  private final OffFrame<NcPath> reading;
+  private final BackgroundTask<NcPath> reading;
   private final boolean feeds;
 
-  LoadWait(ControlBox box, OffFrame<NcPath> reading, boolean feeds) {
-    box.clock().repeatability().loseInRealTime("a program waited until a toolpath was read");
+  LoadWait(ControlBox box, BackgroundTask<NcPath> reading, boolean feeds) {
+    box.clock().determinism().loseInRealTime("a program waited until a toolpath was read");
     this.box = box;
     this.reading = reading;
     this.feeds = feeds;
@@ -38,7 +38,7 @@ final class LoadWait implements Wait {
   /** Keeps a file that has been read, and says what of it has no effect. */
   static int keep(ControlBox box, NcPath path, boolean feeds) throws ScriptError {
     int id = box.toolpaths().keep(path, feeds);
-    box.clock().repeatability().read(path.file(), path.hashCode());
+    box.clock().determinism().read(path.file(), path.hashCode());
     if (!path.ignored().isEmpty()) {
       box.log()
           .info(

@@ -1,13 +1,13 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Effect;
-import org.pendant.controller.call.Outcome;
-import org.pendant.controller.call.Wait;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Effect;
+import org.pendant.controller.function.Outcome;
+import org.pendant.controller.function.Wait;
+import org.pendant.controller.message.OpenPopups;
 import org.pendant.controller.message.Popup;
-import org.pendant.controller.message.PopupBoard;
 import org.pendant.controller.value.NoneValue;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
@@ -70,7 +70,7 @@ final class LogBuiltins {
     } else if (call.bool(2)) {
       severity = Popup.Severity.WARNING;
     }
-    PopupBoard board = call.box().popups();
+    OpenPopups board = call.box().popups();
     boolean blocking = call.bool(4);
     Popup popup = board.show(call.box().clock().timeS(), call.text(1), text, severity, blocking);
     if (!blocking) {
@@ -80,7 +80,7 @@ final class LogBuiltins {
   }
 
   /** Waits until the popup is answered; the frame loop pauses the program as long as it is open. */
-  private record Answer(PopupBoard board, Popup popup) implements Wait {
+  private record Answer(OpenPopups board, Popup popup) implements Wait {
     @Override
     public Optional<Value> poll(long frame) {
       return board.isOpen(popup) ? Optional.empty() : DONE;

@@ -1,15 +1,15 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Effect;
-import org.pendant.controller.call.Outcome;
+import org.pendant.controller.external.ModbusAddress;
+import org.pendant.controller.external.ModbusKind;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Effect;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
 import org.pendant.controller.modbus.ModbusSignal;
-import org.pendant.controller.outside.ModbusAddress;
-import org.pendant.controller.outside.ModbusKind;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.NoneValue;
 import org.pendant.controller.value.NumberList;

@@ -1,7 +1,7 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
-import org.pendant.controller.call.Wait;
+import org.pendant.controller.function.Wait;
 import org.pendant.controller.modbus.ModbusSignals;
 import org.pendant.controller.value.NoneValue;
 import org.pendant.controller.value.Value;

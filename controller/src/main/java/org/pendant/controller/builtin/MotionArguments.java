@@ -1,7 +1,7 @@
 package org.pendant.controller.builtin;
 
 import java.util.List;
-import org.pendant.controller.call.Call;
+import org.pendant.controller.function.Call;
 import org.pendant.controller.motion.MoveLimits;
 import org.pendant.controller.value.ListValue;
 import org.pendant.controller.value.ScriptError;

@@ -2,14 +2,14 @@ package org.pendant.controller.builtin;
 
 import java.util.List;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Effect;
-import org.pendant.controller.call.Outcome;
-import org.pendant.controller.motion.Headroom;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Effect;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.motion.MotionPath;
 import org.pendant.controller.motion.Move;
 import org.pendant.controller.motion.MoveLimits;
+import org.pendant.controller.motion.PathLimits;
 import org.pendant.controller.motion.Routes;
 import org.pendant.controller.motion.StopJ;
 import org.pendant.controller.motion.StopL;
@@ -101,26 +101,28 @@ final class MotionBuiltins {
 
   private static Outcome movej(Call call) throws ScriptError {
     ControlBox box = call.box();
-    Headroom headroom = headroom(call);
+    PathLimits pathLimits = headroom(call);
     Pose tcp = box.flange().tool().inFlange();
     if (call.kind(0) == Kind.POSE) {
       Pose goal = MotionArguments.pose(call, 0);
       return move(
-          call, "movej", from -> toJoints(box, from, reach(box, goal, tcp, from), goal, headroom));
+          call,
+          "movej",
+          from -> toJoints(box, from, reach(box, goal, tcp, from), goal, pathLimits));
     }
     Joints goal = MotionArguments.jointsInRange(call, 0, "q");
     Pose waypoint = box.forward().tcpPose(goal, tcp);
-    return move(call, "movej", from -> toJoints(box, from, goal, waypoint, headroom));
+    return move(call, "movej", from -> toJoints(box, from, goal, waypoint, pathLimits));
   }
 
   static MotionPath toJoints(
-      ControlBox box, Joints from, Joints goal, Pose waypoint, Headroom headroom) {
+      ControlBox box, Joints from, Joints goal, Pose waypoint, PathLimits pathLimits) {
     Pose tcp = box.flange().tool().inFlange();
-    return Routes.joints(box.armDescription(), from, goal, waypoint, tcp, headroom);
+    return Routes.joints(box.armDescription(), from, goal, waypoint, tcp, pathLimits);
   }
 
   /** Motion version 2 plans within what the arm can do, version 1 as it is told (manual 14). */
-  private static Headroom headroom(Call call) throws ScriptError {
+  private static PathLimits headroom(Call call) throws ScriptError {
     MoveLimits limits = MotionArguments.moveLimits(call, 1);
     ControlBox box = call.box();
     double asked = limits.timed() ? Double.POSITIVE_INFINITY : limits.speed();
@@ -131,20 +133,20 @@ final class MotionBuiltins {
 
   private static Outcome movel(Call call) throws ScriptError {
     ControlBox box = call.box();
-    Headroom headroom = headroom(call);
+    PathLimits pathLimits = headroom(call);
     Pose tcp = box.flange().tool().inFlange();
     Pose goal =
         call.kind(0) == Kind.POSE
             ? MotionArguments.pose(call, 0)
             : box.forward().tcpPose(MotionArguments.jointGoal(call, 0), tcp);
-    return move(call, "movel", from -> toPose(box, from, goal, tcp, headroom));
+    return move(call, "movel", from -> toPose(box, from, goal, tcp, pathLimits));
   }
 
   /** A straight line of the TCP, which may lead out of reach: the arm stops where it does. */
   static MotionPath toPose(
-      ControlBox box, Joints from, Pose goal, Pose tcpInFlange, Headroom headroom) {
+      ControlBox box, Joints from, Pose goal, Pose tcpInFlange, PathLimits pathLimits) {
     Pose start = box.forward().tcpPose(from, tcpInFlange);
-    return Routes.line(box.armDescription(), from, start, goal, tcpInFlange, headroom);
+    return Routes.line(box.armDescription(), from, start, goal, tcpInFlange, pathLimits);
   }
 
   /** Arguments a, v, t and r of movej and movel, from the second on. */

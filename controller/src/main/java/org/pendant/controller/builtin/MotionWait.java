@@ -2,9 +2,9 @@ package org.pendant.controller.builtin;
 
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Outcome;
-import org.pendant.controller.call.Wait;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Outcome;
+import org.pendant.controller.function.Wait;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.motion.MotionPlan;

@@ -2,7 +2,7 @@ package org.pendant.controller.builtin;
 
 import java.util.List;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.call.Call;
+import org.pendant.controller.function.Call;
 import org.pendant.controller.value.PoseValue;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.StringValue;

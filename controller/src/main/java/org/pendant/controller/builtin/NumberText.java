@@ -4,7 +4,7 @@ import java.math.BigInteger;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.pendant.controller.call.Call;
+import org.pendant.controller.function.Call;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 import org.pendant.controller.value.ValueText;

@@ -1,14 +1,14 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Outcome;
-import org.pendant.controller.call.Wait;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Outcome;
+import org.pendant.controller.function.Wait;
 import org.pendant.controller.message.Answer;
-import org.pendant.controller.message.Asked;
+import org.pendant.controller.message.PendingPrompt;
+import org.pendant.controller.message.PromptQueue;
 import org.pendant.controller.message.Question;
-import org.pendant.controller.message.QuestionBoard;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.StringValue;
 import org.pendant.controller.value.Value;
@@ -68,24 +68,24 @@ final class OperatorBuiltins {
     if (text.isEmpty()) {
       throw call.failure("value-out-of-range", "message is empty, must say what to answer");
     }
-    QuestionBoard board = call.box().questions();
-    Asked asked = board.ask(call.box().clock().timeS(), kind, text);
-    if (asked.refusal().isPresent()) {
-      throw call.failure("no-answer", asked.refusal().get());
+    PromptQueue board = call.box().questions();
+    PendingPrompt pendingPrompt = board.ask(call.box().clock().timeS(), kind, text);
+    if (pendingPrompt.refusal().isPresent()) {
+      throw call.failure("no-answer", pendingPrompt.refusal().get());
     }
-    return new Reply(board, asked);
+    return new Reply(board, pendingPrompt);
   }
 
   /** Waits for the answer. */
-  private record Reply(QuestionBoard board, Asked asked) implements Wait {
+  private record Reply(PromptQueue board, PendingPrompt pendingPrompt) implements Wait {
     @Override
     public Optional<Value> poll(long frame) {
-      return asked.answer().map(OperatorBuiltins::value);
+      return pendingPrompt.answer().map(OperatorBuiltins::value);
     }
 
     @Override
     public void cancel() {
-      board.withdraw(asked);
+      board.withdraw(pendingPrompt);
     }
   }
 

@@ -1,13 +1,13 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Effect;
-import org.pendant.controller.call.Outcome;
-import org.pendant.controller.motion.Headroom;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Effect;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.motion.Move;
 import org.pendant.controller.motion.MoveLimits;
+import org.pendant.controller.motion.PathLimits;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
@@ -58,12 +58,14 @@ final class OptimoveBuiltins {
   private static Outcome optimovej(Call call) throws ScriptError {
     ControlBox box = call.box();
     Pose tcp = box.flange().tool().inFlange();
-    Headroom headroom = headroom(call);
+    PathLimits pathLimits = headroom(call);
     if (call.kind(0) == Kind.LIST) {
       Joints goal = MotionArguments.jointsInRange(call, 0, "goal");
       Pose waypoint = box.forward().tcpPose(goal, tcp);
       return move(
-          call, "optimovej", from -> MotionBuiltins.toJoints(box, from, goal, waypoint, headroom));
+          call,
+          "optimovej",
+          from -> MotionBuiltins.toJoints(box, from, goal, waypoint, pathLimits));
     }
     MoveGoal goal = MoveGoal.of(call, 0);
     return move(
@@ -72,22 +74,22 @@ final class OptimoveBuiltins {
         from -> {
           Pose waypoint = goal.inBase(from);
           Joints to = MotionBuiltins.reach(box, waypoint, tcp, from);
-          return MotionBuiltins.toJoints(box, from, to, waypoint, headroom);
+          return MotionBuiltins.toJoints(box, from, to, waypoint, pathLimits);
         });
   }
 
   private static Outcome optimovel(Call call) throws ScriptError {
     ControlBox box = call.box();
     Pose tcp = box.flange().tool().inFlange();
-    Headroom headroom = headroom(call);
+    PathLimits pathLimits = headroom(call);
     MoveGoal goal = MoveGoal.of(call, 0);
     return move(
         call,
         "optimovel",
-        from -> MotionBuiltins.toPose(box, from, goal.inBase(from), tcp, headroom));
+        from -> MotionBuiltins.toPose(box, from, goal.inBase(from), tcp, pathLimits));
   }
 
-  private static Headroom headroom(Call call) throws ScriptError {
+  private static PathLimits headroom(Call call) throws ScriptError {
     double acceleration = share(call, 1);
     double speed = share(call, 2);
     return call.box().headroom().share(speed, acceleration, Double.POSITIVE_INFINITY);

@@ -1,10 +1,10 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Effect;
-import org.pendant.controller.call.Outcome;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Effect;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.motion.StopJ;
 import org.pendant.controller.motion.offset.OffsetType;
 import org.pendant.controller.motion.offset.PathOffsetting;

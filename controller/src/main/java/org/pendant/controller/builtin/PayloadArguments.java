@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.box.Inertia;
-import org.pendant.controller.call.Call;
+import org.pendant.controller.function.Call;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ListValue;
 import org.pendant.controller.value.MatrixValue;

@@ -2,9 +2,9 @@ package org.pendant.controller.builtin;
 
 import java.util.List;
 import org.pendant.controller.box.ArmModel;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Outcome;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.value.NumberList;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.StructValue;

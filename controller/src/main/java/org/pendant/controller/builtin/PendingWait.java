@@ -2,8 +2,8 @@ package org.pendant.controller.builtin;
 
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import org.pendant.controller.call.Wait;
-import org.pendant.controller.outside.Pending;
+import org.pendant.controller.external.Pending;
+import org.pendant.controller.function.Wait;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 

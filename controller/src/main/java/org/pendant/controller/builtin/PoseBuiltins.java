@@ -1,7 +1,7 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Effect;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Effect;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.pose.Poses;

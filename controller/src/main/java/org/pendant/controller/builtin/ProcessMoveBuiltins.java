@@ -1,14 +1,14 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Effect;
-import org.pendant.controller.call.Outcome;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Effect;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.motion.ArcRoute;
-import org.pendant.controller.motion.Headroom;
 import org.pendant.controller.motion.Move;
 import org.pendant.controller.motion.MoveLimits;
+import org.pendant.controller.motion.PathLimits;
 import org.pendant.controller.value.Kind;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
@@ -58,9 +58,9 @@ final class ProcessMoveBuiltins {
     Pose tcp = box.flange().tool().inFlange();
     Pose goal = pose(call, 0);
     MoveLimits limits = limits(call, 1);
-    Headroom headroom = box.headroom().asAsked(limits);
+    PathLimits pathLimits = box.headroom().asAsked(limits);
     return move(
-        call, "movep", limits, 3, from -> MotionBuiltins.toPose(box, from, goal, tcp, headroom));
+        call, "movep", limits, 3, from -> MotionBuiltins.toPose(box, from, goal, tcp, pathLimits));
   }
 
   private static Outcome movec(Call call) throws ScriptError {
@@ -70,8 +70,8 @@ final class ProcessMoveBuiltins {
     Pose goal = pose(call, 1);
     MoveLimits limits = limits(call, 2);
     boolean fixed = call.integer(5, 0, 1) == 1;
-    Headroom headroom = box.headroom().asAsked(limits);
-    ArcRoute route = new ArcRoute(box.armDescription(), via, goal, fixed, tcp, headroom);
+    PathLimits pathLimits = box.headroom().asAsked(limits);
+    ArcRoute route = new ArcRoute(box.armDescription(), via, goal, fixed, tcp, pathLimits);
     return move(
         call, "movec", limits, 4, from -> route.from(from, box.forward().tcpPose(from, tcp)));
   }

@@ -1,10 +1,10 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.Published;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Effect;
-import org.pendant.controller.call.Outcome;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Effect;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.rtde.OutputFields;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
@@ -33,7 +33,7 @@ final class PublishedBuiltins {
     if (key.equals(OutputFields.EXECUTION_TIME)) {
       call.box()
           .clock()
-          .repeatability()
+          .determinism()
           .loseInRealTime("a program asked how long the computer works at a frame");
     }
     Published published = call.box().links().published();

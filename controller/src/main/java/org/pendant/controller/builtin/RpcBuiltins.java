@@ -2,10 +2,10 @@ package org.pendant.controller.builtin;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Outcome;
-import org.pendant.controller.outside.RpcLink;
+import org.pendant.controller.external.RpcLink;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.value.HandleValue;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;

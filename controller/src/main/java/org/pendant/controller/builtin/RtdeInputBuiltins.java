@@ -2,10 +2,10 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.arm.ExternalForceSensor;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Declaration;
-import org.pendant.controller.call.Outcome;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Declaration;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.io.WatchdogAction;
 import org.pendant.controller.rtde.InputFields;
 import org.pendant.controller.value.NumberList;

@@ -1,9 +1,9 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Declaration;
-import org.pendant.controller.call.Outcome;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Declaration;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.RunStateAction;

@@ -3,11 +3,11 @@ package org.pendant.controller.builtin;
 import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.call.Wait;
+import org.pendant.controller.function.Wait;
 import org.pendant.controller.motion.MotionControl;
 import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.motion.MotionTicket;
-import org.pendant.controller.toolpath.OffFrame;
+import org.pendant.controller.toolpath.BackgroundTask;
 import org.pendant.controller.toolpath.RunPlan;
 import org.pendant.controller.toolpath.Toolpaths;
 import org.pendant.controller.value.NoneValue;
@@ -23,7 +23,7 @@ final class RunWait implements Wait {
 
   private final ControlBox box;
   private final int last;
-  private Optional<OffFrame<RunPlan>> planning = Optional.empty();
+  private Optional<BackgroundTask<RunPlan>> planning = Optional.empty();
   private Optional<RunPlan> plan = Optional.empty();
   private Optional<MotionTicket> ticket = Optional.empty();
 
@@ -41,7 +41,7 @@ final class RunWait implements Wait {
   private void planAtRest() throws ScriptError {
     MotionControl motion = box.motion();
     if (!motion.moving()) {
-      box.clock().repeatability().loseInRealTime("a program waited until a toolpath was planned");
+      box.clock().determinism().loseInRealTime("a program waited until a toolpath was planned");
       planning =
           Optional.of(
               box.toolpaths().plan(last, motion.pathPositionRad(), box.flange().tool().inFlange()));

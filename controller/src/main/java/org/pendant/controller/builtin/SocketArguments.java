@@ -1,9 +1,9 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
-import org.pendant.controller.call.Call;
+import org.pendant.controller.external.ExternalSocket;
+import org.pendant.controller.function.Call;
 import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.outside.OutsideSocket;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 
@@ -24,14 +24,14 @@ final class SocketArguments {
   private SocketArguments() {}
 
   /** The socket that argument {@code index} names; says so once where it is not open. */
-  static Optional<OutsideSocket> socket(Call call, String function, int index) throws ScriptError {
+  static Optional<ExternalSocket> socket(Call call, String function, int index) throws ScriptError {
     String name = call.text(index);
-    Optional<OutsideSocket> socket =
+    Optional<ExternalSocket> socket =
         call.box()
             .links()
             .outside()
             .socket(name)
-            .filter(each -> each.stage() != OutsideSocket.Stage.CONNECTING);
+            .filter(each -> each.stage() != ExternalSocket.Stage.CONNECTING);
     if (socket.isEmpty()) {
       call.box().log().warnOnce(function + ": socket " + quoted(name) + " is not open");
     }

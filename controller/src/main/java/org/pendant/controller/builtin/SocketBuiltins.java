@@ -1,11 +1,11 @@
 package org.pendant.controller.builtin;
 
 import java.nio.charset.StandardCharsets;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Effect;
-import org.pendant.controller.call.Outcome;
-import org.pendant.controller.outside.OutsideSocket;
+import org.pendant.controller.external.ExternalSocket;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Effect;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
 
@@ -108,7 +108,7 @@ final class SocketBuiltins {
     String host = call.text(0);
     int port = call.integer(1, 1, HIGHEST_PORT);
     String name = call.text(2);
-    OutsideSocket socket;
+    ExternalSocket socket;
     try {
       socket = call.box().links().outside().open(name, host, port);
     } catch (ScriptError e) {

@@ -2,9 +2,9 @@ package org.pendant.controller.builtin;
 
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.call.Wait;
+import org.pendant.controller.external.ExternalSocket;
+import org.pendant.controller.function.Wait;
 import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.outside.OutsideSocket;
 import org.pendant.controller.value.Value;
 
 /** A script thread waits for a connection (manual 18.56). */
@@ -13,7 +13,7 @@ final class SocketOpenWait implements Wait {
 
   private final ControlBox box;
   private final String name;
-  private final OutsideSocket socket;
+  private final ExternalSocket socket;
   private final String target;
   private final long deadline;
 
@@ -22,7 +22,7 @@ final class SocketOpenWait implements Wait {
    *
    * @param target where to, for messages
    */
-  SocketOpenWait(ControlBox box, String name, OutsideSocket socket, String target, long frame) {
+  SocketOpenWait(ControlBox box, String name, ExternalSocket socket, String target, long frame) {
     this.box = box;
     this.name = name;
     this.socket = socket;

@@ -1,14 +1,14 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Declaration;
-import org.pendant.controller.call.Outcome;
+import org.pendant.controller.external.ExternalSocket;
+import org.pendant.controller.external.ReceivedBytes;
+import org.pendant.controller.external.SocketRead;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Declaration;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.outside.OutsideSocket;
-import org.pendant.controller.outside.ReceivedBytes;
-import org.pendant.controller.outside.SocketRead;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
@@ -178,7 +178,7 @@ final class SocketReadBuiltins {
    */
   private static Outcome wait(Call call, String function, int index, SocketRead read, long deadline)
       throws ScriptError {
-    Optional<OutsideSocket> socket = SocketArguments.socket(call, function, index);
+    Optional<ExternalSocket> socket = SocketArguments.socket(call, function, index);
     if (socket.isEmpty()) {
       return SocketReadWait.notOpen(read);
     }

@@ -1,19 +1,19 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
-import org.pendant.controller.call.Wait;
-import org.pendant.controller.outside.OutsideSocket;
-import org.pendant.controller.outside.SocketRead;
+import org.pendant.controller.external.ExternalSocket;
+import org.pendant.controller.external.SocketRead;
+import org.pendant.controller.function.Wait;
 import org.pendant.controller.value.Value;
 
 /** A script thread waits for what it reads from a socket. */
 final class SocketReadWait implements Wait {
-  private final OutsideSocket socket;
+  private final ExternalSocket socket;
   private final SocketRead read;
   private final long deadline;
 
   /** Waits until frame {@code deadline}. */
-  SocketReadWait(OutsideSocket socket, SocketRead read, long deadline) {
+  SocketReadWait(ExternalSocket socket, SocketRead read, long deadline) {
     this.socket = socket;
     this.read = read;
     this.deadline = deadline;

@@ -1,6 +1,6 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.call.Builtins;
+import org.pendant.controller.function.Builtins;
 
 /** The catalogue of every function and method that the controller knows. */
 public final class StandardBuiltins {

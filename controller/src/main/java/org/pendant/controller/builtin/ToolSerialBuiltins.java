@@ -1,11 +1,11 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ToolLine;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Outcome;
+import org.pendant.controller.external.ToolSerialConnector;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Outcome;
 import org.pendant.controller.io.ToolCommunication;
-import org.pendant.controller.outside.ToolSerialDoor;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
 
@@ -35,7 +35,7 @@ final class ToolSerialBuiltins {
   private static Outcome setUp(Call call) throws ScriptError {
     ToolCommunication wanted = wanted(call);
     ToolLine line = call.box().links().toolLine();
-    ToolSerialDoor.SetUp setUp = line.setUp(wanted);
+    ToolSerialConnector.SetUp setUp = line.setUp(wanted);
     if (setUp.over() || !call.program().mayWait()) {
       return call.answer();
     }

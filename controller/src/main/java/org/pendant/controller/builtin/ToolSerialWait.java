@@ -2,9 +2,9 @@ package org.pendant.controller.builtin;
 
 import java.util.Optional;
 import org.pendant.controller.box.ToolLine;
-import org.pendant.controller.call.Wait;
+import org.pendant.controller.external.ToolSerialConnector;
+import org.pendant.controller.function.Wait;
 import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.outside.ToolSerialDoor;
 import org.pendant.controller.value.NoneValue;
 import org.pendant.controller.value.Value;
 
@@ -16,11 +16,11 @@ final class ToolSerialWait implements Wait {
   private static final int LONGEST_S = 2;
 
   private final ToolLine line;
-  private final ToolSerialDoor.SetUp setUp;
+  private final ToolSerialConnector.SetUp setUp;
   private final long deadline;
 
   /** Waits from frame {@code frame} on. */
-  ToolSerialWait(ToolLine line, ToolSerialDoor.SetUp setUp, long frame) {
+  ToolSerialWait(ToolLine line, ToolSerialConnector.SetUp setUp, long frame) {
     this.line = line;
     this.setUp = setUp;
     deadline = frame + FrameTime.framesFor(LONGEST_S);

@@ -3,11 +3,11 @@ package org.pendant.controller.builtin;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Call;
-import org.pendant.controller.call.Outcome;
 import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.controller.toolpath.Station;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Call;
+import org.pendant.controller.function.Outcome;
+import org.pendant.controller.toolpath.ToolConfiguration;
 import org.pendant.controller.toolpath.Toolpaths;
 import org.pendant.controller.toolpath.nc.NcReader;
 import org.pendant.controller.value.ScriptError;
@@ -155,7 +155,7 @@ final class ToolpathBuiltins {
     return named(
         call,
         () -> {
-          toolpaths(call).initialize(new Station(remote, tcp), turnFree);
+          toolpaths(call).initialize(new ToolConfiguration(remote, tcp), turnFree);
           return call.answer();
         });
   }

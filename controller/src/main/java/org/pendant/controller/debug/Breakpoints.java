@@ -8,7 +8,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import org.pendant.controller.machine.Program;
+import org.pendant.controller.vm.Program;
 
 /**
  * The breakpoints of a debugger, one a line, and the statements of the running program they mean.

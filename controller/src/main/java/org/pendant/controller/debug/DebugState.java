@@ -2,7 +2,7 @@ package org.pendant.controller.debug;
 
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.machine.ThreadSnapshot;
+import org.pendant.controller.vm.ThreadSnapshot;
 
 /**
  * Whether a program is held, and where its threads stand then.

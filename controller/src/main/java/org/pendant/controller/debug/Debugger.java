@@ -3,12 +3,12 @@ package org.pendant.controller.debug;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.pendant.controller.machine.Machine;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramProbe;
-import org.pendant.controller.machine.ThreadSnapshot;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
+import org.pendant.controller.vm.Machine;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramProbe;
+import org.pendant.controller.vm.ThreadSnapshot;
 
 /**
  * Holds the primary program of one machine at breakpoints, after steps, on request and before it

@@ -1,6 +1,6 @@
 package org.pendant.controller.debug;
 
-import org.pendant.controller.machine.StackMark;
+import org.pendant.controller.vm.StackMark;
 
 /** What a thread was let go for. */
 sealed interface Step {

@@ -1,6 +1,6 @@
 package org.pendant.controller.debug;
 
-import org.pendant.controller.machine.ScriptFailure;
+import org.pendant.controller.vm.ScriptFailure;
 
 /** Why a program is held. */
 public sealed interface StopReason {

@@ -5,16 +5,16 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
-import org.pendant.controller.machine.ProgramProbe;
-import org.pendant.controller.machine.ScriptFailure;
-import org.pendant.controller.machine.Sentry;
-import org.pendant.controller.machine.ThreadSnapshot;
 import org.pendant.controller.value.Operators;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
+import org.pendant.controller.vm.DebugHook;
+import org.pendant.controller.vm.ProgramProbe;
+import org.pendant.controller.vm.ScriptFailure;
+import org.pendant.controller.vm.ThreadSnapshot;
 
 /** Decides where a program stops, and remembers where it did. */
-final class Stops implements Sentry {
+final class Stops implements DebugHook {
   private final ProgramProbe probe;
   private final Breakpoints breakpoints;
   private Optional<Step> step = Optional.empty();

@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import org.pendant.controller.machine.NamedValue;
 import org.pendant.controller.value.ListValue;
 import org.pendant.controller.value.MatrixValue;
 import org.pendant.controller.value.PoseValue;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.StructValue;
 import org.pendant.controller.value.Value;
+import org.pendant.controller.vm.NamedValue;
 import org.pendant.models.pose.Pose;
 
 /** Makes {@link Variable}s of values. */

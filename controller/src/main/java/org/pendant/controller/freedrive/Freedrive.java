@@ -21,7 +21,7 @@ import org.pendant.models.pose.Wrench;
 /**
  * The arm is guided by hand (manual 15.18). Its drives hold the weight that the controller believes
  * in, so a payload that is declared wrongly makes it drift; {@link Resistance} keeps it slow enough
- * and within the ranges of its joints, {@link AxisLock} on the axes that are free. The target
+ * and within the ranges of its joints, {@link AxisConstraint} on the axes that are free. The target
  * follows the arm, so that whatever comes afterwards starts where the arm is.
  *
  * <p>The safety functions stay on; any stop ends freedrive. Only the collision check rests, as a
@@ -38,7 +38,7 @@ public final class Freedrive {
   private final MotionControl motion;
   private final Supplier<Payload> declared;
   private final PayloadCheck payloadCheck;
-  private final AxisLock lock;
+  private final AxisConstraint lock;
   private final Resistance resistance;
   private final SensedPush push;
   private final double[] q = new double[N];
@@ -78,7 +78,7 @@ public final class Freedrive {
     motion = setup.motion();
     declared = setup.declared();
     payloadCheck = new PayloadCheck(arm);
-    lock = new AxisLock(arm, setup.model());
+    lock = new AxisConstraint(arm, setup.model());
     push = new SensedPush(arm, setup.felt());
     resistance = new Resistance(arm, setup.speeds());
     measuredAtRad = guided.positionRad();

@@ -29,7 +29,7 @@ final class Resistance {
   private static final int N = Joints.COUNT;
 
   private final double[] usual = new double[N];
-  private final JointWalls walls;
+  private final JointLimitSprings walls;
   private final PathLimiter speeds;
 
   /**
@@ -37,7 +37,7 @@ final class Resistance {
    */
   Resistance(ArmDescription arm, PathLimiter speeds) {
     this.speeds = speeds;
-    walls = new JointWalls(arm);
+    walls = new JointLimitSprings(arm);
     for (int i = 0; i < N; i++) {
       usual[i] = SHARE_S_PER_RAD * arm.joints().get(i).maxTorqueNm();
     }

@@ -1,6 +1,6 @@
 /**
  * Freedrive: the arm is guided by hand, along all axes or some (manual 15.18). Open {@link
  * org.pendant.controller.freedrive.Freedrive} first, then {@link
- * org.pendant.controller.freedrive.AxisLock}, which holds the axes that are not free.
+ * org.pendant.controller.freedrive.AxisConstraint}, which holds the axes that are not free.
  */
 package org.pendant.controller.freedrive;

@@ -3,8 +3,8 @@ package org.pendant.controller.installation;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import org.pendant.controller.outside.ModbusAddress;
-import org.pendant.controller.outside.ModbusKind;
+import org.pendant.controller.external.ModbusAddress;
+import org.pendant.controller.external.ModbusKind;
 
 /** Whether conveyors and Modbus signals can be as an installation says. */
 final class FieldbusCheck {

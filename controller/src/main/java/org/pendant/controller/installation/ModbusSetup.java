@@ -1,6 +1,6 @@
 package org.pendant.controller.installation;
 
-import org.pendant.controller.outside.ModbusKind;
+import org.pendant.controller.external.ModbusKind;
 
 /**
  * A signal at a Modbus device that is exchanged as long as the controller is on.

@@ -21,7 +21,7 @@ public final class Jogging {
 
   private final ControlBox box;
   private final JogPlanner planner;
-  private final Outlook outlook;
+  private final StopPrediction stopPrediction;
   private Optional<Hold> hold = Optional.empty();
 
   /** What the arm does by hand, until it rests or its joints stop: its failures are of jogging. */
@@ -46,7 +46,7 @@ public final class Jogging {
   public Jogging(ControlBox box) {
     this.box = box;
     planner = new JogPlanner(box);
-    outlook = new Outlook(box);
+    stopPrediction = new StopPrediction(box);
   }
 
   /**
@@ -148,7 +148,7 @@ public final class Jogging {
 
   /** Before a limit the joints stop, also when the arm only comes to rest: its path leads there. */
   private void lookAhead(boolean straight) {
-    Optional<String> obstacle = outlook.obstacle(planner, straight);
+    Optional<String> obstacle = stopPrediction.obstacle(planner, straight);
     if (obstacle.isPresent()) {
       if (hold.isPresent() && !hold.get().over) {
         end(hold.get(), obstacle.get());
@@ -162,7 +162,7 @@ public final class Jogging {
     underway = Optional.empty();
     try {
       box.motion()
-          .takeOver((from, speed) -> new StopJ(from, speed, Outlook.STOP_RAD_PER_S2))
+          .takeOver((from, speed) -> new StopJ(from, speed, StopPrediction.STOP_RAD_PER_S2))
           .cancel();
     } catch (ScriptError e) {
       // another motion waits for the arm already, which comes to rest on its path

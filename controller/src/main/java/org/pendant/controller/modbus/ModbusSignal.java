@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.external.ModbusExchange;
+import org.pendant.controller.external.ModbusPoint;
+import org.pendant.controller.external.ModbusReading;
 import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
-import org.pendant.controller.outside.ModbusExchange;
-import org.pendant.controller.outside.ModbusPoint;
-import org.pendant.controller.outside.ModbusReading;
 
 /** One Modbus signal of a controller; the frame loop owns it. */
 public final class ModbusSignal {

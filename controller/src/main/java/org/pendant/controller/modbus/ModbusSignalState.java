@@ -1,7 +1,7 @@
 package org.pendant.controller.modbus;
 
 import java.util.List;
-import org.pendant.controller.outside.ModbusExchange;
+import org.pendant.controller.external.ModbusExchange;
 
 /**
  * A Modbus signal as screens and clients see it. Immutable.

@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import org.pendant.controller.external.ModbusAddress;
+import org.pendant.controller.external.ModbusConnector;
+import org.pendant.controller.external.ModbusErrors;
+import org.pendant.controller.external.ModbusExchange;
+import org.pendant.controller.external.Pending;
 import org.pendant.controller.io.RunStateAction;
 import org.pendant.controller.message.MessageLog;
-import org.pendant.controller.outside.ModbusAddress;
-import org.pendant.controller.outside.ModbusDoor;
-import org.pendant.controller.outside.ModbusErrors;
-import org.pendant.controller.outside.ModbusExchange;
-import org.pendant.controller.outside.Pending;
 import org.pendant.controller.value.ScriptError;
 
 /**
@@ -23,7 +23,7 @@ public final class ModbusSignals {
   /** Most signals of a controller. */
   public static final int MOST = 1000;
 
-  private final ModbusDoor door;
+  private final ModbusConnector door;
   private final MessageLog log;
   private final Map<String, ModbusSignal> byName = new LinkedHashMap<>();
   private List<ModbusSignal> signals = List.of();
@@ -32,7 +32,7 @@ public final class ModbusSignals {
   private double timeS;
 
   /** Signals by way of {@code door}; what is wrong with them goes to {@code log}. */
-  public ModbusSignals(ModbusDoor door, MessageLog log) {
+  public ModbusSignals(ModbusConnector door, MessageLog log) {
     this.door = door;
     this.log = log;
   }

@@ -9,7 +9,7 @@ import org.pendant.models.pose.Pose;
  * An arc of the TCP (manual 15.28). As on a straight line, an angle of the tool counts as a length
  * where that is longer, unless the tool only follows the tangent.
  */
-final class ArcPath implements ToolWay {
+final class ArcPath implements ToolCurvePath {
   /** Farthest turn of the tool between two points that joints are followed over, rad. */
   private static final double STEP_RAD = 0.2;
 
@@ -21,7 +21,7 @@ final class ArcPath implements ToolWay {
   private final Joints begin;
   private final Pose waypoint;
   private final Pose tcpInFlange;
-  private final Headroom headroom;
+  private final PathLimits pathLimits;
   private final ToolPathFollower follower;
   private final MotionSample between = new MotionSample();
   private double last;
@@ -45,7 +45,7 @@ final class ArcPath implements ToolWay {
       double turnRad,
       Pose waypoint,
       Pose tcpInFlange,
-      Headroom headroom) {
+      PathLimits pathLimits) {
     this.arm = arm;
     this.begin = begin;
     this.arc = arc;
@@ -53,7 +53,7 @@ final class ArcPath implements ToolWay {
     this.length = length;
     this.waypoint = waypoint;
     this.tcpInFlange = tcpInFlange;
-    this.headroom = headroom;
+    this.pathLimits = pathLimits;
     step = length / Math.max(1, Math.ceil(turnRad / STEP_RAD));
     follower = new ToolPathFollower(arm, curve, tcpInFlange, begin);
   }
@@ -133,8 +133,8 @@ final class ArcPath implements ToolWay {
   }
 
   @Override
-  public Headroom headroom() {
-    return headroom;
+  public PathLimits pathLimits() {
+    return pathLimits;
   }
 
   @Override
@@ -155,7 +155,7 @@ final class ArcPath implements ToolWay {
 
   private PathCaps caps() {
     if (caps.isEmpty()) {
-      caps = Optional.of(headroom.along(arm, curve, length, tcpInFlange, begin));
+      caps = Optional.of(pathLimits.along(arm, curve, length, tcpInFlange, begin));
     }
     return caps.get();
   }

@@ -19,7 +19,12 @@ import org.pendant.models.pose.StraightLine;
  *     that of the goal
  */
 public record ArcRoute(
-    ArmDescription arm, Pose via, Pose goal, boolean fixed, Pose tcpInFlange, Headroom headroom) {
+    ArmDescription arm,
+    Pose via,
+    Pose goal,
+    boolean fixed,
+    Pose tcpInFlange,
+    PathLimits pathLimits) {
 
   /** Sine of the angle at the begin below which three points lie on a line. */
   private static final double ON_A_LINE = 1e-7;
@@ -46,7 +51,7 @@ public record ArcRoute(
         throw noCircle(start);
       }
       Pose end = fixed ? turnedLike(start) : goal;
-      return new ToolPath(arm, from, start, end, tcpInFlange, headroom);
+      return new ToolPath(arm, from, start, end, tcpInFlange, pathLimits);
     }
     return circle(from, start, toVia, toGoal, normal);
   }
@@ -87,7 +92,7 @@ public record ArcRoute(
     double length = Math.max(arc.length(), turn.angleRad() / ToolPath.ROTATION_FACTOR);
     ToolArc curve = new ToolArc(arc, arc.length() / length, turn, length);
     double farthest = Math.max(turnRad, turn.angleRad());
-    return new ArcPath(arm, from, arc, curve, length, farthest, goal, tcpInFlange, headroom);
+    return new ArcPath(arm, from, arc, curve, length, farthest, goal, tcpInFlange, pathLimits);
   }
 
   private MotionPath following(Joints from, Pose start, Arc arc, double[] axis, double turnRad) {
@@ -98,7 +103,7 @@ public record ArcRoute(
     Pose whole = new Pose(0, 0, 0, turnRad * axis[0], turnRad * axis[1], turnRad * axis[2]);
     Pose turned = Poses.add(whole, start);
     Pose end = new Pose(goal.x(), goal.y(), goal.z(), turned.rx(), turned.ry(), turned.rz());
-    return new ArcPath(arm, from, arc, curve, arc.length(), turnRad, end, tcpInFlange, headroom);
+    return new ArcPath(arm, from, arc, curve, arc.length(), turnRad, end, tcpInFlange, pathLimits);
   }
 
   private ScriptError noCircle(Pose start) {

@@ -106,8 +106,8 @@ final class Blend {
    * How much sooner the new move comes as far than from rest in the waypoint, less the time for the
    * blend itself, s.
    */
-  double gainedS(double rate, double exit, Onward onward) throws ScriptError {
-    return onward.gainedS(entered(rate, exit), exit) - lastsS(rate);
+  double gainedS(double rate, double exit, NextSegment nextSegment) throws ScriptError {
+    return nextSegment.gainedS(entered(rate, exit), exit) - lastsS(rate);
   }
 
   /** The way from one path to the next. */
@@ -132,19 +132,19 @@ final class Blend {
         && before.tcpInFlange().equals(after.tcpInFlange());
   }
 
-  private double strongest(Onward onward) {
-    return Math.max(onward.limits().acceleration(), leavingAcceleration());
+  private double strongest(NextSegment nextSegment) {
+    return Math.max(nextSegment.limits().acceleration(), leavingAcceleration());
   }
 
   /** Whether it needs no more acceleration than the moves themselves may use. */
-  boolean gentle(double rate, double exit, Onward onward) {
-    return bend(rate, exit, strongest(onward)) <= ROUNDING;
+  boolean gentle(double rate, double exit, NextSegment nextSegment) {
+    return bend(rate, exit, strongest(nextSegment)) <= ROUNDING;
   }
 
   /** The highest rate on the new path that the blend can come out with. */
-  double exit(double rate, Onward onward) throws ScriptError {
-    ProfileLimits limits = onward.limits();
-    double strongest = strongest(onward);
+  double exit(double rate, NextSegment nextSegment) throws ScriptError {
+    ProfileLimits limits = nextSegment.limits();
+    double strongest = strongest(nextSegment);
     if (!sameTool()) {
       findDirections(limits);
     }
@@ -154,7 +154,7 @@ final class Blend {
     double slow = bent;
     if (!slowsDown(rate, bent, 0, limits)) {
       // only now what comes later makes a difference
-      double end = onward.end();
+      double end = nextSegment.end();
       slow = highest(0, bent, exit -> slowsDown(rate, exit, end, limits));
     }
     // where the arm comes too fast for both, it rather brakes harder behind the corner

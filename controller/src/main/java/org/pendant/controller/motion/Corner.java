@@ -28,7 +28,7 @@ final class Corner {
   private final Move move;
   private final Move next;
   private final Blend blend;
-  private final Onward onward;
+  private final NextSegment nextSegment;
 
   /** Where a move begins that leads to a corner, and how fast. */
   record Start(MotionPath path, double at, double rate) {
@@ -67,7 +67,7 @@ final class Corner {
     this.after = after;
     this.next = next;
     blend = new Blend(start.path, left, move, after, next);
-    onward = new Onward(after, next, blend.nextLeft(), further);
+    nextSegment = new NextSegment(after, next, blend.nextLeft(), further);
   }
 
   /** Whether the next move leads nowhere, or motion version 1 will not make it. */
@@ -96,7 +96,7 @@ final class Corner {
       Start start, double left, ProfileLimits limits, Move move, List<Move> outlook)
       throws ScriptError {
     double anyway = whateverComes(left, limits, move);
-    boolean wrench = start.path.headroom().limitsWrench();
+    boolean wrench = start.path.pathLimits().limitsWrench();
     for (int i = 0; i < outlook.size(); i++) {
       Move next = outlook.get(i);
       if (!next.mayFollow(move)) {
@@ -139,9 +139,9 @@ final class Corner {
       // a stop would take longer to the waypoint than the whole blend does
       return true;
     }
-    double exit = blend.exit(rate, onward);
+    double exit = blend.exit(rate, nextSegment);
     double throughS =
-        limits.between(way, start.rate, rate).durationS() - blend.gainedS(rate, exit, onward);
+        limits.between(way, start.rate, rate).durationS() - blend.gainedS(rate, exit, nextSegment);
     return throughS <= start.toRest(move).durationS() + MOST_LOST_S;
   }
 
@@ -153,7 +153,7 @@ final class Corner {
 
   private double known() throws ScriptError {
     double most = limits.speed();
-    ProfileLimits on = onward.limits();
+    ProfileLimits on = nextSegment.limits();
     double keeps = Math.min(1, Math.min(on.speed() / most, blend.mostEntered() / left));
     double bend = bend(keeps, on.acceleration());
     if (bend > 0) {
@@ -164,7 +164,7 @@ final class Corner {
       return Math.min(most, on.fastestBegin(free, 0) / keeps);
     }
     // only now what comes later makes a difference
-    return Math.min(most, on.fastestBegin(free, onward.end()) / keeps);
+    return Math.min(most, on.fastestBegin(free, nextSegment.end()) / keeps);
   }
 
   /**

@@ -37,7 +37,7 @@ final class JointLine implements MotionPath {
   private final double[] flange = new double[Transforms.SIZE];
   private final double[] tcp = new double[Transforms.SIZE];
   private final double[] tcpInBase = new double[Transforms.SIZE];
-  private final Headroom headroom;
+  private final PathLimits pathLimits;
   private Optional<PathCaps> caps = Optional.empty();
 
   /**
@@ -48,13 +48,13 @@ final class JointLine implements MotionPath {
    * @param waypoint pose of the TCP at its end, in the base frame
    */
   JointLine(ArmDescription arm, Joints from, Joints goal, Pose waypoint, Pose tcpInFlange) {
-    this(arm, from, goal, waypoint, tcpInFlange, Headroom.UNLIMITED);
+    this(arm, from, goal, waypoint, tcpInFlange, PathLimits.UNLIMITED);
   }
 
   /**
    * A line.
    *
-   * @param headroom what keeps a move on it within the means of the arm
+   * @param pathLimits what keeps a move on it within the means of the arm
    */
   JointLine(
       ArmDescription arm,
@@ -62,8 +62,8 @@ final class JointLine implements MotionPath {
       Joints goal,
       Pose waypoint,
       Pose tcpInFlange,
-      Headroom headroom) {
-    this.headroom = headroom;
+      PathLimits pathLimits) {
+    this.pathLimits = pathLimits;
     this.arm = arm;
     forward = new ForwardKinematics(arm.dh());
     this.from = from;
@@ -220,8 +220,8 @@ final class JointLine implements MotionPath {
   }
 
   @Override
-  public Headroom headroom() {
-    return headroom;
+  public PathLimits pathLimits() {
+    return pathLimits;
   }
 
   @Override
@@ -236,7 +236,7 @@ final class JointLine implements MotionPath {
 
   private PathCaps caps() {
     if (caps.isEmpty()) {
-      caps = Optional.of(headroom.over(length, (at, to) -> sample(at, 1, 0, to).isEmpty()));
+      caps = Optional.of(pathLimits.over(length, (at, to) -> sample(at, 1, 0, to).isEmpty()));
     }
     return caps.get();
   }

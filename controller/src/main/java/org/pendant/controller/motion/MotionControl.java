@@ -29,13 +29,13 @@ public final class MotionControl {
   private static final MotionFailure POWER_LOST =
       new MotionFailure("power-off", "the arm has no power");
 
-  private final Guidance guidance = new Guidance();
-  private final Target target;
-  private final PathPoint path;
+  private final ControlSource controlSource = new ControlSource();
+  private final JointSetpoint jointSetpoint;
+  private final PathState path;
   private final OffsetTarget offsets;
-  private final Course course;
-  private final PathTime time;
-  private final Succession succession;
+  private final ActiveTrajectory activeTrajectory;
+  private final TimeScaling time;
+  private final MotionQueue motionQueue;
   private Optional<MotionFailure> fault = Optional.empty();
   private Optional<MotionFailure> newFault = Optional.empty();
   private int framesAtRest = STEADY_FRAMES;
@@ -52,17 +52,17 @@ public final class MotionControl {
    */
   public MotionControl(ArmDescription arm, Joints positionRad, PathLimiter limiter) {
     JointSpeedCheck jointSpeeds = new JointSpeedCheck(arm);
-    target = new Target(arm, positionRad, jointSpeeds);
-    path = target.path();
-    offsets = target.offsets();
-    course = new Course(limiter, jointSpeeds);
-    time = course.time();
-    succession = new Succession(course, path, guidance, jointSpeeds);
+    jointSetpoint = new JointSetpoint(arm, positionRad, jointSpeeds);
+    path = jointSetpoint.path();
+    offsets = jointSetpoint.offsets();
+    activeTrajectory = new ActiveTrajectory(limiter, jointSpeeds);
+    time = activeTrajectory.time();
+    motionQueue = new MotionQueue(activeTrajectory, path, controlSource, jointSpeeds);
   }
 
   /** How fast the speed on a path may change, in pauses and the like, is limited from now on. */
   public void limitRamps(RampLimiter limiter) {
-    course.limitRamps(limiter);
+    activeTrajectory.limitRamps(limiter);
   }
 
   /**
@@ -72,7 +72,7 @@ public final class MotionControl {
    * @throws ScriptError when it cannot be planned, or another thread's motion is under way
    */
   public MotionTicket start(MotionPlan plan) throws ScriptError {
-    return succession.start(plan);
+    return motionQueue.start(plan);
   }
 
   /**
@@ -84,12 +84,12 @@ public final class MotionControl {
    * @throws ScriptError when it cannot be planned, or another thread's motion is under way
    */
   public Optional<MotionTicket> start(Move move) throws ScriptError {
-    return succession.start(move);
+    return motionQueue.start(move);
   }
 
   /** Whether a move has just begun that may be planned anew, knowing what follows it. */
   public boolean wantsOutlook() {
-    return succession.wantsOutlook();
+    return motionQueue.wantsOutlook();
   }
 
   /**
@@ -99,7 +99,7 @@ public final class MotionControl {
    * @throws ScriptError when it cannot be planned, or another thread's motion is under way
    */
   public MotionTicket takeOver(MotionPlan plan) throws ScriptError {
-    return succession.takeOver(plan);
+    return motionQueue.takeOver(plan);
   }
 
   /**
@@ -109,7 +109,7 @@ public final class MotionControl {
    * @throws ScriptError when it cannot be planned, or another thread's motion is under way
    */
   public MotionTicket goOn(MotionPlan plan) throws ScriptError {
-    return succession.goOn(plan);
+    return motionQueue.goOn(plan);
   }
 
   /**
@@ -119,17 +119,17 @@ public final class MotionControl {
    * @throws ScriptError when a thread's motion is under way
    */
   public void startGuidance() throws ScriptError {
-    if (!guidance.guided()) {
-      succession.refuseSecondOwner();
+    if (!controlSource.guided()) {
+      motionQueue.refuseSecondOwner();
       letGo();
-      guidance.setGuided(true);
+      controlSource.setGuided(true);
     }
   }
 
   private void letGo() {
     takeTargetForPath();
     offsets.end();
-    guidance.endTorque();
+    controlSource.endTorque();
   }
 
   /**
@@ -140,23 +140,23 @@ public final class MotionControl {
    * @throws ScriptError when a thread's motion is under way, or the arm is guided by hand
    */
   public void giveTorque() throws ScriptError {
-    succession.refuseSecondOwner();
-    if (!guidance.torqueDriven()) {
+    motionQueue.refuseSecondOwner();
+    if (!controlSource.torqueDriven()) {
       letGo();
     }
-    guidance.giveTorque();
+    controlSource.giveTorque();
   }
 
   /** Whether torques of the program drive the arm; after the step, whether in this frame. */
   public boolean torqueDriven() {
-    return guidance.torqueDriven();
+    return controlSource.torqueDriven();
   }
 
   /** No torques have come for this frame: the joints stop, as soon as a stop demands. */
   private void endTorques() {
-    guidance.endTorque();
+    controlSource.endTorque();
     if (path.moves()) {
-      succession.stop(time.rampRadPerS2());
+      motionQueue.stop(time.rampRadPerS2());
     }
   }
 
@@ -167,38 +167,38 @@ public final class MotionControl {
 
   /** The arm is no longer guided: the target comes to rest from where the arm is. */
   public void endGuidance() {
-    if (guidance.guided()) {
-      guidance.setGuided(false);
+    if (controlSource.guided()) {
+      controlSource.setGuided(false);
       if (path.moves()) {
-        succession.stop(SCALING_ACCELERATION_RAD_PER_S2);
+        motionQueue.stop(SCALING_ACCELERATION_RAD_PER_S2);
       }
     }
   }
 
   /** Whether the arm is guided by hand. */
   public boolean guided() {
-    return guidance.guided();
+    return controlSource.guided();
   }
 
   /** Gives the next target; step 3 of a frame. */
   public void step() {
-    if (guidance.guided() || guidance.useTorque()) {
+    if (controlSource.guided() || controlSource.useTorque()) {
       framesAtRest = 0;
       return;
     }
-    if (guidance.torqueDriven()) {
+    if (controlSource.torqueDriven()) {
       endTorques();
     }
-    Optional<MotionFailure> unended = succession.settle();
+    Optional<MotionFailure> unended = motionQueue.settle();
     if (unended.isPresent()) {
       stopBeside(unended.get());
     }
-    Optional<MotionFailure> lost = succession.advance();
+    Optional<MotionFailure> lost = motionQueue.advance();
     if (lost.isPresent()) {
       stopAtOnce(lost.get());
     }
     carryAside();
-    framesAtRest = target.speed().isZero() ? Math.min(framesAtRest + 1, STEADY_FRAMES) : 0;
+    framesAtRest = jointSetpoint.speed().isZero() ? Math.min(framesAtRest + 1, STEADY_FRAMES) : 0;
   }
 
   private void carryAside() {
@@ -213,7 +213,7 @@ public final class MotionControl {
   /** The stop begins in the frame that could not be: the target does not stand still meanwhile. */
   private void stopAtOnce(MotionFailure failure) {
     stopBeside(failure);
-    Optional<MotionFailure> again = succession.advance();
+    Optional<MotionFailure> again = motionQueue.advance();
     if (again.isPresent()) {
       stopBeside(again.get());
     }
@@ -234,8 +234,8 @@ public final class MotionControl {
    * under way is given up; whoever ends an offset stops the arm with {@link #takeOver}.
    */
   public void takeTargetForPath() {
-    succession.giveUp(PATH_ENDED);
-    target.takeForPath();
+    motionQueue.giveUp(PATH_ENDED);
+    jointSetpoint.takeForPath();
   }
 
   /**
@@ -246,11 +246,11 @@ public final class MotionControl {
    * @throws ScriptError when another thread's motion is under way
    */
   public void endOffset(PathOffset ending) throws ScriptError {
-    succession.refuseSecondOwner();
+    motionQueue.refuseSecondOwner();
     ending.end();
     if (offsets.engaged()) {
-      succession.giveUp(PATH_ENDED);
-      target.rebase();
+      motionQueue.giveUp(PATH_ENDED);
+      jointSetpoint.rebase();
     }
   }
 
@@ -258,7 +258,7 @@ public final class MotionControl {
   public void endOffsets() {
     if (offsets.engaged()) {
       takeTargetForPath();
-      succession.stop(SCALING_ACCELERATION_RAD_PER_S2);
+      motionQueue.stop(SCALING_ACCELERATION_RAD_PER_S2);
     }
     offsets.end();
   }
@@ -273,16 +273,16 @@ public final class MotionControl {
    * handed over, so that whoever asked for it has to say before where it leads on.
    */
   public boolean handsOverBeforeRest() {
-    return succession.handsOverBeforeRest();
+    return motionQueue.handsOverBeforeRest();
   }
 
   /** The path cannot be followed: all joints stop from what they do now. */
   private void stopBeside(MotionFailure failure) {
     fault = Optional.of(failure);
     newFault = fault;
-    succession.giveUpAll(failure);
+    motionQueue.giveUpAll(failure);
     if (path.moves()) {
-      succession.stop(FAULT_DECELERATION_RAD_PER_S2);
+      motionQueue.stop(FAULT_DECELERATION_RAD_PER_S2);
     } else {
       path.rest();
     }
@@ -290,9 +290,9 @@ public final class MotionControl {
 
   /** Lets the arm come to rest on its path and forgets the motion. */
   public void abort() {
-    guidance.withdrawTorque();
-    succession.abort();
-    if (guidance.torqueDriven()) {
+    controlSource.withdrawTorque();
+    motionQueue.abort();
+    if (controlSource.torqueDriven()) {
       endTorques();
     }
   }
@@ -322,8 +322,8 @@ public final class MotionControl {
 
   /** Gives up every motion: the arm has been stopped by its brakes and rests elsewhere. */
   public void adopt(Joints positionRad) {
-    guidance.clear();
-    succession.giveUpAll(POWER_LOST);
+    controlSource.clear();
+    motionQueue.giveUpAll(POWER_LOST);
     offsets.end();
     path.restAt(positionRad);
   }
@@ -347,7 +347,7 @@ public final class MotionControl {
    * @throws ScriptError while a motion is under way or the arm is guided by hand
    */
   public void jumpTo(Joints positionRad) throws ScriptError {
-    succession.refuseGuided();
+    motionQueue.refuseGuided();
     if (moving() || carried()) {
       throw new ScriptError("robot-in-use", "the arm is moving, must be at rest");
     }
@@ -374,12 +374,12 @@ public final class MotionControl {
 
   /** Whether a thread waits for a motion that it has started. */
   public boolean owned() {
-    return succession.owned();
+    return motionQueue.owned();
   }
 
   /** Whether a motion is under way, a paused one included, or torques drive the arm. */
   public boolean moving() {
-    return succession.moving() || guidance.torqueDriven();
+    return motionQueue.moving() || controlSource.torqueDriven();
   }
 
   /** Whether the motion is held, by a pause or a stop, or is to be held as soon as it begins. */
@@ -389,7 +389,7 @@ public final class MotionControl {
 
   /** Whether a move that nobody waits for any more goes on to its waypoint. */
   public boolean arriving() {
-    return succession.arriving();
+    return motionQueue.arriving();
   }
 
   /** Whether the target has rested for 500 ms. */
@@ -399,7 +399,7 @@ public final class MotionControl {
 
   /** Where the active move takes the TCP, in the base frame. */
   public Optional<Pose> waypoint() {
-    return course.active().flatMap(Motion::waypoint);
+    return activeTrajectory.active().flatMap(Motion::waypoint);
   }
 
   /** The speed slider, 0 to 1. */
@@ -414,12 +414,12 @@ public final class MotionControl {
 
   /** Target positions, rad. */
   public Joints positionRad() {
-    return target.position().joints();
+    return jointSetpoint.position().joints();
   }
 
   /** Writes target positions, rad, into six numbers; allocates nothing. */
   public void copyPositionRad(double[] q) {
-    System.arraycopy(target.position().numbers(), 0, q, 0, Joints.COUNT);
+    System.arraycopy(jointSetpoint.position().numbers(), 0, q, 0, Joints.COUNT);
   }
 
   /** Where the path is, without what offsets add, rad. */
@@ -434,11 +434,11 @@ public final class MotionControl {
 
   /** Target speeds, rad/s. */
   public Joints speedRadPerS() {
-    return target.speed().joints();
+    return jointSetpoint.speed().joints();
   }
 
   /** Target accelerations, rad/s². */
   public Joints accelerationRadPerS2() {
-    return target.acceleration().joints();
+    return jointSetpoint.acceleration().joints();
   }
 }

@@ -68,8 +68,8 @@ public interface MotionPath {
   }
 
   /** What keeps a move on it within the means of the arm. */
-  default Headroom headroom() {
-    return Headroom.UNLIMITED;
+  default PathLimits pathLimits() {
+    return PathLimits.UNLIMITED;
   }
 
   /** The acceleration across the path for a rate of 1; 0 for one that does not bend. */

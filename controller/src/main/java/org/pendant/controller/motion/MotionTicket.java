@@ -5,13 +5,13 @@ import java.util.Optional;
 
 /** What whoever asked for a motion holds: whether it has ended, and how. */
 public final class MotionTicket {
-  private final Succession succession;
+  private final MotionQueue motionQueue;
   private boolean finished;
   private double stretchedS;
   private Optional<MotionFailure> failure = Optional.empty();
 
-  MotionTicket(Succession succession) {
-    this.succession = succession;
+  MotionTicket(MotionQueue motionQueue) {
+    this.motionQueue = motionQueue;
   }
 
   /** Whether the motion is over, at its goal or by {@link #endEarly}; the target rests. */
@@ -26,22 +26,22 @@ public final class MotionTicket {
 
   /** Lets the arm come to rest on its path; the motion counts as finished then. */
   public void endEarly() {
-    succession.endEarly(this);
+    motionQueue.endEarly(this);
   }
 
   /** Nobody waits any more: the arm comes to rest on its path. */
   public void cancel() {
-    succession.release(this);
+    motionQueue.release(this);
   }
 
   /** Whether the motion has only just begun and may be planned anew, knowing what follows it. */
   public boolean wantsOutlook() {
-    return succession.wantsOutlook(this);
+    return motionQueue.wantsOutlook(this);
   }
 
   /** The moves that follow the one that has just begun, as far as can be foreseen. */
   public void outlook(List<Move> next) {
-    succession.outlook(this, next);
+    motionQueue.outlook(this, next);
   }
 
   /** How long the move takes when a shorter duration was asked for, s; otherwise 0. */

@@ -60,7 +60,7 @@ final class MovePlanner {
     MotionPath before = leaving.path();
     MotionPath after = move.route().from(endOf(before));
     if (after.length() == 0) {
-      return Optional.of(new RestOfMove(leaving, leavingS, move.blendRadiusM() > 0));
+      return Optional.of(new RemainderMotion(leaving, leavingS, move.blendRadiusM() > 0));
     }
     double left = before.length() - leaving.handOverAt();
     Optional<ProcessCorner> corner =
@@ -89,13 +89,13 @@ final class MovePlanner {
     boolean armsLimit = first.move().limitedByArm(first.path()) || move.limitedByArm(after);
     double factor = blend.alike() || armsLimit ? 1 : MOST_OVERLAP_ACCELERATION;
     boolean lines = first.path() instanceof ToolPath && after instanceof ToolPath;
-    boolean wrench = after.headroom().limitsWrench();
+    boolean wrench = after.pathLimits().limitsWrench();
     double sharedS =
         lines && blend.alike() && !wrench
             ? 0
             : Overlap.longestS(first, next, blend.mostEntered(), factor);
     Overlap both = new Overlap(first, next, sharedS);
-    while (sharedS > 0 && wrench && !both.keepsWrench(after.headroom())) {
+    while (sharedS > 0 && wrench && !both.keepsWrench(after.pathLimits())) {
       sharedS = sharedS > SHORTEST_OVERLAP_S ? 0.7 * sharedS : 0;
       both = new Overlap(first, next, sharedS);
     }
@@ -106,15 +106,15 @@ final class MovePlanner {
   private static Motion through(
       PathMotion first, double firstS, Blend blend, MotionPath after, Move move, List<Move> outlook)
       throws ScriptError {
-    Onward onward = new Onward(after, move, blend.nextLeft(), outlook);
+    NextSegment nextSegment = new NextSegment(after, move, blend.nextLeft(), outlook);
     double rate = first.handOverRate();
-    double exit = blend.exit(rate, onward);
+    double exit = blend.exit(rate, nextSegment);
     boolean timed = first.move().limits().timed() || move.limits().timed();
     boolean stops =
         first.canRest()
             && !timed
-            && (!blend.gentle(rate, exit, onward)
-                || first.restS() < -blend.gainedS(rate, exit, onward));
+            && (!blend.gentle(rate, exit, nextSegment)
+                || first.restS() < -blend.gainedS(rate, exit, nextSegment));
     if (stops) {
       return overlapping(first, firstS, blend, after, move, outlook);
     }

@@ -79,7 +79,7 @@ final class OffsetTarget {
    *     begin
    * @return why there is none; the target is what it was then
    */
-  Optional<MotionFailure> step(PathPoint path) {
+  Optional<MotionFailure> step(PathState path) {
     if (!anyActive()) {
       engaged = false;
       hold.clear();

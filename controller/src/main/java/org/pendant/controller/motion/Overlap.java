@@ -102,14 +102,14 @@ final class Overlap implements Motion {
   }
 
   /** Whether both moves together keep to the limits of what the payload does to the tool. */
-  boolean keepsWrench(Headroom headroom) {
+  boolean keepsWrench(PathLimits pathLimits) {
     MotionSample point = new MotionSample();
     boolean keeps = true;
     double stepS = sharedS / (2 * PARTS);
     for (int k = 0; keeps && k <= 2 * PARTS; k++) {
       keeps =
           sample(durationS - sharedS + k * stepS, point).isEmpty()
-              && headroom.wrenchShare(point) <= 1;
+              && pathLimits.wrenchShare(point) <= 1;
     }
     return keeps;
   }

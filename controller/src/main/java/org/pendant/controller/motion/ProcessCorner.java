@@ -30,8 +30,8 @@ final class ProcessCorner {
   /** What rounding a corner may cost over a stop there, s; rounding of numbers aside. */
   private static final double MOST_LOST_S = 1e-9;
 
-  private final ToolWay before;
-  private final ToolWay after;
+  private final ToolCurvePath before;
+  private final ToolCurvePath after;
   private final Move leaving;
   private final Move move;
 
@@ -45,7 +45,7 @@ final class ProcessCorner {
 
   private final double beginsAfter;
   private final double left;
-  private final Onward onward;
+  private final NextSegment nextSegment;
   private final List<Move> further;
   private final double nextLeft;
   private final Optional<Rounded> rounded;
@@ -59,7 +59,12 @@ final class ProcessCorner {
   private record Rounded(CornerArc curve, double lengthM, double radiusM, double turningPerM2) {}
 
   private ProcessCorner(
-      ToolWay before, ToolWay after, Move leaving, Move move, double left, List<Move> further) {
+      ToolCurvePath before,
+      ToolCurvePath after,
+      Move leaving,
+      Move move,
+      double left,
+      List<Move> further) {
     this.before = before;
     this.after = after;
     this.leaving = leaving;
@@ -75,7 +80,7 @@ final class ProcessCorner {
     double share = Math.min(1, after.length() / (entered + ending));
     nextLeft = share * ending;
     this.further = further;
-    onward = new Onward(after, move, nextLeft, further);
+    nextSegment = new NextSegment(after, move, nextLeft, further);
     possible = possible(was, will);
     if (!possible || leadsStraightOn(was, will)) {
       endsBefore = 0;
@@ -107,8 +112,8 @@ final class ProcessCorner {
       Move move,
       List<Move> further) {
     if (move.kind() == Move.Kind.PROCESS
-        && before instanceof ToolWay from
-        && after instanceof ToolWay to
+        && before instanceof ToolCurvePath from
+        && after instanceof ToolCurvePath to
         && from.tcpInFlange().equals(to.tcpInFlange())
         && from.length() > 0
         && to.length() > 0
@@ -118,7 +123,7 @@ final class ProcessCorner {
     return Optional.empty();
   }
 
-  private static double[] twist(ToolWay way, double at) {
+  private static double[] twist(ToolCurvePath way, double at) {
     double[] twist = new double[Pose.SIZE];
     way.curve().rate(at, twist);
     return twist;
@@ -207,10 +212,10 @@ final class ProcessCorner {
   }
 
   /** The highest speed (m/s) on the arc that the limits of the tool's wrench allow. */
-  private static double fastestForWrench(ToolWay after, Rounded rounded) {
-    return after.headroom().limitsWrench()
+  private static double fastestForWrench(ToolCurvePath after, Rounded rounded) {
+    return after.pathLimits().limitsWrench()
         ? after
-            .headroom()
+            .pathLimits()
             .along(
                 after.arm(), rounded.curve(), rounded.lengthM(), after.tcpInFlange(), after.begin())
             .rate()
@@ -229,7 +234,7 @@ final class ProcessCorner {
 
   /** The highest speed (m/s), up to a limit, behind the corner from which the next can go on. */
   private double fastestOnward(double most) throws ScriptError {
-    return onward.fastestBegin(beginsAfter, most / metresAfter) * metresAfter;
+    return nextSegment.fastestBegin(beginsAfter, most / metresAfter) * metresAfter;
   }
 
   /**
@@ -241,7 +246,7 @@ final class ProcessCorner {
     if (!possible) {
       return new Corner.Approach(0, true);
     }
-    double most = fastest(Math.min(limits.acceleration(), onward.limits().acceleration()));
+    double most = fastest(Math.min(limits.acceleration(), nextSegment.limits().acceleration()));
     double speed = fastestOnward(Math.min(limits.speed() * metresBefore, most));
     double highest = speed / metresBefore;
     double way = before.length() - left - start.at();
@@ -266,7 +271,7 @@ final class ProcessCorner {
     double lengthM = rounded.map(Rounded::lengthM).orElse(0.0);
     return (left - endsBefore) / rate
         + lengthM / (rate * metresBefore)
-        - onward.gainedS(beginsAfter, rate * metresBefore / metresAfter);
+        - nextSegment.gainedS(beginsAfter, rate * metresBefore / metresAfter);
   }
 
   /**
@@ -280,7 +285,7 @@ final class ProcessCorner {
     double rate = first.handOverRate();
     double speed = rate * metresBefore;
     double strongest =
-        Math.max(leaving.limits(before, 1).acceleration(), onward.limits().acceleration());
+        Math.max(leaving.limits(before, 1).acceleration(), nextSegment.limits().acceleration());
     boolean tooFast =
         !possible
             || speed > fastest(strongest) * ROUNDING

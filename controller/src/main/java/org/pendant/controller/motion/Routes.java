@@ -31,8 +31,8 @@ public final class Routes {
       Joints goal,
       Pose waypoint,
       Pose tcpInFlange,
-      Headroom headroom) {
-    return new JointLine(arm, from, goal, waypoint, tcpInFlange, headroom);
+      PathLimits pathLimits) {
+    return new JointLine(arm, from, goal, waypoint, tcpInFlange, pathLimits);
   }
 
   /**
@@ -42,8 +42,13 @@ public final class Routes {
    * @param goal pose of the TCP at its end, in the base frame
    */
   public static MotionPath line(
-      ArmDescription arm, Joints from, Pose start, Pose goal, Pose tcpInFlange, Headroom headroom) {
-    return new ToolPath(arm, from, start, goal, tcpInFlange, headroom);
+      ArmDescription arm,
+      Joints from,
+      Pose start,
+      Pose goal,
+      Pose tcpInFlange,
+      PathLimits pathLimits) {
+    return new ToolPath(arm, from, start, goal, tcpInFlange, pathLimits);
   }
 
   /**

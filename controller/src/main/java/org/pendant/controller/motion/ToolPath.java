@@ -14,7 +14,7 @@ import org.pendant.models.pose.StraightLine;
  * counts as a length of {@code 1 / }{@value #ROTATION_FACTOR} m for each rad where that is longer
  * than the line.
  */
-final class ToolPath implements ToolWay {
+final class ToolPath implements ToolCurvePath {
   /** Angular speed and acceleration, in rad, for one m/s and one m/s². */
   static final double ROTATION_FACTOR = 4;
 
@@ -32,7 +32,7 @@ final class ToolPath implements ToolWay {
   private Optional<ToolPathFollower> follower = Optional.empty();
 
   private Optional<Joints> end = Optional.empty();
-  private final Headroom headroom;
+  private final PathLimits pathLimits;
   private Optional<PathCaps> caps = Optional.empty();
 
   /**
@@ -43,13 +43,13 @@ final class ToolPath implements ToolWay {
    * @param goal pose of the TCP at its end, in the base frame
    */
   ToolPath(ArmDescription arm, Joints begin, Pose start, Pose goal, Pose tcpInFlange) {
-    this(arm, begin, start, goal, tcpInFlange, Headroom.UNLIMITED);
+    this(arm, begin, start, goal, tcpInFlange, PathLimits.UNLIMITED);
   }
 
   /**
    * A line.
    *
-   * @param headroom what keeps a move on it within the means of the arm
+   * @param pathLimits what keeps a move on it within the means of the arm
    */
   ToolPath(
       ArmDescription arm,
@@ -57,8 +57,8 @@ final class ToolPath implements ToolWay {
       Pose start,
       Pose goal,
       Pose tcpInFlange,
-      Headroom headroom) {
-    this.headroom = headroom;
+      PathLimits pathLimits) {
+    this.pathLimits = pathLimits;
     this.arm = arm;
     this.begin = begin;
     this.tcpInFlange = tcpInFlange;
@@ -160,8 +160,8 @@ final class ToolPath implements ToolWay {
   }
 
   @Override
-  public Headroom headroom() {
-    return headroom;
+  public PathLimits pathLimits() {
+    return pathLimits;
   }
 
   @Override
@@ -176,7 +176,7 @@ final class ToolPath implements ToolWay {
 
   private PathCaps caps() {
     if (caps.isEmpty()) {
-      caps = Optional.of(headroom.along(arm, curve, length, tcpInFlange, begin));
+      caps = Optional.of(pathLimits.along(arm, curve, length, tcpInFlange, begin));
     }
     return caps.get();
   }

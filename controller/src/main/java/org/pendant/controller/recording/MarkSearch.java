@@ -3,9 +3,6 @@ package org.pendant.controller.recording;
 import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.ProgramEvent;
-import org.pendant.controller.machine.ProgramLabel;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
@@ -14,6 +11,9 @@ import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.SafetyStatus;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.ProgramEvent;
+import org.pendant.controller.vm.ProgramLabel;
 
 /** Finds what is worth a mark. */
 final class MarkSearch {
@@ -46,7 +46,7 @@ final class MarkSearch {
     ProgramStatus now = (ProgramStatus) entry.part(Part.PROGRAM);
     int line = now.line();
     if (entry.changed(Part.NEWS)) {
-      news((News) entry.part(Part.NEWS), entry.frame(), line);
+      news((FrameDelta) entry.part(Part.NEWS), entry.frame(), line);
     }
     if (entry.changed(Part.SAFETY)) {
       safety((SafetyStatus) entry.part(Part.SAFETY), entry.frame(), line);
@@ -58,8 +58,8 @@ final class MarkSearch {
     program = Optional.of(now);
   }
 
-  private void news(News news, long frame, int line) {
-    for (ProgramEvent each : news.events()) {
+  private void news(FrameDelta frameDelta, long frame, int line) {
+    for (ProgramEvent each : frameDelta.events()) {
       switch (each) {
         case ProgramEvent.Started started -> {
           add(Kind.PROGRAM_STARTED, frame, started.name(), line);
@@ -78,13 +78,13 @@ final class MarkSearch {
             add(Kind.PROGRAM_FAILED, frame, failed.failure().message(), failed.failure().line());
       }
     }
-    for (Popup each : news.popups()) {
+    for (Popup each : frameDelta.popups()) {
       add(Kind.MESSAGE, frame, each.text(), line);
     }
-    for (Question each : news.questions()) {
+    for (Question each : frameDelta.questions()) {
       add(Kind.MESSAGE, frame, each.text(), line);
     }
-    for (LogEntry each : news.entries()) {
+    for (LogEntry each : frameDelta.entries()) {
       if (each.level() == LogEntry.Level.ERROR
           && each.origin() != LogEntry.Origin.ENDING
           && each.origin() != LogEntry.Origin.SAFETY) {

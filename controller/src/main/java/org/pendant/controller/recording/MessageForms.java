@@ -90,10 +90,10 @@ final class MessageForms {
         }
       }.list();
 
-  static final Form<News> NEWS =
+  static final Form<FrameDelta> NEWS =
       new Form<>() {
         @Override
-        void write(News value, ByteSink out) {
+        void write(FrameDelta value, ByteSink out) {
           ENTRIES.write(value.entries(), out);
           POPUPS.write(value.popups(), out);
           QUESTIONS.write(value.questions(), out);
@@ -102,8 +102,8 @@ final class MessageForms {
         }
 
         @Override
-        News read(ByteSource in) throws MalformedBytes {
-          return new News(
+        FrameDelta read(ByteSource in) throws MalformedBytes {
+          return new FrameDelta(
               ENTRIES.read(in),
               POPUPS.read(in),
               QUESTIONS.read(in),

@@ -7,10 +7,10 @@ import java.util.TreeMap;
 import org.pendant.controller.eip.AssemblyData;
 import org.pendant.controller.eip.AssemblyImage;
 import org.pendant.controller.eip.AssemblyPair;
+import org.pendant.controller.external.ModbusAddress;
+import org.pendant.controller.external.ModbusExchange;
+import org.pendant.controller.external.ModbusKind;
 import org.pendant.controller.modbus.ModbusSignalState;
-import org.pendant.controller.outside.ModbusAddress;
-import org.pendant.controller.outside.ModbusExchange;
-import org.pendant.controller.outside.ModbusKind;
 
 /** Forms of what is exchanged with devices outside. */
 final class OutsideForms {

@@ -36,7 +36,7 @@ final class Part {
       new Part(16, "popups", ControllerState::openPopups, MessageForms.POPUPS);
   static final Part QUESTIONS =
       new Part(17, "questions", ControllerState::openQuestions, MessageForms.QUESTIONS);
-  static final Part NEWS = new Part(18, "news", News::of, MessageForms.NEWS);
+  static final Part NEWS = new Part(18, "news", FrameDelta::of, MessageForms.NEWS);
 
   /** All parts, each at its index. */
   static final List<Part> PARTS =

@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.debug.StopReason;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.ProgramEvent;
-import org.pendant.controller.machine.ProgramLabel;
-import org.pendant.controller.machine.ProgramState;
-import org.pendant.controller.machine.ScriptFailure;
-import org.pendant.controller.machine.ThreadSnapshot;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.RuntimeState;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.ProgramEvent;
+import org.pendant.controller.vm.ProgramLabel;
+import org.pendant.controller.vm.ProgramState;
+import org.pendant.controller.vm.ScriptFailure;
+import org.pendant.controller.vm.ThreadSnapshot;
 import org.pendant.language.source.SourceRange;
 
 /** Forms of what programs do. */

@@ -2,9 +2,9 @@ package org.pendant.controller.recording;
 
 import java.util.Optional;
 import java.util.function.Supplier;
-import org.pendant.controller.machine.ProgramEvent;
 import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.ProgramEvent;
 import org.pendant.language.source.Source;
 
 /**

@@ -23,7 +23,7 @@ public final class Recording {
   /** Part of a frame that counts as rounding in a time. */
   private static final double ROUNDING = 1e-6;
 
-  private final List<? extends Stretch> stretches;
+  private final List<? extends SegmentRef> stretches;
   private final int lastCount;
   private final long lastFrame;
   private final ProgramTexts texts;
@@ -40,7 +40,7 @@ public final class Recording {
    * @param lastFrame the last frame, whether it changed something or not
    */
   Recording(
-      List<? extends Stretch> stretches,
+      List<? extends SegmentRef> stretches,
       int lastCount,
       long lastFrame,
       ProgramTexts texts,
@@ -185,7 +185,7 @@ public final class Recording {
         frameAt(toS),
         entry -> {
           if (entry.frame() >= from && entry.changed(Part.NEWS)) {
-            entries.addAll(((News) entry.part(Part.NEWS)).entries());
+            entries.addAll(((FrameDelta) entry.part(Part.NEWS)).entries());
           }
         });
     return entries;

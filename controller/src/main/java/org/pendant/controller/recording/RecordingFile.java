@@ -61,7 +61,7 @@ public final class RecordingFile {
   /** What is in a block, before anybody has looked at it. */
   private record Block(int kind, int inflated, int deflated, int checksum, long place) {}
 
-  private final class InFile implements Stretch {
+  private final class InFile implements SegmentRef {
     private final int number;
     private final Block block;
     private final long firstFrame;

@@ -21,7 +21,7 @@ public final class RecordingRing {
   private final Supplier<Optional<Source>> programSource;
   private final long mostBytes;
   private final Snapshots snapshots;
-  private final Tape tape;
+  private final SnapshotEncoder snapshotEncoder;
 
   /** Bytes of all segments but the one that is being filled. */
   private long fullBytes;
@@ -52,12 +52,13 @@ public final class RecordingRing {
     this.mostBytes = mostBytes;
     snapshots = Snapshots.like(start);
     lastFrame = start.frame();
-    tape = new Tape(start, this::begun, this::full, Tape.AMBIENT_FRAMES);
+    snapshotEncoder =
+        new SnapshotEncoder(start, this::begun, this::full, SnapshotEncoder.AMBIENT_FRAMES);
   }
 
   /** Takes a frame that has ended. For the thread that drives the controller. */
   public void take(ControllerState state) {
-    tape.take(state);
+    snapshotEncoder.take(state);
     lastFrame = state.frame();
     if (!state.newProgramEvents().isEmpty()) {
       ProgramText.startedIn(state, programSource).ifPresent(this::note);
@@ -80,7 +81,7 @@ public final class RecordingRing {
 
   /** About how much memory is taken, bytes. For the thread that drives the controller. */
   long bytes() {
-    return fullBytes + tape.segment().bytes() + texts.bytes();
+    return fullBytes + snapshotEncoder.segment().bytes() + texts.bytes();
   }
 
   private void full(Segment done) {

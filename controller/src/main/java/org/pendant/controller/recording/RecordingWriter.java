@@ -25,7 +25,7 @@ public final class RecordingWriter implements Closeable {
 
   private final OutputStream out;
   private final Deflater deflater = new Deflater(Deflater.BEST_SPEED);
-  private final Tape tape;
+  private final SnapshotEncoder snapshotEncoder;
   private final List<Segment> full = new ArrayList<>();
   private Optional<ProgramText> lastText = Optional.empty();
   private long lastFrame;
@@ -37,14 +37,14 @@ public final class RecordingWriter implements Closeable {
    * @param out gets the file, and is closed with the writer
    */
   public RecordingWriter(OutputStream out, ControllerState start) throws IOException {
-    this(out, start, Tape.AMBIENT_FRAMES);
+    this(out, start, SnapshotEncoder.AMBIENT_FRAMES);
   }
 
-  /** As the public constructor, with that of {@link Tape}. */
+  /** As the public constructor, with that of {@link SnapshotEncoder}. */
   RecordingWriter(OutputStream out, ControllerState start, int ambientFrames) throws IOException {
     this.out = out;
     lastFrame = start.frame();
-    tape = new Tape(start, next -> {}, full::add, ambientFrames);
+    snapshotEncoder = new SnapshotEncoder(start, next -> {}, full::add, ambientFrames);
     ByteSink header = new ByteSink();
     FileFormat.writeHeader(start.arm().description().id(), header);
     out.write(FileFormat.MAGIC);
@@ -60,19 +60,19 @@ public final class RecordingWriter implements Closeable {
 
   /** Takes the next frame. */
   public void write(ControllerState state) throws IOException {
-    tape.take(state);
+    snapshotEncoder.take(state);
     lastFrame = state.frame();
     for (Segment each : full) {
       writeSegment(each);
     }
     full.clear();
-    if (state.frame() - tape.segment().firstFrame() >= MOST_FRAMES_A_BLOCK) {
+    if (state.frame() - snapshotEncoder.segment().firstFrame() >= MOST_FRAMES_A_BLOCK) {
       writeWhatIsThere();
     }
   }
 
   private void writeWhatIsThere() throws IOException {
-    Optional<Segment> segment = tape.cut();
+    Optional<Segment> segment = snapshotEncoder.cut();
     if (segment.isPresent()) {
       writeSegment(segment.get());
     }

@@ -11,7 +11,7 @@ import java.util.Arrays;
  * whose values follow each other in the two pools in the order of their bits. Snapshots of a frame
  * that a debugger held have entries with the same frame.
  */
-final class Segment implements Stretch {
+final class Segment implements SegmentRef {
   /** Entries of a segment. */
   static final int MOST_ENTRIES = 1024;
 

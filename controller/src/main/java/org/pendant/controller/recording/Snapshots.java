@@ -47,9 +47,9 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
   ControllerState of(SegmentCursor at, long frame) {
     ArmState armState = armState(at);
     ArmReadings readings = readings(at);
-    News news = (News) at.part(Part.NEWS);
+    FrameDelta frameDelta = (FrameDelta) at.part(Part.NEWS);
     if (at.frame() != frame || !at.changed(Part.NEWS)) {
-      news = news.old();
+      frameDelta = frameDelta.old();
     }
     return new ControllerState(
         frame,
@@ -72,11 +72,11 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
         (TracedVariables) at.part(Part.TRACED),
         (List<Popup>) at.part(Part.POPUPS),
         (List<Question>) at.part(Part.QUESTIONS),
-        news.entries().isEmpty() ? LogLines.NONE : new LogLines.Listed(news.entries()),
-        news.popups(),
-        news.questions(),
-        news.events(),
-        news.newestEntry());
+        frameDelta.entries().isEmpty() ? LogLines.NONE : new LogLines.Listed(frameDelta.entries()),
+        frameDelta.popups(),
+        frameDelta.questions(),
+        frameDelta.events(),
+        frameDelta.newestEntry());
   }
 
   private ArmState armState(SegmentCursor at) {

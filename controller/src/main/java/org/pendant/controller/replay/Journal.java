@@ -8,7 +8,7 @@ import java.util.Set;
 import org.pendant.controller.Command;
 import org.pendant.controller.CommandJournal;
 import org.pendant.controller.Controller;
-import org.pendant.controller.box.Repeatability;
+import org.pendant.controller.box.Determinism;
 import org.pendant.controller.motion.FrameTime;
 
 /**
@@ -120,7 +120,7 @@ public final class Journal {
     if (frame < 0 || frame > newest) {
       return Optional.of("frame is " + frame + ", must be 0 to " + newest);
     }
-    Optional<Repeatability.Loss> loss = controller.repeatability().loss();
+    Optional<Determinism.Loss> loss = controller.determinism().loss();
     if (loss.isPresent() && loss.get().frame() <= frame) {
       return Optional.of(
           refused(

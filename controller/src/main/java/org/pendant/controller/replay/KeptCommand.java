@@ -3,7 +3,7 @@ package org.pendant.controller.replay;
 import java.util.Optional;
 import org.pendant.controller.Command;
 import org.pendant.controller.debug.DebugRequest;
-import org.pendant.controller.machine.Program;
+import org.pendant.controller.vm.Program;
 
 /**
  * A command as a journal keeps it: as data that can be given to another controller. All kinds are

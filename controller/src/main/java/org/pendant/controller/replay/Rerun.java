@@ -7,7 +7,7 @@ import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.box.Repeatability;
+import org.pendant.controller.box.Determinism;
 import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.state.ControllerState;
 
@@ -153,8 +153,8 @@ public final class Rerun {
   }
 
   private void refuseUnlessSame(Controller fresh) throws RerunRefused {
-    List<Repeatability.FileRead> was = files(journal.controller());
-    List<Repeatability.FileRead> is = files(fresh);
+    List<Determinism.FileRead> was = files(journal.controller());
+    List<Determinism.FileRead> is = files(fresh);
     for (int i = 0; i < Math.min(was.size(), is.size()); i++) {
       if (!was.get(i).equals(is.get(i))) {
         throw otherwise(was.get(i).frame(), "the file " + was.get(i).file() + " has changed");
@@ -163,7 +163,7 @@ public final class Rerun {
     if (was.size() != is.size()) {
       throw otherwise(frame, "programs read " + is.size() + " files, before " + was.size());
     }
-    Optional<Repeatability.Loss> loss = fresh.repeatability().loss();
+    Optional<Determinism.Loss> loss = fresh.determinism().loss();
     if (loss.isPresent()) {
       throw otherwise(loss.get().frame(), loss.get().reason());
     }
@@ -176,10 +176,8 @@ public final class Rerun {
     }
   }
 
-  private List<Repeatability.FileRead> files(Controller controller) {
-    return controller.repeatability().files().stream()
-        .filter(each -> each.frame() <= frame)
-        .toList();
+  private List<Determinism.FileRead> files(Controller controller) {
+    return controller.determinism().files().stream().filter(each -> each.frame() <= frame).toList();
   }
 
   private static RerunRefused otherwise(long frame, String what) {

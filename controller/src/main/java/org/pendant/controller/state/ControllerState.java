@@ -7,7 +7,6 @@ import org.pendant.controller.encoder.Encoders;
 import org.pendant.controller.freedrive.FreedriveState;
 import org.pendant.controller.io.DigitalLevels;
 import org.pendant.controller.io.SignalState;
-import org.pendant.controller.machine.ProgramEvent;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogLines;
 import org.pendant.controller.message.Popup;
@@ -15,6 +14,7 @@ import org.pendant.controller.message.Question;
 import org.pendant.controller.modbus.ModbusSignalState;
 import org.pendant.controller.variables.TracedVariables;
 import org.pendant.controller.variables.VariableSamples;
+import org.pendant.controller.vm.ProgramEvent;
 
 /**
  * Everything about a controller at the end of one frame. Immutable: take the reference and keep it.

@@ -4,11 +4,11 @@ import java.util.Optional;
 import org.pendant.controller.freedrive.FreedriveHolder;
 import org.pendant.controller.io.DigitalLevels;
 import org.pendant.controller.io.SignalBank;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.JointMode;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyStop;
+import org.pendant.controller.vm.ProgramState;
 
 /** What a snapshot says in the numbers and bits that all interfaces report. */
 public final class RobotBits {

@@ -118,7 +118,7 @@ final class Chaining {
   }
 
   private void round(Leg leg, Leg next, double reach) {
-    ToolCurve corner = new CornerWay(leg.curve(), leg.length(), next.curve(), reach);
+    ToolCurve corner = new CornerSegment(leg.curve(), leg.length(), next.curve(), reach);
     Leg.Pace a = leg.pace();
     Leg.Pace b = next.pace();
     Leg.Pace both =

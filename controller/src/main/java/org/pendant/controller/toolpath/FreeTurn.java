@@ -37,17 +37,17 @@ final class FreeTurn {
 
   private final ArmDescription arm;
   private final Chain chain;
-  private final Station.Mapping mapping;
+  private final ToolConfiguration.Mapping mapping;
   private final InverseKinematics inverse;
   private final double[] work = new double[Transforms.SIZE];
   private final double[] spun = new double[Transforms.SIZE];
   private final double[] flange = new double[Transforms.SIZE];
   private final double[] tried = new double[Joints.COUNT];
 
-  private FreeTurn(ArmDescription arm, Chain chain, Station station) {
+  private FreeTurn(ArmDescription arm, Chain chain, ToolConfiguration toolConfiguration) {
     this.arm = arm;
     this.chain = chain;
-    mapping = station.mapping();
+    mapping = toolConfiguration.mapping();
     inverse = new InverseKinematics(arm);
   }
 
@@ -56,8 +56,9 @@ final class FreeTurn {
    *
    * @param from joint positions there, rad
    */
-  static Spline along(ArmDescription arm, Chain chain, Station station, Joints from) {
-    return new FreeTurn(arm, chain, station).angles(from.toArray());
+  static Spline along(
+      ArmDescription arm, Chain chain, ToolConfiguration toolConfiguration, Joints from) {
+    return new FreeTurn(arm, chain, toolConfiguration).angles(from.toArray());
   }
 
   private Spline angles(double[] q) {
@@ -107,7 +108,7 @@ final class FreeTurn {
   /** How near joints are to limits and singularities; infinite where nothing reaches. */
   private double discomfort(double[] q, double angle) {
     System.arraycopy(work, 0, spun, 0, Transforms.SIZE);
-    SpunCurve.spin(spun, angle);
+    RotatedSegment.spin(spun, angle);
     mapping.flange(spun, flange);
     System.arraycopy(q, 0, tried, 0, Joints.COUNT);
     if (!inverse.track(flange, tried)) {

@@ -50,16 +50,16 @@ final class Route {
    *
    * @throws ScriptError when there is no such way, or there are too many
    */
-  void add(Order order, int id) throws ScriptError {
+  void add(QueuedMotion queuedMotion, int id) throws ScriptError {
     String name = "motion " + id;
-    switch (order) {
-      case Order.Line line -> line(line.to(), line.pace(), name);
-      case Order.Arc arc -> arc(arc, name);
-      case Order.Path path -> path(path, name);
+    switch (queuedMotion) {
+      case QueuedMotion.Line line -> line(line.to(), line.pace(), name);
+      case QueuedMotion.Arc arc -> arc(arc, name);
+      case QueuedMotion.Path path -> path(path, name);
     }
   }
 
-  private void path(Order.Path order, String name) throws ScriptError {
+  private void path(QueuedMotion.Path order, String name) throws ScriptError {
     List<NcPoint> points = order.path().points();
     for (int i = 0; i < points.size(); i++) {
       NcPoint point = points.get(i);
@@ -80,15 +80,15 @@ final class Route {
     double length = Math.max(line.lengthM(), Chaining.LEAST_M_PER_RAD * line.angleRad());
     if (length > NOTHING_M) {
       at = to;
-      add(new Leg(new StraightWay(line, length), length, pace, name));
+      add(new Leg(new LineSegment(line, length), length, pace, name));
     }
   }
 
-  private void arc(Order.Arc order, String name) throws ScriptError {
+  private void arc(QueuedMotion.Arc order, String name) throws ScriptError {
     Pose to = turnFree ? unturned(order.to()) : order.to();
-    Optional<ArcWay> found = ArcWay.through(at, order.via(), to, order.withTangent());
+    Optional<ArcSegment> found = ArcSegment.through(at, order.via(), to, order.withTangent());
     if (found.isPresent()) {
-      ArcWay arc = found.get();
+      ArcSegment arc = found.get();
       double length = Math.max(arc.arcM(), Chaining.LEAST_M_PER_RAD * arc.turnRad());
       add(new Leg(arc.over(length), length, order.pace(), name));
       at = arc.end();

@@ -46,9 +46,9 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
    */
   record Task(
       ArmDescription arm,
-      Station station,
+      ToolConfiguration toolConfiguration,
       boolean turnFree,
-      List<Order> orders,
+      List<QueuedMotion> orders,
       int firstId,
       Joints from,
       Pose activeTcp,
@@ -60,8 +60,8 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
     /** About how many legs it has. */
     int legs() {
       int legs = 0;
-      for (Order order : orders) {
-        legs += order instanceof Order.Path path ? path.path().points().size() : 1;
+      for (QueuedMotion queuedMotion : orders) {
+        legs += queuedMotion instanceof QueuedMotion.Path path ? path.path().points().size() : 1;
       }
       return legs;
     }
@@ -88,9 +88,9 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
    */
   static RunPlan of(Task task) throws ScriptError {
     ArmDescription arm = task.arm();
-    Station station = task.station();
+    ToolConfiguration toolConfiguration = task.toolConfiguration();
     Pose flange = new ForwardKinematics(arm.dh()).flangePose(task.from());
-    Route route = new Route(station.toolAt(flange), task.turnFree());
+    Route route = new Route(toolConfiguration.toolAt(flange), task.turnFree());
     for (int i = 0; i < task.orders().size(); i++) {
       route.add(task.orders().get(i), task.firstId() + i);
     }
@@ -100,10 +100,14 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
     Chain chain = Chaining.of(route.legs());
     ToolCurve inWork =
         task.turnFree()
-            ? new SpunCurve(chain, FreeTurn.along(arm, chain, station, task.from()))
+            ? new RotatedSegment(chain, FreeTurn.along(arm, chain, toolConfiguration, task.from()))
             : chain;
     ToolPathFollower follower =
-        new ToolPathFollower(arm, station.curve(inWork), station.followerInFlange(), task.from());
+        new ToolPathFollower(
+            arm,
+            toolConfiguration.curve(inWork),
+            toolConfiguration.followerInFlange(),
+            task.from());
     Joints last = look(arm, chain, follower, task.from());
     follower.restart(task.from());
     Pose end = new ForwardKinematics(arm.dh()).flangePose(last);
@@ -114,7 +118,7 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
             follower,
             Poses.trans(end, task.activeTcp()),
             task.speedFactor());
-    return new RunPlan(Optional.of(motion), station.toolAt(end), task.from());
+    return new RunPlan(Optional.of(motion), toolConfiguration.toolAt(end), task.from());
   }
 
   /** Goes along all of the way; joint positions at its end. */

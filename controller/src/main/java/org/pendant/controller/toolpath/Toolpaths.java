@@ -37,8 +37,8 @@ public final class Toolpaths {
   private final ArmDescription arm;
   private final boolean virtualTime;
   private final List<Loaded> files = new ArrayList<>();
-  private final List<Order> orders = new ArrayList<>();
-  private Optional<Station> station = Optional.empty();
+  private final List<QueuedMotion> orders = new ArrayList<>();
+  private Optional<ToolConfiguration> station = Optional.empty();
   private boolean turnFree;
   private Pose pcs = Pose.ZERO;
   private double speedFactor = 1;
@@ -94,7 +94,7 @@ public final class Toolpaths {
    *
    * @param free whether the tool may turn about its z-axis as it likes
    */
-  public void initialize(Station holder, boolean free) throws ScriptError {
+  public void initialize(ToolConfiguration holder, boolean free) throws ScriptError {
     if (running) {
       throw new ScriptError(
           "robot-in-use", "motions are being run, must wait until mc_run_motion has ended");
@@ -106,11 +106,11 @@ public final class Toolpaths {
   }
 
   /** Who holds the tool. */
-  public Optional<Station> station() {
+  public Optional<ToolConfiguration> station() {
     return station;
   }
 
-  private Station initialized() throws ScriptError {
+  private ToolConfiguration initialized() throws ScriptError {
     return station.orElseThrow(
         () -> new ScriptError("not-initialized", "mc_initialize must be called first"));
   }
@@ -135,7 +135,8 @@ public final class Toolpaths {
   public int addLinear(Pose to, double acceleration, double speed, double radiusM)
       throws ScriptError {
     return queue(
-        new Order.Line(Poses.trans(pcs, to), new Leg.Pace(acceleration, speed, radiusM, false)));
+        new QueuedMotion.Line(
+            Poses.trans(pcs, to), new Leg.Pace(acceleration, speed, radiusM, false)));
   }
 
   /** Queues an arc; its number. */
@@ -143,7 +144,7 @@ public final class Toolpaths {
       Pose via, Pose to, double acceleration, double speed, double radiusM, boolean withTangent)
       throws ScriptError {
     return queue(
-        new Order.Arc(
+        new QueuedMotion.Arc(
             Poses.trans(pcs, via),
             Poses.trans(pcs, to),
             withTangent,
@@ -172,18 +173,18 @@ public final class Toolpaths {
       throws ScriptError {
     Loaded loaded = files.get(file);
     Leg.Pace pace = new Leg.Pace(acceleration, speed, radiusM, true);
-    int id = queue(new Order.Path(loaded.path, pcs, loaded.feeds, pace));
+    int id = queue(new QueuedMotion.Path(loaded.path, pcs, loaded.feeds, pace));
     loaded.pace = Optional.of(pace);
     return id;
   }
 
-  private int queue(Order order) throws ScriptError {
+  private int queue(QueuedMotion queuedMotion) throws ScriptError {
     initialized();
     if (orders.size() == MOST_ORDERS) {
       throw new ScriptError(
           "too-many-motions", "too many motions are queued, must be at most " + MOST_ORDERS);
     }
-    orders.add(order);
+    orders.add(queuedMotion);
     return orders.size() - 1;
   }
 
@@ -197,9 +198,9 @@ public final class Toolpaths {
    *
    * @param feeds whether its feed rates will count
    */
-  public OffFrame<NcPath> load(ProgramsFolder.Found found, boolean feeds) {
+  public BackgroundTask<NcPath> load(ProgramsFolder.Found found, boolean feeds) {
     long frames = 1 + found.sizeBytes() / BYTES_A_FRAME;
-    return OffFrame.begin(() -> read(found, feeds), frames, virtualTime);
+    return BackgroundTask.begin(() -> read(found, feeds), frames, virtualTime);
   }
 
   /** Whether a file is so small that it is read at once. */
@@ -269,8 +270,8 @@ public final class Toolpaths {
    * @param from joint positions, rad
    * @throws ScriptError when the arm is not where the last run has left it
    */
-  public OffFrame<RunPlan> plan(int last, Joints from, Pose activeTcp) throws ScriptError {
-    Station holder = initialized();
+  public BackgroundTask<RunPlan> plan(int last, Joints from, Pose activeTcp) throws ScriptError {
+    ToolConfiguration holder = initialized();
     refuseElsewhere(holder, from);
     RunPlan.Task task =
         new RunPlan.Task(
@@ -283,10 +284,11 @@ public final class Toolpaths {
             activeTcp,
             this::speedFactor);
     running = true;
-    return OffFrame.begin(() -> RunPlan.of(task), 1 + task.legs() / LEGS_A_FRAME, virtualTime);
+    return BackgroundTask.begin(
+        () -> RunPlan.of(task), 1 + task.legs() / LEGS_A_FRAME, virtualTime);
   }
 
-  private void refuseElsewhere(Station holder, Joints from) throws ScriptError {
+  private void refuseElsewhere(ToolConfiguration holder, Joints from) throws ScriptError {
     Pose now = holder.toolAt(new ForwardKinematics(arm.dh()).flangePose(from));
     if (leftAt.isPresent() && Poses.pointDistance(leftAt.get(), now) > DIVERGENCE_M) {
       throw new ScriptError(

@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.debug.Variables;
-import org.pendant.controller.machine.Machine;
-import org.pendant.controller.machine.ProgramState;
-import org.pendant.controller.machine.VariableSlots;
 import org.pendant.controller.value.Registers;
 import org.pendant.controller.value.StringValue;
 import org.pendant.controller.value.Value;
+import org.pendant.controller.vm.Machine;
+import org.pendant.controller.vm.ProgramState;
+import org.pendant.controller.vm.VariableSlots;
 
 /**
  * Takes {@link VariableSamples}: every 20 frames, and in the first and last frame of a program. A

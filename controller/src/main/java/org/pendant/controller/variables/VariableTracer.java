@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.pendant.controller.machine.Machine;
-import org.pendant.controller.machine.VariableSlots;
+import org.pendant.controller.vm.Machine;
+import org.pendant.controller.vm.VariableSlots;
 
 /**
  * Reads chosen numbers out of the running or last program, in every frame. Each of those who want

@@ -10,9 +10,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.pendant.controller.call.Builtin;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.call.Effect;
+import org.pendant.controller.function.Builtin;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.function.Effect;
 import org.pendant.language.signature.Signature;
 import org.pendant.language.signature.Type;
 

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.ProgramState;
 
 /** Where programs stop. */
 class BreakpointTest {

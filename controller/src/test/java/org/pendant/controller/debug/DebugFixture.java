@@ -6,16 +6,16 @@ import java.util.Optional;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.Machine;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramLoader;
-import org.pendant.controller.machine.ProgramState;
-import org.pendant.controller.machine.ThreadSnapshot;
+import org.pendant.controller.function.Builtins;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.Machine;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramLoader;
+import org.pendant.controller.vm.ProgramState;
+import org.pendant.controller.vm.ThreadSnapshot;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
 
@@ -35,13 +35,13 @@ final class DebugFixture {
   private boolean inFrame;
 
   Program compile(String text) {
-    Loaded loaded = ProgramLoader.load(Source.of("test", text), BUILTINS);
-    return loaded
+    LoadResult loadResult = ProgramLoader.load(Source.of("test", text), BUILTINS);
+    return loadResult
         .program()
         .orElseThrow(
             () ->
                 new AssertionError(
-                    loaded.diagnostics().stream().map(Diagnostic::message).toList()));
+                    loadResult.diagnostics().stream().map(Diagnostic::message).toList()));
   }
 
   DebugFixture start(String text) {

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.io.DigitalLevels;
-import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.arm.Joints;
 
 /** Time that a program is held does not pass for it: blends, sleeps and threads go on unharmed. */

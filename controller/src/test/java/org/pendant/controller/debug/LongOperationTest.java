@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.machine.Ending;
 import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.vm.Ending;
 
 /** A program may be held while an operation is half done. */
 class LongOperationTest {

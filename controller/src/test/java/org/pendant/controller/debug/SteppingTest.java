@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.machine.Ending;
+import org.pendant.controller.vm.Ending;
 
 /** Steps of a thread, and other ways to be held. */
 class SteppingTest {

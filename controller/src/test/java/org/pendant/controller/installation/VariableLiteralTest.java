@@ -9,18 +9,18 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.value.Value;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 class VariableLiteralTest {
   /** What a program leaves in a variable to which it has assigned a literal. */
   private static Value assigned(String literal) {
     Controller controller = new Controller(ControllerOptions.headless());
-    Loaded loaded =
+    LoadResult loadResult =
         controller.load(Source.of("v.script", "def f():\n  global v = " + literal + "\nend\n"));
-    var _ = controller.submit(new Command.StartProgram(loaded.program().orElseThrow()));
+    var _ = controller.submit(new Command.StartProgram(loadResult.program().orElseThrow()));
     controller.advance();
     controller.runUntil(() -> controller.state().program().state() == ProgramState.STOPPED, 1000);
     return controller.globals().get("v");

@@ -28,7 +28,7 @@ final class ArcPathTest {
   }
 
   private MotionPath arc(Pose via, Pose goal, boolean fixed) throws ScriptError {
-    return new ArcRoute(arm, via, goal, fixed, TCP, Headroom.UNLIMITED).from(READY, home);
+    return new ArcRoute(arm, via, goal, fixed, TCP, PathLimits.UNLIMITED).from(READY, home);
   }
 
   private Pose at(MotionPath path, double at, MotionSample sample) {

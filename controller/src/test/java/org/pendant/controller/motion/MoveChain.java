@@ -25,7 +25,7 @@ final class MoveChain {
   private static final double SPEED_SHARE = 0.99;
 
   final ArmDescription arm = ArmLibrary.load("ur5e");
-  final ArmHeadroom headroom = new ArmHeadroom(arm);
+  final TorquePathLimits headroom = new TorquePathLimits(arm);
   private final ForwardKinematics forward = new ForwardKinematics(arm.dh());
   private final Jacobian jacobian = new Jacobian(arm.dh());
   private final double[] matrix = new double[Jacobian.SIZE];
@@ -83,7 +83,7 @@ final class MoveChain {
   }
 
   Move optimovej(Joints goal, double a, double v, double r) {
-    Headroom share = headroom.share(v, a, Double.POSITIVE_INFINITY);
+    PathLimits share = headroom.share(v, a, Double.POSITIVE_INFINITY);
     return new Move(
         from -> Routes.joints(arm, from, goal, tcp(goal), TCP, share),
         new MoveLimits(1e9, 1e9, 0),
@@ -92,7 +92,7 @@ final class MoveChain {
   }
 
   Move optimovel(Pose goal, double a, double v, double r) {
-    Headroom share = headroom.share(v, a, Double.POSITIVE_INFINITY);
+    PathLimits share = headroom.share(v, a, Double.POSITIVE_INFINITY);
     return new Move(
         from -> Routes.line(arm, from, tcp(from), goal, TCP, share),
         new MoveLimits(1e9, 1e9, 0),

@@ -182,8 +182,9 @@ final class RecordingFileTest {
   void bytesThatSomebodyMadeUpAreRefusedWithoutHarm() throws MalformedBytes {
     List<ControllerState> states = states(6, 8);
     List<Segment> begun = new ArrayList<>();
-    Tape tape = new Tape(states.getFirst(), begun::add, full -> {}, 0);
-    states.forEach(tape::take);
+    SnapshotEncoder snapshotEncoder =
+        new SnapshotEncoder(states.getFirst(), begun::add, full -> {}, 0);
+    states.forEach(snapshotEncoder::take);
     ByteSink sink = new ByteSink();
     SegmentBytes.write(begun.getFirst(), begun.getFirst().published(), sink);
     byte[] whole = Arrays.copyOf(sink.array(), sink.size());

@@ -17,10 +17,10 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.debug.Breakpoint;
 import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.machine.Program;
 import org.pendant.controller.message.LogLines;
 import org.pendant.controller.state.ArmReadings;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
 
 final class RecordingRingTest {
@@ -166,7 +166,7 @@ final class RecordingRingTest {
     assertEquals(3000 + hour, ring.recording().lastFrame());
     assertTrue(ring.bytes() - before < 1 << 20, ring.bytes() - before + " bytes in an hour");
     double kept = ring.recording().at(1e9).readings().toolTemperatureC();
-    assertEquals(20 + hour * 1e-6, kept, 1e-6 * Tape.AMBIENT_FRAMES);
+    assertEquals(20 + hour * 1e-6, kept, 1e-6 * SnapshotEncoder.AMBIENT_FRAMES);
   }
 
   /** A later frame, in which nothing but a temperature is different. */

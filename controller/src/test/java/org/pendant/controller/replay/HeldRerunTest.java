@@ -16,9 +16,9 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.debug.Breakpoint;
 import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.vm.ProgramState;
 
 /** Runs that a debugger held and changed are repeated with all that it did. */
 final class HeldRerunTest {

@@ -10,11 +10,11 @@ import java.util.TreeMap;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.Program;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.variables.VariableSample;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
 
 /** A controller, what somebody does to it in which frame, and what comes of it in each. */
@@ -40,10 +40,10 @@ final class Play {
   }
 
   Program program(String text) {
-    Loaded loaded =
+    LoadResult loadResult =
         controller().load(Source.of("play.script", text.getBytes(StandardCharsets.ISO_8859_1)));
-    assertTrue(loaded.program().isPresent(), () -> loaded.diagnostics().toString());
-    return loaded.program().get();
+    assertTrue(loadResult.program().isPresent(), () -> loadResult.diagnostics().toString());
+    return loadResult.program().get();
   }
 
   /** Has a command left right before a frame. */

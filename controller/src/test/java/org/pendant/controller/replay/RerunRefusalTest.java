@@ -18,13 +18,13 @@ import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.external.Connectors;
+import org.pendant.controller.external.FakeModbus;
+import org.pendant.controller.external.FakeServer;
+import org.pendant.controller.external.FakeSocket;
+import org.pendant.controller.external.ToolSerialConnector;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.io.ToolCommunication;
-import org.pendant.controller.outside.Doors;
-import org.pendant.controller.outside.FakeModbus;
-import org.pendant.controller.outside.FakeServer;
-import org.pendant.controller.outside.FakeSocket;
-import org.pendant.controller.outside.ToolSerialDoor;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.Joints;
 
@@ -42,11 +42,11 @@ final class RerunRefusalTest {
   private static void repeats(Play play, long frame) throws RerunRefused {
     Controller branch = Rerun.to(frame, play.journal).run(play.options).controller();
     assertEquals(frame, branch.state().frame());
-    assertEquals(Optional.empty(), branch.repeatability().loss());
+    assertEquals(Optional.empty(), branch.determinism().loss());
   }
 
   private static long lost(Play play) {
-    return play.controller().repeatability().loss().orElseThrow().frame();
+    return play.controller().determinism().loss().orElseThrow().frame();
   }
 
   @Test
@@ -61,7 +61,7 @@ final class RerunRefusalTest {
   void aSocketEndsWhatCanBeRepeated() throws RerunRefused {
     ControllerOptions options =
         ControllerOptions.headless()
-            .withOutside(new Doors((host, port) -> new FakeSocket(), Doors.NONE.rpc()));
+            .withOutside(new Connectors((host, port) -> new FakeSocket(), Connectors.NONE.rpc()));
     Play play =
         new Play(options)
             .start("def f():\n  sleep(0.1)\n  socket_open(\"peer\", 4000)\nend\n")
@@ -87,7 +87,8 @@ final class RerunRefusalTest {
   void aDeviceOutsideEndsIt() {
     ControllerOptions options =
         ControllerOptions.headless()
-            .withOutside(new Doors(Doors.NONE.sockets(), Doors.NONE.rpc(), new FakeModbus()));
+            .withOutside(
+                new Connectors(Connectors.NONE.sockets(), Connectors.NONE.rpc(), new FakeModbus()));
     Play play =
         new Play(options)
             .start("def f():\n  modbus_add_signal(\"10.0.0.1\", 1, 3, 0, \"tank\")\nend\n");
@@ -124,7 +125,7 @@ final class RerunRefusalTest {
   void remoteProceduresEndIt() {
     ControllerOptions options =
         ControllerOptions.headless()
-            .withOutside(new Doors(Doors.NONE.sockets(), url -> new FakeServer()));
+            .withOutside(new Connectors(Connectors.NONE.sockets(), url -> new FakeServer()));
     Play play =
         new Play(options).start("def f():\n  s = rpc_factory(\"xmlrpc\", \"http://a:1\")\nend\n");
     assertTrue(refusal(play.until(20), 20).contains("remote procedures at http://a:1"));
@@ -161,8 +162,8 @@ final class RerunRefusalTest {
 
   @Test
   void theSerialLineOfTheToolEndsItOnceItIsOn() throws RerunRefused {
-    ToolSerialDoor door =
-        new ToolSerialDoor() {
+    ToolSerialConnector door =
+        new ToolSerialConnector() {
           @Override
           public SetUp setUp(ToolCommunication wanted) {
             return () -> false;
@@ -174,7 +175,7 @@ final class RerunRefusalTest {
           }
         };
     ControllerOptions options =
-        ControllerOptions.headless().withOutside(Doors.NONE.withToolSerial(door));
+        ControllerOptions.headless().withOutside(Connectors.NONE.withToolSerial(door));
     String off = "set_tool_communication(False, 115200, 0, 1, 1.5, 3.5)\n";
     Play harmless = new Play(options).start("def f():\n" + off + "end\n").until(20);
     repeats(harmless, 20);
@@ -252,7 +253,7 @@ final class RerunRefusalTest {
                 end
                 """)
             .until(100);
-    assertEquals(1, play.controller().repeatability().files().size());
+    assertEquals(1, play.controller().determinism().files().size());
     repeats(play, 100);
     Files.writeString(file, "G01 X0 Y0 Z0 F100\nX6\n");
     String why =

@@ -62,11 +62,11 @@ class CurvesTest {
   }
 
   private ToolCurve straight() {
-    return new StraightWay(new StraightLine(pose(0.5), pose(0.5)), 0.4);
+    return new LineSegment(new StraightLine(pose(0.5), pose(0.5)), 0.4);
   }
 
-  private ArcWay arc(boolean withTangent) {
-    return ArcWay.through(pose(0.5), pose(0.5), pose(0.5), withTangent).orElseThrow().over(0.7);
+  private ArcSegment arc(boolean withTangent) {
+    return ArcSegment.through(pose(0.5), pose(0.5), pose(0.5), withTangent).orElseThrow().over(0.7);
   }
 
   @Test
@@ -74,8 +74,9 @@ class CurvesTest {
     for (int i = 0; i < 200; i++) {
       compare(straight(), 0.3, "line");
       compare(arc(i % 2 == 0), 0.3, "arc");
-      compare(new CornerWay(straight(), 0.4, straight(), 0.1), random.nextDouble(0.2), "corner");
-      compare(new CornerWay(arc(true), 0.7, straight(), 0.1), random.nextDouble(0.2), "corner");
+      compare(
+          new CornerSegment(straight(), 0.4, straight(), 0.1), random.nextDouble(0.2), "corner");
+      compare(new CornerSegment(arc(true), 0.7, straight(), 0.1), random.nextDouble(0.2), "corner");
     }
   }
 
@@ -83,14 +84,17 @@ class CurvesTest {
   void derivativesOfACarriedAndOfASpunWayAreTrue() {
     for (int i = 0; i < 200; i++) {
       double at = random.nextDouble(0.05, 0.15);
-      CornerWay corner = new CornerWay(straight(), 0.4, arc(false), 0.1);
-      compare(new CarriedCurve(corner, pose(1)), at, "carried");
+      CornerSegment corner = new CornerSegment(straight(), 0.4, arc(false), 0.1);
+      compare(new RemoteTcpCurve(corner, pose(1)), at, "carried");
       double[] angles = random.doubles(6, -1, 1).toArray();
       Spline spline = new Spline(angles, 0.04);
       // off the knots, where the third derivative jumps
       double between = 0.04 * Math.floor(at / 0.04) + 0.02;
-      compare(new SpunCurve(corner, spline), between, "spun");
-      compare(new CarriedCurve(new SpunCurve(corner, spline), pose(1)), between, "spun, carried");
+      compare(new RotatedSegment(corner, spline), between, "spun");
+      compare(
+          new RemoteTcpCurve(new RotatedSegment(corner, spline), pose(1)),
+          between,
+          "spun, carried");
     }
   }
 
@@ -116,7 +120,7 @@ class CurvesTest {
       Pose from = pose(0.5);
       Pose via = pose(0.5);
       Pose to = pose(0.5);
-      ArcWay arc = ArcWay.through(from, via, to, false).orElseThrow().over(1);
+      ArcSegment arc = ArcSegment.through(from, via, to, false).orElseThrow().over(1);
       double nearest = Double.POSITIVE_INFINITY;
       double[] point = new double[Transforms.SIZE];
       for (int k = 0; k <= 4000; k++) {

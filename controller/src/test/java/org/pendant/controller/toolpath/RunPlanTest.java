@@ -29,15 +29,17 @@ class RunPlanTest {
 
   private final SplittableRandom random = new SplittableRandom(7);
 
-  private static RunPlan plan(Station station, boolean free, Joints from, List<Order> orders)
+  private static RunPlan plan(
+      ToolConfiguration toolConfiguration, boolean free, Joints from, List<QueuedMotion> orders)
       throws ScriptError {
-    return RunPlan.of(new RunPlan.Task(ARM, station, free, orders, 0, from, Pose.ZERO, () -> 1));
+    return RunPlan.of(
+        new RunPlan.Task(ARM, toolConfiguration, free, orders, 0, from, Pose.ZERO, () -> 1));
   }
 
   /** Where the tool is in the work frame, frame by frame. */
-  private static List<Pose> ways(Station station, Motion motion) {
+  private static List<Pose> ways(ToolConfiguration toolConfiguration, Motion motion) {
     List<Pose> poses = new ArrayList<>();
-    joints(motion).forEach(q -> poses.add(station.toolAt(FORWARD.flangePose(q))));
+    joints(motion).forEach(q -> poses.add(toolConfiguration.toolAt(FORWARD.flangePose(q))));
     return poses;
   }
 
@@ -65,12 +67,12 @@ class RunPlanTest {
     return new Leg.Pace(A, speed, radius, false);
   }
 
-  private static Order.Path path(List<Pose> points, double speed, double radius) {
+  private static QueuedMotion.Path path(List<Pose> points, double speed, double radius) {
     List<NcPoint> listed = new ArrayList<>();
     for (Pose point : points) {
       listed.add(new NcPoint(point, speed, listed.size() + 1));
     }
-    return new Order.Path(
+    return new QueuedMotion.Path(
         new NcPath("test.nc", listed, List.of()),
         Pose.ZERO,
         true,
@@ -107,18 +109,18 @@ class RunPlanTest {
       Pose flange = FORWARD.flangePose(BoxSetup.START_RAD);
       Pose tool =
           Poses.trans(flange, Poses.trans(new Pose(0, 0, 0.15, 0, 0, 0), somePose(0.05, 1)));
-      Station station = new Station(true, tool);
+      ToolConfiguration toolConfiguration = new ToolConfiguration(true, tool);
       Pose pcs = somePose(0.2, 2);
-      List<Pose> points = new ArrayList<>(List.of(station.toolAt(flange)));
-      List<Order> orders = new ArrayList<>();
+      List<Pose> points = new ArrayList<>(List.of(toolConfiguration.toolAt(flange)));
+      List<QueuedMotion> orders = new ArrayList<>();
       for (int i = 0; i < 4; i++) {
         Pose inPart =
             Poses.trans(Poses.inverse(pcs), Poses.trans(points.getFirst(), somePose(0.05, 0.15)));
         points.add(Poses.trans(pcs, inPart));
-        orders.add(new Order.Line(points.getLast(), pace(0.1, 0)));
+        orders.add(new QueuedMotion.Line(points.getLast(), pace(0.1, 0)));
       }
-      RunPlan plan = plan(station, run % 2 == 0, BoxSetup.START_RAD, orders);
-      for (Pose place : ways(station, plan.motion().orElseThrow())) {
+      RunPlan plan = plan(toolConfiguration, run % 2 == 0, BoxSetup.START_RAD, orders);
+      for (Pose place : ways(toolConfiguration, plan.motion().orElseThrow())) {
         double aside = distance(place, points);
         assertTrue(aside < 1e-6, "run " + run + ": " + aside + " m aside");
       }
@@ -128,7 +130,7 @@ class RunPlanTest {
 
   @Test
   void aLongSmoothPathTakesItsLengthByItsFeedRate() throws ScriptError {
-    Station station = new Station(false, Pose.ZERO);
+    ToolConfiguration toolConfiguration = new ToolConfiguration(false, Pose.ZERO);
     Pose start = FORWARD.flangePose(BoxSetup.START_RAD);
     for (double radius : new double[] {0, 0.001}) {
       List<Pose> points = new ArrayList<>();
@@ -141,7 +143,8 @@ class RunPlanTest {
                 .with(1, start.y() + 0.08 * Math.sin(angle)));
         length += i == 0 ? 0 : Poses.pointDistance(points.get(i - 1), points.get(i));
       }
-      RunPlan plan = plan(station, false, BoxSetup.START_RAD, List.of(path(points, 0.025, radius)));
+      RunPlan plan =
+          plan(toolConfiguration, false, BoxSetup.START_RAD, List.of(path(points, 0.025, radius)));
       double lastsS = plan.motion().orElseThrow().durationS();
       assertEquals(length / 0.025, lastsS, 0.02 * length / 0.025);
     }
@@ -149,7 +152,7 @@ class RunPlanTest {
 
   @Test
   void cornersStayWithinTheToleranceAndTheAcceleration() throws ScriptError {
-    Station station = new Station(false, Pose.ZERO);
+    ToolConfiguration toolConfiguration = new ToolConfiguration(false, Pose.ZERO);
     Pose start = FORWARD.flangePose(BoxSetup.START_RAD);
     for (int run = 0; run < 30; run++) {
       double radius = run % 3 == 0 ? 0 : random.nextDouble(0.0005, 0.02);
@@ -161,8 +164,9 @@ class RunPlanTest {
                 .with(1, last.y() + some(0.01))
                 .with(2, last.z() + some(0.005)));
       }
-      RunPlan plan = plan(station, false, BoxSetup.START_RAD, List.of(path(points, 0.2, radius)));
-      List<Pose> ways = ways(station, plan.motion().orElseThrow());
+      RunPlan plan =
+          plan(toolConfiguration, false, BoxSetup.START_RAD, List.of(path(points, 0.2, radius)));
+      List<Pose> ways = ways(toolConfiguration, plan.motion().orElseThrow());
       double allowed = Math.max(radius, Chaining.TOLERANCE_M) + 1e-9;
       for (int i = 0; i < ways.size(); i++) {
         assertTrue(distance(ways.get(i), points) <= allowed, "aside in run " + run);
@@ -189,15 +193,17 @@ class RunPlanTest {
 
   @Test
   void anArcBlendsWithALineWithoutStopping() throws ScriptError {
-    Station station = new Station(false, Pose.ZERO);
+    ToolConfiguration toolConfiguration = new ToolConfiguration(false, Pose.ZERO);
     Pose start = FORWARD.flangePose(BoxSetup.START_RAD);
     Pose first = start.with(1, start.y() + 0.05);
     Pose via = first.with(0, first.x() - 0.03).with(1, first.y() + 0.03);
     Pose to = first.with(1, first.y() + 0.06);
-    List<Order> orders =
-        List.of(new Order.Line(first, pace(0.1, 0.01)), new Order.Arc(via, to, true, pace(0.1, 0)));
-    RunPlan plan = plan(station, false, BoxSetup.START_RAD, orders);
-    List<Pose> ways = ways(station, plan.motion().orElseThrow());
+    List<QueuedMotion> orders =
+        List.of(
+            new QueuedMotion.Line(first, pace(0.1, 0.01)),
+            new QueuedMotion.Arc(via, to, true, pace(0.1, 0)));
+    RunPlan plan = plan(toolConfiguration, false, BoxSetup.START_RAD, orders);
+    List<Pose> ways = ways(toolConfiguration, plan.motion().orElseThrow());
     double slowest = 1;
     for (int i = 0; i + 1 < ways.size(); i++) {
       if (Poses.pointDistance(ways.get(i), first) < 0.015) {
@@ -212,22 +218,23 @@ class RunPlanTest {
 
   @Test
   void aToolThatMayTurnFreelyKeepsItsAxisAndSparesItsWrist() throws ScriptError {
-    Station station = new Station(false, new Pose(0, 0, 0.1, Math.PI, 0, 0));
-    Pose start = station.toolAt(FORWARD.flangePose(BoxSetup.START_RAD));
+    ToolConfiguration toolConfiguration =
+        new ToolConfiguration(false, new Pose(0, 0, 0.1, Math.PI, 0, 0));
+    Pose start = toolConfiguration.toolAt(FORWARD.flangePose(BoxSetup.START_RAD));
     List<Pose> points = new ArrayList<>();
     for (int i = 0; i <= 400; i++) {
       Pose turned = Poses.trans(start, new Pose(0, 0, 0, 0, 0, 1.5 * Math.PI * i / 400));
       points.add(turned.with(1, start.y() + 0.0005 * i));
     }
-    List<Order> orders = List.of(path(points, 0.05, 0.001));
+    List<QueuedMotion> orders = List.of(path(points, 0.05, 0.001));
     List<Joints> bound =
-        joints(plan(station, false, BoxSetup.START_RAD, orders).motion().orElseThrow());
+        joints(plan(toolConfiguration, false, BoxSetup.START_RAD, orders).motion().orElseThrow());
     List<Joints> free =
-        joints(plan(station, true, BoxSetup.START_RAD, orders).motion().orElseThrow());
+        joints(plan(toolConfiguration, true, BoxSetup.START_RAD, orders).motion().orElseThrow());
     assertEquals(1.5 * Math.PI, travelled(bound), 0.5);
     assertTrue(travelled(free) < 1, travelled(free) + " rad of wrist 3");
     for (Joints q : free) {
-      Pose tool = station.toolAt(FORWARD.flangePose(q));
+      Pose tool = toolConfiguration.toolAt(FORWARD.flangePose(q));
       assertTrue(distance(tool, points.getFirst(), points.getLast()) < 1e-8);
       assertEquals(1, cosineOfAxes(tool, start), 1e-9);
     }
@@ -252,24 +259,29 @@ class RunPlanTest {
 
   @Test
   void aFreeTurnLeadsAwayFromAJointLimit() throws ScriptError {
-    Station station = new Station(false, new Pose(0, 0, 0.1, Math.PI, 0, 0));
+    ToolConfiguration toolConfiguration =
+        new ToolConfiguration(false, new Pose(0, 0, 0.1, Math.PI, 0, 0));
     Joints wound = BoxSetup.START_RAD.with(5, 2 * Math.PI - 0.05);
-    Pose start = station.toolAt(FORWARD.flangePose(wound));
+    Pose start = toolConfiguration.toolAt(FORWARD.flangePose(wound));
     List<Pose> points = List.of(start.with(1, start.y() + 0.2));
     List<Joints> free =
-        joints(plan(station, true, wound, List.of(path(points, 0.05, 0))).motion().orElseThrow());
+        joints(
+            plan(toolConfiguration, true, wound, List.of(path(points, 0.05, 0)))
+                .motion()
+                .orElseThrow());
     assertTrue(free.getLast().get(5) < 2 * Math.PI - 0.3, "wrist 3 at " + free.getLast().get(5));
   }
 
   @Test
   void whatCannotBeReachedIsRefusedWithMotionFileAndLine() {
-    Station station = new Station(false, Pose.ZERO);
+    ToolConfiguration toolConfiguration = new ToolConfiguration(false, Pose.ZERO);
     Pose start = FORWARD.flangePose(BoxSetup.START_RAD);
     List<Pose> points = List.of(start, start.with(0, start.x() + 3));
     ScriptError error =
         assertThrows(
             ScriptError.class,
-            () -> plan(station, false, BoxSetup.START_RAD, List.of(path(points, 0.1, 0))));
+            () ->
+                plan(toolConfiguration, false, BoxSetup.START_RAD, List.of(path(points, 0.1, 0))));
     assertTrue(
         error.getMessage().startsWith("motion 0 (test.nc:2): no joint positions reach"),
         error.getMessage());
@@ -277,7 +289,7 @@ class RunPlanTest {
 
   @Test
   void aWristThatWouldTurnBeyondItsRangeIsRefused() {
-    Station station = new Station(false, Pose.ZERO);
+    ToolConfiguration toolConfiguration = new ToolConfiguration(false, Pose.ZERO);
     Pose start = FORWARD.flangePose(BoxSetup.START_RAD);
     List<Pose> points = new ArrayList<>();
     for (int i = 0; i <= 100; i++) {
@@ -287,23 +299,28 @@ class RunPlanTest {
     ScriptError error =
         assertThrows(
             ScriptError.class,
-            () -> plan(station, false, BoxSetup.START_RAD, List.of(path(points, 0.1, 0.001))));
+            () ->
+                plan(
+                    toolConfiguration,
+                    false,
+                    BoxSetup.START_RAD,
+                    List.of(path(points, 0.1, 0.001))));
     assertTrue(
         error.getMessage().contains("joint 5 is at the end of its range"), error.getMessage());
   }
 
   @Test
   void anArcWithoutAPlaneIsALineOrRefused() throws ScriptError {
-    Station station = new Station(false, Pose.ZERO);
+    ToolConfiguration toolConfiguration = new ToolConfiguration(false, Pose.ZERO);
     Pose start = FORWARD.flangePose(BoxSetup.START_RAD);
     Pose near = start.with(1, start.y() + 0.02);
     Pose far = start.with(1, start.y() + 0.05);
     RunPlan line =
         plan(
-            station,
+            toolConfiguration,
             false,
             BoxSetup.START_RAD,
-            List.of(new Order.Arc(near, far, false, pace(0.1, 0))));
+            List.of(new QueuedMotion.Arc(near, far, false, pace(0.1, 0))));
     assertTrue(Poses.pointDistance(far, line.endInWork()) < 1e-9);
     for (List<Pose> wrong :
         List.of(List.of(far, near), List.of(near, start), List.of(start, start))) {
@@ -312,21 +329,26 @@ class RunPlanTest {
               ScriptError.class,
               () ->
                   plan(
-                      station,
+                      toolConfiguration,
                       false,
                       BoxSetup.START_RAD,
                       List.of(
-                          new Order.Arc(wrong.getFirst(), wrong.getLast(), false, pace(0.1, 0)))));
+                          new QueuedMotion.Arc(
+                              wrong.getFirst(), wrong.getLast(), false, pace(0.1, 0)))));
       assertTrue(error.getMessage().startsWith("motion 0: there is no arc"), error.getMessage());
     }
   }
 
   @Test
   void aRunToWhereTheToolIsMovesNothing() throws ScriptError {
-    Station station = new Station(false, Pose.ZERO);
+    ToolConfiguration toolConfiguration = new ToolConfiguration(false, Pose.ZERO);
     Pose start = FORWARD.flangePose(BoxSetup.START_RAD);
     RunPlan plan =
-        plan(station, false, BoxSetup.START_RAD, List.of(new Order.Line(start, pace(0.1, 0))));
+        plan(
+            toolConfiguration,
+            false,
+            BoxSetup.START_RAD,
+            List.of(new QueuedMotion.Line(start, pace(0.1, 0))));
     assertTrue(plan.motion().isEmpty());
   }
 }

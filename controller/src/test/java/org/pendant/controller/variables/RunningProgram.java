@@ -7,8 +7,8 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Reply;
 import org.pendant.controller.debug.Variable;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 /** A controller whose program a test runs frame by frame. */

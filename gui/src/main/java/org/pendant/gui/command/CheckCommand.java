@@ -2,9 +2,9 @@ package org.pendant.gui.command;
 
 import java.util.List;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.ProgramLoader;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.ProgramLoader;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
 
@@ -54,9 +54,9 @@ final class CheckCommand implements Subcommand {
       return true;
     }
     Source source = file.source().orElseThrow();
-    Loaded loaded = ProgramLoader.load(source, builtins);
-    Report.diagnostics(source, loaded.mistakes()).forEach(console::complainInLines);
-    loaded.library().ifPresent(found -> console.complain(Report.note(source, found.message())));
-    return loaded.mistakes().stream().noneMatch(Diagnostic::isError);
+    LoadResult loadResult = ProgramLoader.load(source, builtins);
+    Report.diagnostics(source, loadResult.mistakes()).forEach(console::complainInLines);
+    loadResult.library().ifPresent(found -> console.complain(Report.note(source, found.message())));
+    return loadResult.mistakes().stream().noneMatch(Diagnostic::isError);
   }
 }

@@ -9,15 +9,15 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.Reply;
 import org.pendant.controller.VirtualClock;
 import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StopPlace;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
 

@@ -1,6 +1,6 @@
 package org.pendant.gui.command;
 
-import org.pendant.protocols.reach.AllowedHosts;
+import org.pendant.protocols.egress.AllowedHosts;
 
 /** {@code --allow-hosts}: how far programs may reach. */
 final class HostsOption {

@@ -13,7 +13,7 @@ import java.util.OptionalInt;
 import org.pendant.gui.ports.PortWishes;
 import org.pendant.protocols.modbus.ModbusServer;
 import org.pendant.protocols.robotapi.RobotApiServer;
-import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.server.PortNumbers;
 
 /** The options that say where servers listen. */
 final class PortOptions {

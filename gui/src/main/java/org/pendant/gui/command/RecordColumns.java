@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.Command;
-import org.pendant.controller.machine.Program;
 import org.pendant.controller.variables.VariablePath;
 import org.pendant.controller.variables.VariableTracer;
+import org.pendant.controller.vm.Program;
 import org.pendant.language.check.Nearest;
 
 /**

@@ -4,9 +4,9 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import javax.imageio.ImageIO;
 import org.pendant.controller.Controller;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.Program;
 import org.pendant.controller.state.ArmState;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.Program;
 import org.pendant.controller.world.Scene;
 import org.pendant.gui.scene.Camera;
 import org.pendant.gui.scene.Outline;
@@ -16,7 +16,7 @@ import org.pendant.gui.scene.gl.OffscreenScene;
 import org.pendant.gui.scene.gl.SceneUnavailable;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmLibrary;
-import org.pendant.protocols.ScriptDoors;
+import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.externalcontrol.NoScript;
 
 /** {@code pendant render FILE}: runs a program and draws the arm at one moment. */
@@ -50,8 +50,9 @@ final class RenderCommand implements Subcommand {
     RunnableFile file = RunnableFile.read(arguments).getFirst();
     RenderOptions options = RenderOptions.of(arguments, file.installation(), file.robot());
     file.tell(console);
-    try (ScriptDoors doors = new ScriptDoors(options.run().hosts())) {
-      Controller controller = new Controller(options.run().controller().withOutside(doors.doors()));
+    try (ScriptConnectors scriptConnectors = new ScriptConnectors(options.run().hosts())) {
+      Controller controller =
+          new Controller(options.run().controller().withOutside(scriptConnectors.connectors()));
       return run(file.asked(options.run().drivers()), controller, options, console);
     } catch (NoScript e) {
       console.complain(file.file() + ": error: " + e.getMessage());
@@ -66,10 +67,10 @@ final class RenderCommand implements Subcommand {
       return ExitCode.DOES_NOT_COMPILE;
     }
     Source source = file.source().get();
-    Loaded loaded = controller.load(source);
-    Report.diagnostics(source, loaded.diagnostics()).forEach(console::complainInLines);
-    file.wrongInReceived(loaded.diagnostics()).forEach(console::complain);
-    if (loaded.program().isEmpty()) {
+    LoadResult loadResult = controller.load(source);
+    Report.diagnostics(source, loadResult.diagnostics()).forEach(console::complainInLines);
+    file.wrongInReceived(loadResult.diagnostics()).forEach(console::complain);
+    if (loadResult.program().isEmpty()) {
       return ExitCode.DOES_NOT_COMPILE;
     }
     // Before the program runs: without graphics there is no use in that.
@@ -78,7 +79,7 @@ final class RenderCommand implements Subcommand {
         WallLimit wall = WallLimit.begin(options.run().wallTimeoutS(), file.file())) {
       interruption.hold();
       Exposure exposure = new Exposure(controller.state(), options.atS());
-      Program program = loaded.program().get();
+      Program program = loadResult.program().get();
       ExitCode code =
           new HeadlessRun(file, controller, options.run(), interruption, wall, console, exposure)
               .run(program);

@@ -2,9 +2,9 @@ package org.pendant.gui.command;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.controller.machine.ScriptFailure;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
+import org.pendant.controller.vm.ScriptFailure;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.DiagnosticFormat;

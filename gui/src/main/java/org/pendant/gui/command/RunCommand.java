@@ -6,14 +6,14 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.Controller;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.call.Builtins;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.outside.Doors;
+import org.pendant.controller.external.Connectors;
+import org.pendant.controller.function.Builtins;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
-import org.pendant.protocols.ScriptDoors;
+import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.externalcontrol.NoScript;
-import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.protocols.toolserial.ToolSerialServer;
 
@@ -98,14 +98,15 @@ final class RunCommand implements Subcommand {
       Console console)
       throws UsageException {
     // closed last: what a program has sent on its last line still goes out
-    try (ScriptDoors doors = new ScriptDoors(options.hosts())) {
+    try (ScriptConnectors scriptConnectors = new ScriptConnectors(options.hosts())) {
       if (options.toolDevice().isEmpty()) {
         Controller controller =
-            new Controller(options.controller().withOutside(doors.doors()), builtins);
+            new Controller(
+                options.controller().withOutside(scriptConnectors.connectors()), builtins);
         return run(file, controller, options, recorded, interruption, wall, console);
       }
       try (ToolSerialLine tool = ToolSerialOption.line(options.toolDevice())) {
-        Doors all = doors.doors().withToolSerial(tool);
+        Connectors all = scriptConnectors.connectors().withToolSerial(tool);
         Controller controller = new Controller(options.controller().withOutside(all), builtins);
         try (var _ = open(tool, controller)) {
           return run(file, controller, options, recorded, interruption, wall, console);
@@ -137,13 +138,13 @@ final class RunCommand implements Subcommand {
       return ExitCode.DOES_NOT_COMPILE;
     }
     Source source = file.source().get();
-    Loaded loaded = controller.load(source);
-    Report.diagnostics(source, loaded.diagnostics()).forEach(console::complainInLines);
-    file.wrongInReceived(loaded.diagnostics()).forEach(console::complain);
-    if (loaded.program().isEmpty()) {
+    LoadResult loadResult = controller.load(source);
+    Report.diagnostics(source, loadResult.diagnostics()).forEach(console::complainInLines);
+    file.wrongInReceived(loadResult.diagnostics()).forEach(console::complain);
+    if (loadResult.program().isEmpty()) {
       return ExitCode.DOES_NOT_COMPILE;
     }
-    Program program = loaded.program().get();
+    Program program = loadResult.program().get();
     recorded.columns().check(program);
     var _ = controller.submit(recorded.columns().command());
     interruption.hold();

@@ -21,8 +21,8 @@ import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.PreparedAnswer;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.language.source.ByteText;
+import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.externalcontrol.Drivers;
-import org.pendant.protocols.reach.AllowedHosts;
 
 /**
  * What {@code pendant run} was asked for.

@@ -13,10 +13,10 @@ import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.PowerTimes;
 import org.pendant.gui.ports.StateFolder;
-import org.pendant.protocols.panel.PanelSetup;
-import org.pendant.protocols.reach.AllowedHosts;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.egress.AllowedHosts;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
+import org.pendant.protocols.teachpendant.PendantSetup;
 
 /**
  * What {@code pendant serve} was asked for.
@@ -35,7 +35,7 @@ record ServeOptions(
     PortNumbers numbers,
     boolean modbusChosen,
     RemoteControl remote,
-    PanelSetup panel,
+    PendantSetup panel,
     Optional<String> toolDevice) {
 
   private static final int MOST_ROBOTS = 100;
@@ -116,7 +116,7 @@ record ServeOptions(
         numbers,
         arguments.has(PortOptions.MODBUS_PORT),
         new RemoteControl(remoteEnabled(arguments, ready), ready),
-        new PanelSetup(
+        new PendantSetup(
             controller.robotId(), ProgramsFolder.at(programs), logs, ControlOption.of(arguments)),
         ToolSerialOption.of(arguments));
   }

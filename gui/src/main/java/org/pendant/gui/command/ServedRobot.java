@@ -12,20 +12,20 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.WallClock;
 import org.pendant.protocols.BoxPorts;
-import org.pendant.protocols.ScriptDoors;
+import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.dashboard.DashboardServer;
-import org.pendant.protocols.net.FrameFan;
 import org.pendant.protocols.net.PeerLog;
+import org.pendant.protocols.net.StateBroadcaster;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.panel.Panel;
-import org.pendant.protocols.panel.StartWatch;
 import org.pendant.protocols.primary.PrimaryServer;
 import org.pendant.protocols.realtime.RealtimeServer;
 import org.pendant.protocols.rtde.RtdeServer;
-import org.pendant.protocols.serve.MissingPort;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.PrivilegedPort;
+import org.pendant.protocols.server.MissingPort;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.PrivilegedPort;
+import org.pendant.protocols.server.ServerContext;
+import org.pendant.protocols.teachpendant.RemotePendant;
+import org.pendant.protocols.teachpendant.StartWatch;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 
 /** One controller in real time with all its ports. */
@@ -42,11 +42,11 @@ final class ServedRobot implements AutoCloseable {
   private final ServeOptions options;
   private final Console console;
   private final ToolSerialLine tool;
-  private final ScriptDoors doors;
+  private final ScriptConnectors scriptConnectors;
   private final Controller controller;
   private final FrameLoop loop;
-  private final FrameFan frames;
-  private final Panel panel;
+  private final StateBroadcaster frames;
+  private final RemotePendant remotePendant;
   private final BoxPorts ports;
   private final String prefix;
   private Optional<LogPrinter> printer = Optional.empty();
@@ -61,15 +61,16 @@ final class ServedRobot implements AutoCloseable {
     this.console = console;
     this.prefix = prefix;
     tool = ToolSerialOption.line(options.toolDevice());
-    doors = new ScriptDoors(options.hosts());
+    scriptConnectors = new ScriptConnectors(options.hosts());
     controller =
-        new Controller(options.controller().withOutside(doors.doors().withToolSerial(tool)));
+        new Controller(
+            options.controller().withOutside(scriptConnectors.connectors().withToolSerial(tool)));
     PeerLog log = ServerLog.of(controller);
     loop = FrameLoop.start(controller, new WallClock());
-    frames = new FrameFan(controller.feed(), log);
-    Outside outside = new Outside(controller, frames, log, options.remote());
-    panel = new Panel(controller, options.panel());
-    ports = BoxPorts.open(outside, numbers(), panel, tool);
+    frames = new StateBroadcaster(controller.feed(), log);
+    ServerContext serverContext = new ServerContext(controller, frames, log, options.remote());
+    remotePendant = new RemotePendant(controller, options.panel());
+    ports = BoxPorts.open(serverContext, numbers(), remotePendant, tool);
   }
 
   /** Says which ports cannot be had; answers whether it is worth while to serve without them. */
@@ -125,17 +126,20 @@ final class ServedRobot implements AutoCloseable {
 
   /** Loads the program that its installation names, if any. */
   void load() {
-    panel.loadAtStart();
+    remotePendant.loadAtStart();
   }
 
   /** Prints from now on what it says. */
   void printLog() {
     LogPrinter log =
         new LogPrinter(
-            controller, console, prefix, place -> panel.receivedAt(place.source(), place.line()));
+            controller,
+            console,
+            prefix,
+            place -> remotePendant.receivedAt(place.source(), place.line()));
     printer = Optional.of(log);
     frames.add(log::look);
-    frames.add(new StartWatch(controller, panel)::look);
+    frames.add(new StartWatch(controller, remotePendant)::look);
   }
 
   /** Whether nothing more comes of it. */
@@ -175,7 +179,7 @@ final class ServedRobot implements AutoCloseable {
   public void close() {
     // tool and doors last: what a program has sent before its end still goes out
     try (tool;
-        doors;
+        scriptConnectors;
         loop;
         frames;
         ports) {

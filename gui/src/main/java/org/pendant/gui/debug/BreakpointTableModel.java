@@ -17,16 +17,16 @@ final class BreakpointTableModel extends AbstractTableModel {
   static final int HITS = 4;
   private static final List<String> TITLES = List.of("On", "Line", "Condition", "From hit", "Hits");
 
-  private final BreakpointDesk desk;
+  private final OpenBreakpoints openBreakpoints;
   private List<Breakpoint> rows = List.of();
 
-  BreakpointTableModel(BreakpointDesk desk) {
-    this.desk = desk;
+  BreakpointTableModel(OpenBreakpoints openBreakpoints) {
+    this.openBreakpoints = openBreakpoints;
   }
 
-  /** Shows what the desk has now. */
+  /** Shows the open breakpoints. */
   void show() {
-    List<Breakpoint> wanted = desk.all();
+    List<Breakpoint> wanted = openBreakpoints.all();
     boolean sameRows = wanted.size() == rows.size();
     rows = wanted;
     if (sameRows) {
@@ -65,7 +65,7 @@ final class BreakpointTableModel extends AbstractTableModel {
   @Override
   public Object getValueAt(int index, int column) {
     Breakpoint row = rows.get(index);
-    Optional<BreakpointState> state = desk.state(row);
+    Optional<BreakpointState> state = openBreakpoints.state(row);
     return switch (column) {
       case ENABLED -> row.enabled();
       case LINE -> place(row, state);
@@ -102,11 +102,12 @@ final class BreakpointTableModel extends AbstractTableModel {
     Breakpoint row = rows.get(index);
     switch (column) {
       case ENABLED ->
-          desk.change(new Breakpoint(row.line(), (Boolean) typed, row.condition(), row.fromHit()));
-      case CONDITION -> desk.change(row.when(typed.toString()));
+          openBreakpoints.change(
+              new Breakpoint(row.line(), (Boolean) typed, row.condition(), row.fromHit()));
+      case CONDITION -> openBreakpoints.change(row.when(typed.toString()));
       case FROM_HIT -> {
         if (hitRefusal(typed.toString()).isEmpty()) {
-          desk.change(row.fromHit(Integer.parseInt(typed.toString().strip())));
+          openBreakpoints.change(row.fromHit(Integer.parseInt(typed.toString().strip())));
         }
       }
       default -> throw new IllegalArgumentException("column is " + column + ", must be editable");

@@ -36,7 +36,7 @@ public final class BreakpointsView implements View {
 
   private final Workbench workbench;
   private final DebugPresenter debug;
-  private final BreakpointDesk desk;
+  private final OpenBreakpoints openBreakpoints;
   private final BreakpointTableModel rows;
   private final ConditionCheck check;
   private final JTable table;
@@ -52,14 +52,14 @@ public final class BreakpointsView implements View {
     assert EventQueue.isDispatchThread();
     this.workbench = workbench;
     this.debug = debug;
-    desk = debug.breakpoints();
-    rows = new BreakpointTableModel(desk);
+    openBreakpoints = debug.breakpoints();
+    rows = new BreakpointTableModel(openBreakpoints);
     check =
         new ConditionCheck(
             new WorkerThread("conditions"),
             EventQueue::invokeLater,
             workbench.session().controller().builtins(),
-            desk::source);
+            openBreakpoints::source);
     table = new JTable(rows);
     setUpTable();
     list = new DebugPanel("breakpoints-content", new JScrollPane(table));
@@ -70,7 +70,7 @@ public final class BreakpointsView implements View {
     refused.setName("breakpoints-refusal");
     refused.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 8));
     refused.setVisible(false);
-    desk.addListener(this::show);
+    openBreakpoints.addListener(this::show);
     show();
   }
 
@@ -141,7 +141,7 @@ public final class BreakpointsView implements View {
     onErrors.setName("break-on-errors");
     onErrors.setToolTipText("Holds a program that fails, so that its variables can be looked at");
     onErrors.getAccessibleContext().setAccessibleName("Stop at errors, before the program ends");
-    onErrors.addActionListener(event -> desk.setOnErrors(onErrors.isSelected()));
+    onErrors.addActionListener(event -> openBreakpoints.setOnErrors(onErrors.isSelected()));
     remove.setName("breakpoint-remove");
     remove.setToolTipText("Removes the selected breakpoint (Del)");
     remove.getAccessibleContext().setAccessibleName("Remove breakpoint");
@@ -179,7 +179,7 @@ public final class BreakpointsView implements View {
   }
 
   private void removeSelected() {
-    selected().ifPresent(each -> desk.toggle(each.line()));
+    selected().ifPresent(each -> openBreakpoints.toggle(each.line()));
   }
 
   /**
@@ -188,7 +188,7 @@ public final class BreakpointsView implements View {
    */
   public void editCondition(int line) {
     wantedLine = OptionalInt.of(line);
-    desk.ensure(line);
+    openBreakpoints.ensure(line);
     show();
   }
 
@@ -204,12 +204,12 @@ public final class BreakpointsView implements View {
   }
 
   private void show() {
-    if (table.isEditing() && rows.getRowCount() != desk.all().size()) {
+    if (table.isEditing() && rows.getRowCount() != openBreakpoints.all().size()) {
       table.getCellEditor().cancelCellEditing();
     }
     rows.show();
     table.setRowHeight(table.getFontMetrics(table.getFont()).getHeight() + 12);
-    onErrors.setSelected(desk.onErrors());
+    onErrors.setSelected(openBreakpoints.onErrors());
     remove.setEnabled(rows.getRowCount() > 0);
     if (rows.getRowCount() == 0) {
       list.showNote(NOTE);

@@ -249,7 +249,7 @@ public final class CallStackView implements View {
       super.getTableCellRendererComponent(table, "", selected, focused, row, column);
       CallRow call = (CallRow) value;
       setText(column == 0 ? call.name() : call.place());
-      setIcon(column == 0 && !call.isThread() ? new Twisty(0, false, false) : null);
+      setIcon(column == 0 && !call.isThread() ? new DisclosureIcon(0, false, false) : null);
       setFont(call.isThread() ? table.getFont().deriveFont(Font.BOLD) : table.getFont());
       if (!selected) {
         setForeground(column == 0 ? table.getForeground() : Palette.quiet());

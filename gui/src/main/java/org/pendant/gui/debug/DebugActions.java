@@ -45,7 +45,7 @@ public final class DebugActions {
         "alt F10",
         debug::held,
         debug::showHeld);
-    BreakpointDesk breakpoints = debug.breakpoints();
+    OpenBreakpoints breakpoints = debug.breakpoints();
     add(
         actions,
         "conditional-breakpoint",

@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.machine.ProgramState;
-import org.pendant.controller.machine.ThreadSnapshot;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.ProgramState;
+import org.pendant.controller.vm.ThreadSnapshot;
 import org.pendant.gui.editor.Execution;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.workbench.Workbench;
@@ -23,7 +23,7 @@ public final class DebugPresenter {
 
   private final Workbench workbench;
   private final Programs programs;
-  private final BreakpointDesk breakpoints;
+  private final OpenBreakpoints breakpoints;
   private final Stepping steps;
   private final ThreadWatch running;
   private final StartedProgram started = new StartedProgram();
@@ -48,7 +48,7 @@ public final class DebugPresenter {
   DebugPresenter(Workbench workbench, Programs programs, DebugLink link) {
     this.workbench = workbench;
     this.programs = programs;
-    breakpoints = new BreakpointDesk(link, programs, started, workbench::notify);
+    breakpoints = new OpenBreakpoints(link, programs, started, workbench::notify);
     steps = new Stepping(link, started::toRun, workbench::notify);
     running = new ThreadWatch(link, () -> System.nanoTime() / 1_000_000, this::tellListeners);
     variables = new ValueTree(link, DebugPresenter::readVariables, this::reloadValues);
@@ -211,7 +211,7 @@ public final class DebugPresenter {
   }
 
   /** Breakpoints of the open programs. */
-  public BreakpointDesk breakpoints() {
+  public OpenBreakpoints breakpoints() {
     return breakpoints;
   }
 

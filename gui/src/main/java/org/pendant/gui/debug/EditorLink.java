@@ -19,7 +19,7 @@ import org.pendant.gui.session.Programs;
 public final class EditorLink implements BreakpointListener {
   private final ScriptEditor editor;
   private final DebugPresenter debug;
-  private final BreakpointDesk desk;
+  private final OpenBreakpoints openBreakpoints;
   private final Programs programs;
 
   /** Connects both. */
@@ -27,51 +27,53 @@ public final class EditorLink implements BreakpointListener {
     this.editor = editor;
     this.debug = debug;
     this.programs = programs;
-    desk = debug.breakpoints();
-    desk.setMarks(editor::toggleBreakpoint);
-    desk.addListener(this::showMarks);
+    openBreakpoints = debug.breakpoints();
+    openBreakpoints.setMarks(editor::toggleBreakpoint);
+    openBreakpoints.addListener(this::showMarks);
     editor.setBreakpointMemory(this::lines);
     editor.addBreakpointListener(this);
   }
 
   private SortedSet<Integer> lines(ProgramDocument program) {
     SortedSet<Integer> lines = new TreeSet<>();
-    desk.all(program).forEach(each -> lines.add(each.line()));
+    openBreakpoints.all(program).forEach(each -> lines.add(each.line()));
     return lines;
   }
 
   @Override
   public void breakpointsMoved(ProgramDocument program, SortedMap<Integer, Integer> moves) {
-    desk.linesMoved(program, moves);
+    openBreakpoints.linesMoved(program, moves);
   }
 
   @Override
   public void breakpointsChanged(ProgramDocument program, SortedSet<Integer> lines) {
-    desk.linesChanged(program, lines);
+    openBreakpoints.linesChanged(program, lines);
   }
 
   /** A program is about to be started: the debugger gets its breakpoints. */
   public void beforeRun(ProgramDocument program, RunScript script) {
-    desk.linesChanged(program, editor.breakpoints(program));
-    desk.beforeRun(program, script);
+    openBreakpoints.linesChanged(program, editor.breakpoints(program));
+    openBreakpoints.beforeRun(program, script);
   }
 
   /** A program that is none of the open ones has started. */
   public void strangerStarted() {
-    desk.started().ifPresent(program -> editor.setExecution(program, Execution.NONE));
-    desk.strangerStarted();
+    openBreakpoints.started().ifPresent(program -> editor.setExecution(program, Execution.NONE));
+    openBreakpoints.strangerStarted();
   }
 
   /** Shows where the program is. */
   public void follow(ControllerState state) {
-    desk.started().ifPresent(program -> editor.setExecution(program, debug.execution(state)));
+    openBreakpoints
+        .started()
+        .ifPresent(program -> editor.setExecution(program, debug.execution(state)));
   }
 
   private void showMarks() {
     for (ProgramDocument program : programs.all()) {
       Map<Integer, BreakpointMark> marks = new HashMap<>();
-      for (Breakpoint each : desk.all(program)) {
-        long hits = desk.state(program, each).map(BreakpointState::hits).orElse(0L);
+      for (Breakpoint each : openBreakpoints.all(program)) {
+        long hits = openBreakpoints.state(program, each).map(BreakpointState::hits).orElse(0L);
         marks.put(each.line(), mark(each, hits));
       }
       editor.showBreakpoints(program, marks);

@@ -5,10 +5,10 @@ import java.util.Optional;
 import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.debug.StopReason;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.ThreadSnapshot;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.ThreadSnapshot;
 import org.pendant.gui.editor.Execution;
 import org.pendant.language.source.ByteText;
 

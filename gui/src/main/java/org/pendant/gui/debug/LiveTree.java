@@ -3,9 +3,9 @@ package org.pendant.gui.debug;
 import java.util.List;
 import java.util.Map;
 import java.util.function.LongSupplier;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.variables.VariableSamples;
+import org.pendant.controller.vm.ProgramState;
 
 /**
  * Fills a tree from samples while no program is held, about ten times a second. It has no Swing;

@@ -7,8 +7,8 @@ import java.util.function.IntFunction;
 import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.debug.StopReason;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.vm.ProgramState;
 
 /**
  * How a program is held and goes on: steps belong to the thread that is looked at. It has no Swing;

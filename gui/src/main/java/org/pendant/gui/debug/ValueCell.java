@@ -39,7 +39,8 @@ final class ValueCell extends DefaultTableCellRenderer {
     problem.setText(row.text());
     problem.setFont(table.getFont());
     problem.setBorder(
-        BorderFactory.createEmptyBorder(2, Twisty.end(row.level()), 4, Twisty.end(0)));
+        BorderFactory.createEmptyBorder(
+            2, DisclosureIcon.end(row.level()), 4, DisclosureIcon.end(0)));
   }
 
   /** A row that is no value, as wide as the table. */
@@ -57,7 +58,7 @@ final class ValueCell extends DefaultTableCellRenderer {
       setFont(table.getFont().deriveFont(Font.BOLD));
     } else if (row instanceof ValueRow.More more) {
       setText(more.text());
-      setIcon(new Twisty(more.level(), false, false));
+      setIcon(new DisclosureIcon(more.level(), false, false));
     }
     return this;
   }
@@ -96,7 +97,7 @@ final class ValueCell extends DefaultTableCellRenderer {
     switch (column) {
       case ValueTableModel.NAME -> {
         setFont(UIManager.getFont("monospaced.font"));
-        setIcon(new Twisty(row.level(), row.hasParts(), row.unfolded()));
+        setIcon(new DisclosureIcon(row.level(), row.hasParts(), row.unfolded()));
         setText(row.name());
         setToolTipText(row.name());
       }

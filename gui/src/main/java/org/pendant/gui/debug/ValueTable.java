@@ -305,7 +305,7 @@ final class ValueTable extends JTable {
     }
 
     private boolean onArrow(ValueRow.Value value, int x) {
-      return x < Twisty.end(value.level()) && x >= Twisty.end(value.level() - 1);
+      return x < DisclosureIcon.end(value.level()) && x >= DisclosureIcon.end(value.level() - 1);
     }
   }
 }

@@ -21,7 +21,7 @@ final class FixMenu {
   private final AnalysisSchedule schedule;
   private final Background background;
   private final GutterMarks marks;
-  private final EditorDesk desk;
+  private final EditorHost editorHost;
   private int bulbFor = -1;
 
   FixMenu(
@@ -29,12 +29,12 @@ final class FixMenu {
       AnalysisSchedule schedule,
       Background background,
       GutterMarks marks,
-      EditorDesk desk) {
+      EditorHost editorHost) {
     this.area = area;
     this.schedule = schedule;
     this.background = background;
     this.marks = marks;
-    this.desk = desk;
+    this.editorHost = editorHost;
   }
 
   /** Opens the menu at the caret. */
@@ -94,7 +94,7 @@ final class FixMenu {
 
   private void show(AnalysedText analysed, List<QuickFix> fixes) {
     if (fixes.isEmpty()) {
-      desk.tell("There is no quick fix here");
+      editorHost.tell("There is no quick fix here");
       return;
     }
     JPopupMenu menu = new JPopupMenu();

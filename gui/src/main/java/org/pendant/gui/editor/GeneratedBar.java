@@ -17,9 +17,9 @@ final class GeneratedBar extends JPanel {
    * A bar.
    *
    * @param program the tree
-   * @param desk does what its buttons say
+   * @param editorHost does what its buttons say
    */
-  GeneratedBar(ProgramDocument program, EditorDesk desk) {
+  GeneratedBar(ProgramDocument program, EditorHost editorHost) {
     super(new MigLayout("insets 4 12 4 12, gap 8", "[grow, fill, 0::][][]"));
     setName("generated-bar");
     JLabel text = new JLabel();
@@ -40,7 +40,7 @@ final class GeneratedBar extends JPanel {
             new Press("generated-save", "Save as script\u2026", "file.save-script"))) {
       JButton button = new JButton(each.title());
       button.setName(each.name());
-      button.addActionListener(event -> desk.run(each.action()));
+      button.addActionListener(event -> editorHost.run(each.action()));
       add(button);
     }
   }

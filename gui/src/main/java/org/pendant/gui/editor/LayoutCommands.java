@@ -21,20 +21,20 @@ final class LayoutCommands {
   private final AnalysisSchedule schedule;
   private final Background background;
   private final DocumentLink link;
-  private final EditorDesk desk;
+  private final EditorHost editorHost;
 
   LayoutCommands(
       ProgramEditor editor,
       AnalysisSchedule schedule,
       Background background,
       DocumentLink link,
-      EditorDesk desk) {
+      EditorHost editorHost) {
     this.editor = editor;
     area = editor.area();
     this.schedule = schedule;
     this.background = background;
     this.link = link;
-    this.desk = desk;
+    this.editorHost = editorHost;
   }
 
   /** Lays the whole text out evenly. */
@@ -51,14 +51,14 @@ final class LayoutCommands {
 
   private void finish(AnalysedText analysed, FormatResult result) {
     if (schedule.current().filter(now -> now == analysed).isEmpty()) {
-      desk.tell("Not formatted: the text has changed meanwhile");
+      editorHost.tell("Not formatted: the text has changed meanwhile");
       return;
     }
     switch (result) {
       case FormatResult.Refused refused ->
-          desk.tell("Not formatted: " + ByteText.decoded(refused.reason()));
+          editorHost.tell("Not formatted: " + ByteText.decoded(refused.reason()));
       case FormatResult.Formatted formatted when formatted.edits().isEmpty() ->
-          desk.tell("The text is laid out already");
+          editorHost.tell("The text is laid out already");
       case FormatResult.Formatted formatted ->
           link.gather(() -> area.make(analysed.edits(formatted.edits())));
     }
@@ -152,7 +152,7 @@ final class LayoutCommands {
       return;
     }
     prompt.close();
-    desk.leaving(editor);
+    editorHost.leaving(editor);
     int start = area.line(Integer.parseInt(text)).start();
     area.show(new Span(start, start));
   }

@@ -20,7 +20,7 @@ final class NameCommands {
   private final ProgramDocument program;
   private final AnalysisSchedule schedule;
   private final Background background;
-  private final EditorDesk desk;
+  private final EditorHost editorHost;
   private final Runnable leaving;
 
   /**
@@ -33,13 +33,13 @@ final class NameCommands {
       ProgramDocument program,
       AnalysisSchedule schedule,
       Background background,
-      EditorDesk desk,
+      EditorHost editorHost,
       Runnable leaving) {
     this.area = area;
     this.program = program;
     this.schedule = schedule;
     this.background = background;
-    this.desk = desk;
+    this.editorHost = editorHost;
     this.leaving = leaving;
     area.addMouseListener(
         new MouseAdapter() {
@@ -67,7 +67,7 @@ final class NameCommands {
                     area.show(found);
                   },
                   () ->
-                      desk.tell(
+                      editorHost.tell(
                           analysed
                               .hover(caret)
                               .map(hover -> ByteText.decoded(hover.head()) + " is built in")
@@ -81,7 +81,7 @@ final class NameCommands {
         analysed -> {
           List<Span> spans = analysed.references(area.getCaretPosition());
           if (spans.isEmpty()) {
-            desk.tell("There is no name here");
+            editorHost.tell("There is no name here");
             return;
           }
           String name = area.text(spans.getFirst());
@@ -90,7 +90,7 @@ final class NameCommands {
                   .map(span -> Place.of(program.name(), program.file(), analysed.text(), span))
                   .toList();
           String times = places.size() == 1 ? "1 place" : places.size() + " places";
-          desk.list(name + ": " + times, places);
+          editorHost.list(name + ": " + times, places);
         });
   }
 
@@ -103,7 +103,8 @@ final class NameCommands {
           spans.stream()
               .filter(span -> span.touches(caret))
               .findFirst()
-              .ifPresentOrElse(span -> askForName(span), () -> desk.tell("There is no name here"));
+              .ifPresentOrElse(
+                  span -> askForName(span), () -> editorHost.tell("There is no name here"));
         });
   }
 
@@ -144,7 +145,7 @@ final class NameCommands {
         prompt.close();
         area.make(analysed.edits(renamed.edits()));
         int places = renamed.edits().size();
-        desk.tell("Renamed in " + (places == 1 ? "1 place" : places + " places"));
+        editorHost.tell("Renamed in " + (places == 1 ? "1 place" : places + " places"));
       }
     }
   }

@@ -32,7 +32,7 @@ import org.pendant.language.signature.Catalogue;
 final class ProgramEditor extends JPanel {
   private final ProgramDocument program;
   private final ProgramDocument script;
-  private final EditorDesk desk;
+  private final EditorHost editorHost;
   private final LineColours colours;
   private final AnalysisSchedule schedule;
   private final ScriptArea area;
@@ -53,12 +53,12 @@ final class ProgramEditor extends JPanel {
       ProgramDocument program,
       Catalogue catalogue,
       Background background,
-      EditorDesk desk,
+      EditorHost editorHost,
       Predicate<KeyStroke> takenKeys) {
     super(new BorderLayout());
     this.program = program;
     script = program.script();
-    this.desk = desk;
+    this.editorHost = editorHost;
     colours = new LineColours(catalogue);
     schedule =
         new AnalysisSchedule(
@@ -76,11 +76,13 @@ final class ProgramEditor extends JPanel {
     area.addParser(notices);
     link = new DocumentLink(area, script, colours, this::textChanged);
     marks = new GutterMarks(area, scroll.getGutter(), this::toggleBreakpoint, this::fix);
-    fixes = new FixMenu(area, schedule, background, marks, desk);
+    fixes = new FixMenu(area, schedule, background, marks, editorHost);
     signature = new SignaturePopup(area, schedule);
     completions = new CompletionPopup(area, schedule, background, signature::request);
-    names = new NameCommands(area, script, schedule, background, desk, () -> desk.leaving(this));
-    layout = new LayoutCommands(this, schedule, background, link, desk);
+    names =
+        new NameCommands(
+            area, script, schedule, background, editorHost, () -> editorHost.leaving(this));
+    layout = new LayoutCommands(this, schedule, background, link, editorHost);
     occurrences = new Occurrences(area, schedule, background);
     area.setTips(this::tip);
     area.setTyped(
@@ -108,7 +110,7 @@ final class ProgramEditor extends JPanel {
   private JPanel head() {
     JPanel head = new JPanel(new BorderLayout());
     if (generated()) {
-      head.add(new GeneratedBar(program, desk), BorderLayout.NORTH);
+      head.add(new GeneratedBar(program, editorHost), BorderLayout.NORTH);
     }
     head.add(notice, BorderLayout.SOUTH);
     return head;
@@ -147,7 +149,7 @@ final class ProgramEditor extends JPanel {
     moveLines(() -> script.setText(text), newLine);
     area.discardAllEdits();
     if (gone) {
-      desk.breakpointsChanged(this);
+      editorHost.breakpointsChanged(this);
     }
   }
 
@@ -202,7 +204,7 @@ final class ProgramEditor extends JPanel {
 
   /** Selects a place, to come back from it later. */
   void jump(Span span) {
-    desk.leaving(this);
+    editorHost.leaving(this);
     area.show(span);
     area.requestFocusInWindow();
   }
@@ -270,14 +272,14 @@ final class ProgramEditor extends JPanel {
   void toggleBreakpoint(int line) {
     if (marks.breakpoints().contains(line)) {
       marks.removeBreakpoint(line);
-      desk.breakpointsChanged(this);
+      editorHost.breakpointsChanged(this);
       return;
     }
     boolean early = analysed().isEmpty();
     if (early) {
       // At once, for whoever runs the program with the next key; it moves when the text is read.
       marks.addBreakpoint(line);
-      desk.breakpointsChanged(this);
+      editorHost.breakpointsChanged(this);
     }
     schedule.whenCurrent(
         analysed -> {
@@ -291,14 +293,14 @@ final class ProgramEditor extends JPanel {
   private void place(int line, SortedSet<Integer> possible) {
     if (possible.isEmpty()) {
       marks.removeBreakpoint(line);
-      desk.tell("No breakpoint: nothing runs on line " + line + " or below it");
+      editorHost.tell("No breakpoint: nothing runs on line " + line + " or below it");
     } else if (possible.first() != line) {
       marks.removeBreakpoint(line);
       marks.addBreakpoint(possible.first());
     } else {
       marks.addBreakpoint(line);
     }
-    desk.breakpointsChanged(this);
+    editorHost.breakpointsChanged(this);
   }
 
   /** Forgets the program; the editor is not used again. */
@@ -341,7 +343,7 @@ final class ProgramEditor extends JPanel {
     SortedMap<Integer, Integer> moves = marks.takeMoves();
     if (!moves.isEmpty()) {
       marks.refresh();
-      desk.breakpointsMoved(this, moves);
+      editorHost.breakpointsMoved(this, moves);
     }
   }
 
@@ -356,12 +358,12 @@ final class ProgramEditor extends JPanel {
     marks.setStatementLines(analysed.statementLines());
     fixes.forget();
     fixes.refreshBulb();
-    desk.changed(this);
+    editorHost.changed(this);
   }
 
   private void caretMoved() {
     fixes.refreshBulb();
-    desk.changed(this);
+    editorHost.changed(this);
   }
 
   /** What to say about a character: its problems, or else what is known about the name. */

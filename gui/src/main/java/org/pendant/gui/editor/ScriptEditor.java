@@ -59,7 +59,7 @@ public final class ScriptEditor implements View {
     this.workbench = workbench;
     this.programs = programs;
     Catalogue catalogue = workbench.session().controller().builtins();
-    EditorDesk desk = new Desk();
+    EditorHost editorHost = new Desk();
     find = new FindBar(this::current);
     status = new EditorStatus(() -> workbench.show(ProblemsView.ID));
     closer = new ProgramCloser(workbench, programs, this::current);
@@ -70,7 +70,7 @@ public final class ScriptEditor implements View {
             programs,
             program -> {
               ProgramEditor made =
-                  new ProgramEditor(program, catalogue, worker, desk, this::isTaken);
+                  new ProgramEditor(program, catalogue, worker, editorHost, this::isTaken);
               made.restoreBreakpoints(breakpointMemory.apply(program));
               return made;
             },
@@ -277,7 +277,7 @@ public final class ScriptEditor implements View {
   }
 
   /** What editors of single programs ask for. */
-  private final class Desk implements EditorDesk {
+  private final class Desk implements EditorHost {
     @Override
     public void tell(String sentence) {
       workbench.notify(sentence);

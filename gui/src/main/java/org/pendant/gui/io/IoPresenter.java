@@ -11,10 +11,10 @@ import org.pendant.controller.Reply;
 import org.pendant.controller.io.DigitalLevels;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalWrite;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.ProgramState;
 
 /** What the screen of signals shows and does. One thread uses it, the one behind its executor. */
 final class IoPresenter {

@@ -6,8 +6,8 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.ProgramState;
 
 /**
  * Which places of a memory are shown, with what they hold. A place is in use once it has held

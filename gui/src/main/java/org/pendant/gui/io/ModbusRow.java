@@ -2,10 +2,10 @@ package org.pendant.gui.io;
 
 import java.util.List;
 import java.util.stream.Collectors;
+import org.pendant.controller.external.ModbusErrors;
+import org.pendant.controller.external.ModbusExchange;
+import org.pendant.controller.external.ModbusReading;
 import org.pendant.controller.modbus.ModbusSignalState;
-import org.pendant.controller.outside.ModbusErrors;
-import org.pendant.controller.outside.ModbusExchange;
-import org.pendant.controller.outside.ModbusReading;
 import org.pendant.language.source.ByteText;
 
 /**

@@ -12,8 +12,8 @@ import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.io.ToolConnector;
 import org.pendant.controller.io.ToolOutputMode;
 import org.pendant.controller.io.ToolPinMode;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.layout.Card;
 
 /** How the connector at the tool flange is set up, and what it takes. */

@@ -3,9 +3,9 @@ package org.pendant.gui.move;
 import java.util.Optional;
 import org.pendant.controller.Command;
 import org.pendant.controller.Pace;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.session.Readiness;
 
 /**

@@ -11,7 +11,7 @@ import org.pendant.controller.state.ControllerState;
 final class History {
   private static final int KEPT_S = 600;
 
-  private final Tape tape;
+  private final PlotHistory plotHistory;
   private final Series samples;
   private final Series frames;
 
@@ -19,10 +19,10 @@ final class History {
   private final Map<Quantity, String> names = new HashMap<>();
 
   /** A history that follows a tape, beginning with what is on it. */
-  History(Tape tape) {
-    this.tape = tape;
-    samples = new Series(KEPT_S * 125, tape.first());
-    frames = new Series(KEPT_S * 500, tape.firstFrame());
+  History(PlotHistory plotHistory) {
+    this.plotHistory = plotHistory;
+    samples = new Series(KEPT_S * 125, plotHistory.first());
+    frames = new Series(KEPT_S * 500, plotHistory.firstFrame());
   }
 
   /** Takes what is new on the tape; returns whether there was anything. */
@@ -32,23 +32,23 @@ final class History {
   }
 
   private boolean followSamples() {
-    long newest = tape.end();
+    long newest = plotHistory.end();
     if (newest == samples.end()) {
       return false;
     }
-    if (tape.first() > samples.end()) {
+    if (plotHistory.first() > samples.end()) {
       // more has gone by than the tape holds: an honest gap is better than a line across it
-      samples.startAt(tape.first());
+      samples.startAt(plotHistory.first());
     }
     for (long number = samples.end(); number < newest; number++) {
-      ControllerState state = tape.at(number);
+      ControllerState state = plotHistory.at(number);
       samples.take(state.timeS(), quantity -> quantity.value().applyAsDouble(state));
     }
     return true;
   }
 
   private boolean followFrames() {
-    long newest = tape.endFrame();
+    long newest = plotHistory.endFrame();
     if (newest == frames.end()) {
       return false;
     }
@@ -57,12 +57,14 @@ final class History {
       frames.startAt(newest);
       return false;
     }
-    if (tape.firstFrame() > frames.end()) {
-      frames.startAt(tape.firstFrame());
+    if (plotHistory.firstFrame() > frames.end()) {
+      frames.startAt(plotHistory.firstFrame());
     }
     for (long number = frames.end(); number < newest; number++) {
       long frame = number;
-      frames.take(tape.timeS(frame), quantity -> tape.traced(frame).value(names.get(quantity)));
+      frames.take(
+          plotHistory.timeS(frame),
+          quantity -> plotHistory.traced(frame).value(names.get(quantity)));
     }
     return true;
   }
@@ -85,8 +87,10 @@ final class History {
       return;
     }
     samples.add(quantity);
-    for (long number = Math.max(samples.first(), tape.first()); number < samples.end(); number++) {
-      samples.set(quantity, number, quantity.value().applyAsDouble(tape.at(number)));
+    for (long number = Math.max(samples.first(), plotHistory.first());
+        number < samples.end();
+        number++) {
+      samples.set(quantity, number, quantity.value().applyAsDouble(plotHistory.at(number)));
     }
   }
 

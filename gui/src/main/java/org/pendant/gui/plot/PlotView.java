@@ -35,10 +35,10 @@ public final class PlotView implements View {
    */
   public PlotView(Workbench workbench, SignalLabels labels) {
     this.workbench = workbench;
-    Tape tape = new Tape();
-    workbench.session().addFrameListener(tape);
+    PlotHistory plotHistory = new PlotHistory();
+    workbench.session().addFrameListener(plotHistory);
     Quantities quantities = Quantities.standard(labels::of);
-    presenter = new PlotPresenter(quantities, new History(tape), workbench.settings());
+    presenter = new PlotPresenter(quantities, new History(plotHistory), workbench.settings());
     presenter.onRefusal(workbench::notify);
     VariableTrace trace =
         new VariableTrace(workbench.session()::submit, EventQueue::invokeLater, workbench::notify);

@@ -8,24 +8,24 @@ import org.pendant.controller.Command;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.gui.session.Session;
 import org.pendant.protocols.BoxPorts;
+import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.externalcontrol.Drivers;
-import org.pendant.protocols.net.FrameFan;
 import org.pendant.protocols.net.PeerLog;
+import org.pendant.protocols.net.StateBroadcaster;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.panel.Panel;
-import org.pendant.protocols.panel.PanelSetup;
-import org.pendant.protocols.reach.AllowedHosts;
-import org.pendant.protocols.serve.MissingPort;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.server.MissingPort;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
+import org.pendant.protocols.server.ServerContext;
+import org.pendant.protocols.teachpendant.PendantSetup;
+import org.pendant.protocols.teachpendant.RemotePendant;
 
 /** The ports of one controller, as long as they are open. */
 final class OpenPorts implements AutoCloseable {
-  private final FrameFan frames;
+  private final StateBroadcaster frames;
   private final BoxPorts box;
 
-  private OpenPorts(FrameFan frames, BoxPorts box) {
+  private OpenPorts(StateBroadcaster frames, BoxPorts box) {
     this.frames = frames;
     this.box = box;
   }
@@ -48,17 +48,17 @@ final class OpenPorts implements AutoCloseable {
               // a line that finds no place among the commands of a frame is lost
               var _ = session.submit(new Command.WriteLog(level, text));
             });
-    FrameFan frames = new FrameFan(session.controller().feed(), log);
-    Outside outside = new Outside(session.controller(), frames, log, remote);
-    Panel panel =
-        new Panel(
+    StateBroadcaster frames = new StateBroadcaster(session.controller().feed(), log);
+    ServerContext serverContext = new ServerContext(session.controller(), frames, log, remote);
+    RemotePendant remotePendant =
+        new RemotePendant(
             session.controller(),
-            new PanelSetup(
+            new PendantSetup(
                 session.options().robotId(),
                 programs,
                 logs,
                 new Drivers(AllowedHosts.ANY, Optional.empty())));
-    BoxPorts box = BoxPorts.open(outside, numbers, panel, session.toolSerial());
+    BoxPorts box = BoxPorts.open(serverContext, numbers, remotePendant, session.toolSerial());
     var _ = session.submit(new Command.SetProgramsFolder(programs));
     AtomicBoolean told = new AtomicBoolean();
     frames.add(

@@ -22,7 +22,7 @@ final class PortsPresenter {
   /** As many ports that could not be had are named. */
   private static final int MOST_MISSING = 3;
 
-  private final DeskPorts ports;
+  private final DesktopPorts ports;
   private final Settings settings;
   private final Map<PortField, String> texts = new EnumMap<>(PortField.class);
   private Optional<Trouble> typed = Optional.empty();
@@ -36,7 +36,7 @@ final class PortsPresenter {
   record Row(String name, String address, int clients, String who) {}
 
   /** Shows {@code ports}, with what was typed last time. */
-  PortsPresenter(DeskPorts ports, Settings settings, Path standardFolder) {
+  PortsPresenter(DesktopPorts ports, Settings settings, Path standardFolder) {
     this.ports = ports;
     this.settings = settings;
     for (PortField each : PortField.values()) {

@@ -3,7 +3,7 @@ package org.pendant.gui.ports;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.serve.MissingPort;
+import org.pendant.protocols.server.MissingPort;
 
 /** Whether the ports are open. */
 sealed interface PortsState {

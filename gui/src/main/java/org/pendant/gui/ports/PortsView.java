@@ -45,7 +45,7 @@ public final class PortsView implements View {
   private boolean showing;
 
   /** A panel for the ports of the workbench's session. */
-  public PortsView(Workbench workbench, DeskPorts ports) {
+  public PortsView(Workbench workbench, DesktopPorts ports) {
     presenter = new PortsPresenter(ports, workbench.settings(), Path.of("").toAbsolutePath());
     content.setName("ports-view");
     content.getAccessibleContext().setAccessibleName(title());

@@ -14,7 +14,7 @@ import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.TreeNames;
 import org.pendant.controller.program.WaypointPosition;
 import org.pendant.controller.program.WaypointTarget;
-import org.pendant.gui.scene.Waymarks;
+import org.pendant.gui.scene.WaypointMarkers;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 
@@ -47,18 +47,19 @@ final class ProgramPlaces {
    *
    * @param selected keys of nodes; the places that they name are marked
    */
-  static Waymarks of(ProgramTree tree, Installation installation, Set<Long> selected) {
+  static WaypointMarkers of(ProgramTree tree, Installation installation, Set<Long> selected) {
     return new ProgramPlaces(tree, installation).marks(selected);
   }
 
-  private Waymarks marks(Set<Long> selected) {
+  private WaypointMarkers marks(Set<Long> selected) {
     List<String> chosen =
         tree.nodes().stream()
             .filter(each -> selected.contains(each.key()))
             .flatMap(each -> TreeNames.waypoints(each.step()).stream())
             .toList();
-    List<Waymarks.Mark> marks = new ArrayList<>();
-    poses.forEach((name, pose) -> marks.add(new Waymarks.Mark(name, pose, chosen.contains(name))));
+    List<WaypointMarkers.Mark> marks = new ArrayList<>();
+    poses.forEach(
+        (name, pose) -> marks.add(new WaypointMarkers.Mark(name, pose, chosen.contains(name))));
     List<List<Integer>> ways = new ArrayList<>();
     for (ProgramNode section : tree.sections()) {
       List<Integer> way = new ArrayList<>();
@@ -67,7 +68,7 @@ final class ProgramPlaces {
         ways.add(way);
       }
     }
-    return new Waymarks(marks, ways);
+    return new WaypointMarkers(marks, ways);
   }
 
   private void follow(ProgramNode node, List<Integer> way) {

@@ -21,7 +21,7 @@ import org.pendant.controller.program.check.NodeProblem;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.move.JogHold;
 import org.pendant.gui.program.form.NodeForms;
-import org.pendant.gui.scene.Waymarks;
+import org.pendant.gui.scene.WaypointMarkers;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.workbench.View;
@@ -41,7 +41,7 @@ public final class ProgramView implements View {
   private final Programs programs;
   private final TreePrograms trees;
   private final ScriptLink link;
-  private final Consumer<Waymarks> scene;
+  private final Consumer<WaypointMarkers> scene;
   private final CardLayout cards = new CardLayout();
   private final JPanel content = new Content();
   private final TreeList list = new TreeList();
@@ -77,7 +77,7 @@ public final class ProgramView implements View {
       TreePrograms trees,
       ScriptLink link,
       ArmTeacher teacher,
-      Consumer<Waymarks> scene) {
+      Consumer<WaypointMarkers> scene) {
     assert EventQueue.isDispatchThread();
     this.workbench = workbench;
     this.programs = programs;
@@ -173,7 +173,7 @@ public final class ProgramView implements View {
 
   private void showAll() {
     if (program.isEmpty()) {
-      scene.accept(Waymarks.NONE);
+      scene.accept(WaypointMarkers.NONE);
       empty.show(programs.current().name());
       cards.show(content, EMPTY);
       return;
@@ -214,7 +214,7 @@ public final class ProgramView implements View {
     scene.accept(
         program
             .map(each -> ProgramPlaces.of(each.tree(), each.installation(), list.selected()))
-            .orElse(Waymarks.NONE));
+            .orElse(WaypointMarkers.NONE));
     command.show(program, list.selected().size(), shownNode(), list.lead());
   }
 

@@ -25,7 +25,7 @@ import org.pendant.models.pose.Pose;
  * @param touched names of the objects of the world that the tool touches
  * @param trace where the tool centre point has been
  * @param theme colours
- * @param waymarks the places that a program goes to
+ * @param waypointMarkers the places that a program goes to
  */
 public record SceneModel(
     ArmDescription arm,
@@ -39,7 +39,7 @@ public record SceneModel(
     Set<String> touched,
     Trace trace,
     Theme theme,
-    Waymarks waymarks) {
+    WaypointMarkers waypointMarkers) {
 
   /** Copies the collections. */
   public SceneModel {
@@ -61,7 +61,7 @@ public record SceneModel(
         Set.of(),
         Trace.EMPTY,
         Theme.LIGHT,
-        Waymarks.NONE);
+        WaypointMarkers.NONE);
   }
 
   /** The arm as a snapshot of the controller has it, with its active tool centre point. */
@@ -78,7 +78,7 @@ public record SceneModel(
         touched,
         trace,
         theme,
-        waymarks);
+        waypointMarkers);
   }
 
   public SceneModel withGhost(Optional<Joints> positionOfGhostRad) {
@@ -94,7 +94,7 @@ public record SceneModel(
         touched,
         trace,
         theme,
-        waymarks);
+        waypointMarkers);
   }
 
   public SceneModel withTool(Pose tcp) {
@@ -110,7 +110,7 @@ public record SceneModel(
         touched,
         trace,
         theme,
-        waymarks);
+        waypointMarkers);
   }
 
   public SceneModel withFrames(List<Pose> frames) {
@@ -126,7 +126,7 @@ public record SceneModel(
         touched,
         trace,
         theme,
-        waymarks);
+        waypointMarkers);
   }
 
   public SceneModel withPayload(Optional<Ball> ball) {
@@ -142,7 +142,7 @@ public record SceneModel(
         touched,
         trace,
         theme,
-        waymarks);
+        waypointMarkers);
   }
 
   public SceneModel withWorld(Scene surroundings, Set<String> touchedNames) {
@@ -158,7 +158,7 @@ public record SceneModel(
         touchedNames,
         trace,
         theme,
-        waymarks);
+        waypointMarkers);
   }
 
   public SceneModel withTrace(Trace way) {
@@ -174,7 +174,7 @@ public record SceneModel(
         touched,
         way,
         theme,
-        waymarks);
+        waypointMarkers);
   }
 
   public SceneModel withTheme(Theme colours) {
@@ -190,10 +190,10 @@ public record SceneModel(
         touched,
         trace,
         colours,
-        waymarks);
+        waypointMarkers);
   }
 
-  public SceneModel withWaymarks(Waymarks marks) {
+  public SceneModel withWaymarks(WaypointMarkers marks) {
     return new SceneModel(
         arm,
         kinematics,

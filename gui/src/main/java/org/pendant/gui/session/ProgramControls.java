@@ -1,10 +1,10 @@
 package org.pendant.gui.session;
 
 import java.util.Optional;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.ProgramState;
 
 /**
  * What may be done with the program now. A reason is empty where the thing may be done.

@@ -5,8 +5,8 @@ import java.util.Deque;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
 import org.pendant.controller.Reply;
-import org.pendant.controller.machine.ProgramEvent;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.ProgramEvent;
 
 /** Tells the programs that the session has started from those that others have sent. */
 final class ProgramOrigin implements FrameListener {

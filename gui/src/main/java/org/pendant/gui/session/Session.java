@@ -12,12 +12,12 @@ import org.pendant.controller.Pace;
 import org.pendant.controller.Reply;
 import org.pendant.controller.WallClock.Lateness;
 import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.Program;
 import org.pendant.controller.recording.Recording;
 import org.pendant.controller.replay.Rerun;
 import org.pendant.controller.replay.RerunRefused;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.Program;
 import org.pendant.gui.fault.Faults;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.toolserial.ToolSerialLine;
@@ -85,7 +85,7 @@ public final class Session implements AutoCloseable {
   }
 
   /** Parses, checks and compiles a program; slow, so not for the dispatch thread. */
-  public Loaded load(Source source) {
+  public LoadResult load(Source source) {
     return driven.controller().load(source);
   }
 

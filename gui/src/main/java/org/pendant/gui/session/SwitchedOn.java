@@ -4,27 +4,27 @@ import java.util.concurrent.CancellationException;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.call.Builtins;
+import org.pendant.controller.function.Builtins;
 import org.pendant.controller.recording.RecordingRing;
 import org.pendant.controller.replay.Journal;
 import org.pendant.controller.replay.Rerun;
 import org.pendant.controller.replay.RerunRefused;
-import org.pendant.protocols.ScriptDoors;
-import org.pendant.protocols.reach.AllowedHosts;
+import org.pendant.protocols.ScriptConnectors;
+import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 
 /**
  * A controller that nobody drives yet.
  *
  * @param options it was made with
- * @param doors by which its programs reach other computers
+ * @param scriptConnectors by which its programs reach other computers
  * @param tool the serial line of its tool connector
  * @param journal the commands that it got so far
  * @param ring what it did so far
  */
 record SwitchedOn(
     ControllerOptions options,
-    ScriptDoors doors,
+    ScriptConnectors scriptConnectors,
     ToolSerialLine tool,
     Journal journal,
     RecordingRing ring)
@@ -62,19 +62,21 @@ record SwitchedOn(
 
   private static SwitchedOn with(ControllerOptions options, Builtins builtins, Begin begin)
       throws RerunRefused {
-    ScriptDoors doors = new ScriptDoors(AllowedHosts.ANY);
+    ScriptConnectors scriptConnectors = new ScriptConnectors(AllowedHosts.ANY);
     ToolSerialLine tool = new ToolSerialLine();
     boolean made = false;
     try {
       Controller controller =
-          new Controller(options.withOutside(doors.doors().withToolSerial(tool)), builtins);
+          new Controller(
+              options.withOutside(scriptConnectors.connectors().withToolSerial(tool)), builtins);
       RecordingRing ring = new RecordingRing(controller.state(), controller::programSource);
-      SwitchedOn on = new SwitchedOn(options, doors, tool, begin.of(controller, ring), ring);
+      SwitchedOn on =
+          new SwitchedOn(options, scriptConnectors, tool, begin.of(controller, ring), ring);
       made = true;
       return on;
     } finally {
       if (!made) {
-        doors.close();
+        scriptConnectors.close();
         tool.close();
       }
     }
@@ -87,7 +89,7 @@ record SwitchedOn(
   /** Closes the ways to the outside. */
   @Override
   public void close() {
-    doors.close();
+    scriptConnectors.close();
     tool.close();
   }
 }

@@ -1,9 +1,9 @@
 package org.pendant.gui.session;
 
 import java.util.Locale;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
+import org.pendant.controller.vm.ProgramState;
 
 /** Modes and states as people read them. */
 public final class Words {

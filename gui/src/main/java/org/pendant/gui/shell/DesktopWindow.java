@@ -19,16 +19,16 @@ import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.RecoveryFolder;
 import org.pendant.gui.session.Session;
 import org.pendant.gui.session.StartInstallation;
-import org.pendant.gui.shell.bar.Footer;
-import org.pendant.gui.shell.bar.Header;
-import org.pendant.gui.shell.bar.ProgramMenu;
-import org.pendant.gui.shell.bar.Rail;
-import org.pendant.gui.shell.bar.StatusLine;
+import org.pendant.gui.shell.chrome.Footer;
+import org.pendant.gui.shell.chrome.Header;
+import org.pendant.gui.shell.chrome.ProgramMenu;
+import org.pendant.gui.shell.chrome.Rail;
+import org.pendant.gui.shell.chrome.StatusLine;
 import org.pendant.gui.shell.dock.DockFrame;
 import org.pendant.gui.shell.dock.DockPlan;
-import org.pendant.gui.shell.look.Look;
 import org.pendant.gui.shell.prompt.PromptPanel;
 import org.pendant.gui.shell.start.StartPanel;
+import org.pendant.gui.shell.theme.Look;
 import org.pendant.gui.timeline.TimelineView;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
@@ -55,10 +55,10 @@ final class DesktopWindow {
   private final ShellWorkbench workbench;
   private final Views views;
   private final DockFrame docks;
-  private final Keeper keeper;
+  private final Autosave autosave;
   private final DiskWatch disk;
   private final OtherWindows others;
-  private final Leaving leaving;
+  private final CloseDialog closeDialog;
   private final PromptPanel prompts;
   private final StartPanel startPanel;
   private final StopNotice stopNotice;
@@ -129,11 +129,11 @@ final class DesktopWindow {
         new Header(
             new ProgramMenu(actions, programs, files::recent, files::open), this::chooseRobot);
     robot = new RobotChange(session, settings, notices, status::tell, header::showRobot);
-    keeper = new Keeper(programs, views.installation(), recovery, notices, this::warn);
+    autosave = new Autosave(programs, views.installation(), recovery, notices, this::warn);
     disk = new DiskWatch(programs, views.installation(), saves, notices, status::tell);
     others = new OtherWindows(programs, views.installation(), openFiles, notices, status::tell);
-    leaving =
-        new Leaving(
+    closeDialog =
+        new CloseDialog(
             programs,
             files,
             views.installation(),
@@ -141,7 +141,7 @@ final class DesktopWindow {
             saves,
             notices,
             this::dispose);
-    window = new WindowFrame(settings, leaving::ask);
+    window = new WindowFrame(settings, closeDialog::ask);
     addActions(programActions);
     footer = new Footer(session, actions, runner::send);
     prompts = new PromptPanel(docks.component(), actions, runner::send);
@@ -157,7 +157,7 @@ final class DesktopWindow {
     installationFiles.addActions(actions);
     actions.add(
         Action.of("file.recent", "Open a recent program\u2026", "control E", header::openPrograms));
-    actions.add(Action.of("file.quit", "Quit", "control Q", leaving::ask));
+    actions.add(Action.of("file.quit", "Quit", "control Q", closeDialog::ask));
     actions.add(Action.of("robot.restart", "Switch the controller off and on", "", robot::restart));
     actions.add(Action.of("robot.choose", "Choose another robot\u2026", "", header::openRobots));
     programActions.addSpeed();
@@ -243,7 +243,7 @@ final class DesktopWindow {
     docks.mainView().ifPresent(docks::show);
     refresh.start();
     keep.start();
-    keeper.offerLeftBehind();
+    autosave.offerLeftBehind();
     programs.addListener(others::look);
     others.look();
     installationFiles.offerBeside(programs);
@@ -305,7 +305,7 @@ final class DesktopWindow {
 
   /** What is done every few seconds: one part goes on when another has failed. */
   private void keep() {
-    Faults.guard(keeper::look);
+    Faults.guard(autosave::look);
     Faults.guard(disk::look);
     Faults.guard(others::look);
   }
@@ -319,7 +319,7 @@ final class DesktopWindow {
     keep.stop();
     typing.stop();
     // Whatever these throw, the window closes.
-    Faults.guard(keeper::end);
+    Faults.guard(autosave::end);
     Faults.guard(others::end);
     window.end();
     closed.run();

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import org.pendant.controller.disk.FileTrouble;
-import org.pendant.controller.packedxml.UnreadableFile;
+import org.pendant.controller.polyscope.xml.UnreadableFile;
 import org.pendant.controller.program.text.ProgramText;
 import org.pendant.controller.program.urp.ImportedProgram;
 import org.pendant.controller.program.urp.UrpPrograms;

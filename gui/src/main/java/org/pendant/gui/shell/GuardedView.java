@@ -11,9 +11,9 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.fault.Faults;
-import org.pendant.gui.shell.look.Glyph;
-import org.pendant.gui.shell.look.GlyphIcon;
-import org.pendant.gui.shell.look.WrappedText;
+import org.pendant.gui.shell.theme.Glyph;
+import org.pendant.gui.shell.theme.GlyphIcon;
+import org.pendant.gui.shell.theme.WrappedText;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.gui.workbench.View;
 

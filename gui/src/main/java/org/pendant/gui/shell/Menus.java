@@ -15,8 +15,8 @@ import javax.swing.KeyStroke;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import org.pendant.gui.layout.WrappingRow;
-import org.pendant.gui.shell.bar.ActionItem;
-import org.pendant.gui.shell.bar.ProgramMenu;
+import org.pendant.gui.shell.chrome.ActionItem;
+import org.pendant.gui.shell.chrome.ProgramMenu;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
 

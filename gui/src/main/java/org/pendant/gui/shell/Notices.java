@@ -23,10 +23,10 @@ import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.pendant.gui.layout.WrappingRow;
-import org.pendant.gui.shell.look.Card;
-import org.pendant.gui.shell.look.Glyph;
-import org.pendant.gui.shell.look.GlyphIcon;
-import org.pendant.gui.shell.look.WrappedText;
+import org.pendant.gui.shell.theme.Card;
+import org.pendant.gui.shell.theme.Glyph;
+import org.pendant.gui.shell.theme.GlyphIcon;
+import org.pendant.gui.shell.theme.WrappedText;
 import org.pendant.gui.workbench.Palette;
 
 /** Questions above the views that can wait: the window is used meanwhile. */

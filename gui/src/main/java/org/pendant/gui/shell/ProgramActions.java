@@ -8,7 +8,7 @@ import org.pendant.gui.session.ProgramControls;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.Readiness;
 import org.pendant.gui.session.Session;
-import org.pendant.gui.shell.bar.PaceChoice;
+import org.pendant.gui.shell.chrome.PaceChoice;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
 

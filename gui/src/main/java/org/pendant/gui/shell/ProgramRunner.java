@@ -10,9 +10,9 @@ import org.pendant.controller.Command;
 import org.pendant.controller.Reply;
 import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.program.ControlScript;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.debug.RunPlan;
 import org.pendant.gui.debug.RunScript;
 import org.pendant.gui.session.ProgramDocument;
@@ -21,10 +21,10 @@ import org.pendant.gui.session.Session;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
+import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.externalcontrol.Drivers;
 import org.pendant.protocols.externalcontrol.NoScript;
 import org.pendant.protocols.externalcontrol.ScriptRequest;
-import org.pendant.protocols.reach.AllowedHosts;
 
 /** Runs the current program, and has the controller do things; refusals are told. */
 final class ProgramRunner {
@@ -47,7 +47,7 @@ final class ProgramRunner {
   private record Running(ProgramDocument document, Source source) {}
 
   /** What became of a text that is to run. */
-  private record Compiled(RunScript script, Loaded loaded) {}
+  private record Compiled(RunScript script, LoadResult loadResult) {}
 
   /** Decides whether a program may start. */
   @FunctionalInterface
@@ -183,7 +183,7 @@ final class ProgramRunner {
             loading = false;
             return;
           }
-          start(document, compiled.script(), compiled.loaded(), then);
+          start(document, compiled.script(), compiled.loadResult(), then);
         },
         failed -> {
           asked = Optional.empty();
@@ -207,16 +207,17 @@ final class ProgramRunner {
     }
   }
 
-  private void start(ProgramDocument document, RunScript script, Loaded loaded, Runnable then) {
+  private void start(
+      ProgramDocument document, RunScript script, LoadResult loadResult, Runnable then) {
     loading = false;
     Source source = script.source();
     Optional<Diagnostic> error =
-        loaded.diagnostics().stream().filter(Diagnostic::isError).findFirst();
+        loadResult.diagnostics().stream().filter(Diagnostic::isError).findFirst();
     if (error.isPresent()) {
       int start = error.get().range().start();
       int runLine = source.line(start);
       int line = script.lines().toShown(runLine);
-      long count = loaded.diagnostics().stream().filter(Diagnostic::isError).count();
+      long count = loadResult.diagnostics().stream().filter(Diagnostic::isError).count();
       String others = count > 1 ? " (and " + (count - 1) + " more)" : "";
       tell.accept(
           document.name()
@@ -229,10 +230,10 @@ final class ProgramRunner {
       return;
     }
     running = Optional.of(new Running(document, source));
-    if (!loaded.program().orElseThrow().secondary()) {
+    if (!loadResult.program().orElseThrow().secondary()) {
       beforeRun.accept(document, script);
     }
-    tellRefusal(session.run(loaded.program().orElseThrow()));
+    tellRefusal(session.run(loadResult.program().orElseThrow()));
     then.run();
   }
 

@@ -2,7 +2,7 @@ package org.pendant.gui.shell;
 
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.program.TreeRuns;
 import org.pendant.gui.session.ProgramControls;
 import org.pendant.gui.session.Session;

@@ -35,7 +35,7 @@ import org.pendant.gui.scene.Theme;
 import org.pendant.gui.scene.Touching;
 import org.pendant.gui.scene.Trace;
 import org.pendant.gui.scene.TraceRing;
-import org.pendant.gui.scene.Waymarks;
+import org.pendant.gui.scene.WaypointMarkers;
 import org.pendant.gui.scene.view.SceneView;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.gui.workbench.View;
@@ -67,8 +67,8 @@ final class ScenePanel implements View, GhostArm {
   private final SceneBar bar;
   private final Timer moving = Faults.timer(MOVING_MS, this::follow);
   private Optional<Joints> ghostRad = Optional.empty();
-  private Waymarks waymarks = Waymarks.NONE;
-  private List<Waymarks.Mark> features = List.of();
+  private WaypointMarkers waypointMarkers = WaypointMarkers.NONE;
+  private List<WaypointMarkers.Mark> features = List.of();
   private Optional<Surroundings> surroundings = Optional.empty();
   private Optional<Seen> seen = Optional.empty();
   private long changedNs;
@@ -86,7 +86,7 @@ final class ScenePanel implements View, GhostArm {
       boolean frames,
       Trace trace,
       Theme theme,
-      Waymarks waymarks) {}
+      WaypointMarkers waypointMarkers) {}
 
   /**
    * The arm.
@@ -178,29 +178,29 @@ final class ScenePanel implements View, GhostArm {
   }
 
   /** Shows the places that a program goes to from now on. */
-  void show(Waymarks marks) {
-    waymarks = marks;
+  void show(WaypointMarkers marks) {
+    waypointMarkers = marks;
   }
 
   /** Shows the features of an installation that are finished. */
   void show(List<Feature> installed) {
-    List<Waymarks.Mark> marks = new ArrayList<>();
+    List<WaypointMarkers.Mark> marks = new ArrayList<>();
     for (Feature each : installed) {
       FeaturePoses.pose(each)
-          .ifPresent(pose -> marks.add(new Waymarks.Mark(each.name(), pose, false)));
+          .ifPresent(pose -> marks.add(new WaypointMarkers.Mark(each.name(), pose, false)));
     }
     features = List.copyOf(marks);
   }
 
   /** Ways go by the numbers of waypoints, so these come first. */
-  private Waymarks marks() {
-    Waymarks shown = shows.waypoints() ? waymarks : Waymarks.NONE;
+  private WaypointMarkers marks() {
+    WaypointMarkers shown = shows.waypoints() ? waypointMarkers : WaypointMarkers.NONE;
     if (!shows.features() || features.isEmpty()) {
       return shown;
     }
-    List<Waymarks.Mark> all = new ArrayList<>(shown.marks());
+    List<WaypointMarkers.Mark> all = new ArrayList<>(shown.marks());
     all.addAll(features);
-    return new Waymarks(all, shown.ways());
+    return new WaypointMarkers(all, shown.ways());
   }
 
   @Override
@@ -263,7 +263,7 @@ final class ScenePanel implements View, GhostArm {
         now.surroundings.touching.names(arm.kinematics(), now.positionRad, now.toolInFlange),
         now.trace,
         now.theme,
-        now.waymarks);
+        now.waypointMarkers);
   }
 
   private Surroundings surroundings(String id) {

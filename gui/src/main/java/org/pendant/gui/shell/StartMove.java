@@ -8,10 +8,10 @@ import java.util.stream.Collectors;
 import org.pendant.controller.Command;
 import org.pendant.controller.Reply;
 import org.pendant.controller.jog.JogMove;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.move.JogHold;
 import org.pendant.gui.session.Session;
 import org.pendant.gui.shell.start.StartArm;
@@ -78,9 +78,9 @@ final class StartMove implements StartArm {
     Source source = Source.of("move_to_start", script(goalRad));
     Background.run(
         () -> session.load(source),
-        loaded -> {
+        loadResult -> {
           if (is(begun)) {
-            run(begun, loaded.program().orElseThrow());
+            run(begun, loadResult.program().orElseThrow());
           }
         },
         failed -> end(begun, "The move cannot begin: " + failed.getMessage()));

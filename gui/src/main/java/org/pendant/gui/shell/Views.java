@@ -29,7 +29,7 @@ import org.pendant.gui.io.SignalLabels;
 import org.pendant.gui.log.LogView;
 import org.pendant.gui.move.MoveView;
 import org.pendant.gui.plot.PlotView;
-import org.pendant.gui.ports.DeskPorts;
+import org.pendant.gui.ports.DesktopPorts;
 import org.pendant.gui.ports.PortWishes;
 import org.pendant.gui.ports.PortsView;
 import org.pendant.gui.ports.StateFolder;
@@ -42,10 +42,10 @@ import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.Session;
 import org.pendant.gui.shell.dock.Side;
-import org.pendant.gui.shell.look.Glyph;
 import org.pendant.gui.shell.run.RunView;
 import org.pendant.gui.shell.start.StartChoice;
 import org.pendant.gui.shell.start.StartPlace;
+import org.pendant.gui.shell.theme.Glyph;
 import org.pendant.gui.workbench.View;
 import org.pendant.models.arm.ArmLibrary;
 
@@ -82,7 +82,8 @@ final class Views {
     tell = workbench::notify;
     ports =
         new PortsView(
-            workbench, new DeskPorts(session, StateFolder.of(System.getenv()).resolve("desktop")));
+            workbench,
+            new DesktopPorts(session, StateFolder.of(System.getenv()).resolve("desktop")));
     debug = new DebugPresenter(workbench, programs);
     link = new EditorLink(editor, debug, programs);
     runner.beforeEachRun(link::beforeRun);

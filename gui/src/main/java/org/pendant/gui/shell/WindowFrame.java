@@ -18,8 +18,8 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
-import org.pendant.gui.shell.look.Glyph;
-import org.pendant.gui.shell.look.GlyphIcon;
+import org.pendant.gui.shell.theme.Glyph;
+import org.pendant.gui.shell.theme.GlyphIcon;
 import org.pendant.gui.workbench.Settings;
 
 /** The frame around everything: its place on the screen, remembered, and its picture. */

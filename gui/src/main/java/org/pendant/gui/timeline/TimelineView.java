@@ -44,7 +44,7 @@ public final class TimelineView implements View {
 
   private final Workbench workbench;
   private final LookBack lookBack;
-  private final BranchDesk branch;
+  private final BranchControl branch;
   private final TimelineCanvas canvas;
   private final TrackWatch watch;
   private final CardLayout cards = new CardLayout();
@@ -66,7 +66,7 @@ public final class TimelineView implements View {
     this.workbench = workbench;
     this.lookBack = lookBack;
     branch =
-        new BranchDesk(
+        new BranchControl(
             lookBack,
             new SessionBranches(workbench.session()),
             EventQueue::invokeLater,
@@ -87,7 +87,7 @@ public final class TimelineView implements View {
     show();
   }
 
-  private record SessionBranches(Session session) implements BranchDesk.Branches {
+  private record SessionBranches(Session session) implements BranchControl.Branches {
     @Override
     public Optional<String> refusal(long frame) {
       return session.branchRefusal(frame);

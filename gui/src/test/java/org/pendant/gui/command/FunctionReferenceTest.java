@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.call.Builtins;
+import org.pendant.controller.function.Builtins;
 import org.pendant.language.signature.Signature;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;

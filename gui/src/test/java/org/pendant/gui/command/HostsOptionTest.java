@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.net.InetAddress;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.pendant.protocols.reach.AllowedHosts;
+import org.pendant.protocols.egress.AllowedHosts;
 
 final class HostsOptionTest {
   private static final InetAddress SOMEWHERE = InetAddress.ofLiteral("10.1.2.3");

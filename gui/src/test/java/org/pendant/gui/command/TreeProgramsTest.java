@@ -13,7 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.packedxml.PackedXml;
+import org.pendant.controller.polyscope.xml.PackedXml;
 import org.pendant.gui.session.FakeDriver;
 
 /** Program trees on the command line: run, check and convert. */

@@ -8,7 +8,7 @@ import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Reply;
-import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.editor.Execution;
 import org.pendant.gui.preview.PreviewWorkbench;
 import org.pendant.gui.session.ProgramDocument;

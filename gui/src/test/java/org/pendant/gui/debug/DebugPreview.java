@@ -11,7 +11,7 @@ import javax.swing.Timer;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.debug.Breakpoint;
-import org.pendant.controller.machine.Program;
+import org.pendant.controller.vm.Program;
 import org.pendant.gui.preview.PreviewLook;
 import org.pendant.gui.preview.PreviewWorkbench;
 import org.pendant.gui.session.ProgramDocument;

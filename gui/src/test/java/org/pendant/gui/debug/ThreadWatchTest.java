@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.machine.ProgramState;
-import org.pendant.controller.machine.ThreadSnapshot;
+import org.pendant.controller.vm.ProgramState;
+import org.pendant.controller.vm.ThreadSnapshot;
 import org.pendant.language.source.SourceRange;
 
 final class ThreadWatchTest {

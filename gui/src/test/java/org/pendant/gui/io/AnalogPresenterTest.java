@@ -14,7 +14,7 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
-import org.pendant.controller.machine.Program;
+import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
 
 final class AnalogPresenterTest {

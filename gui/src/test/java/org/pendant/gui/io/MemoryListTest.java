@@ -17,7 +17,7 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.io.Direction;
 import org.pendant.controller.io.RegisterKind;
-import org.pendant.controller.machine.Program;
+import org.pendant.controller.vm.Program;
 import org.pendant.gui.workbench.Settings;
 import org.pendant.language.source.Source;
 

@@ -4,11 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.external.ModbusAddress;
+import org.pendant.controller.external.ModbusExchange;
+import org.pendant.controller.external.ModbusKind;
 import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.modbus.ModbusSignalState;
-import org.pendant.controller.outside.ModbusAddress;
-import org.pendant.controller.outside.ModbusExchange;
-import org.pendant.controller.outside.ModbusKind;
 
 final class ModbusRowTest {
 

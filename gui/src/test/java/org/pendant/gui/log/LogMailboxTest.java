@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 final class LogMailboxTest {

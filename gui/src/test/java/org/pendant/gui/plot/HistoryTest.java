@@ -18,7 +18,7 @@ final class HistoryTest {
   @Test
   void everyFourthFrameIsASample() {
     arm.frames(40);
-    History history = new History(arm.tape);
+    History history = new History(arm.plotHistory);
     assertTrue(history.follow());
     Series series = history.of(TIME);
     assertEquals(10, series.end() - series.first());
@@ -29,7 +29,7 @@ final class HistoryTest {
   @Test
   void aQuantityThatIsAddedLaterHasItsPast() {
     arm.frames(40);
-    History history = new History(arm.tape);
+    History history = new History(arm.plotHistory);
     history.follow();
     history.track(TIME);
     arm.frames(40);
@@ -45,7 +45,7 @@ final class HistoryTest {
   @Test
   void anotherControllerBeginsAnotherHistory() {
     arm.frames(400);
-    History history = new History(arm.tape);
+    History history = new History(arm.plotHistory);
     history.track(TIME);
     history.follow();
     arm.restart();
@@ -58,7 +58,7 @@ final class HistoryTest {
   @Test
   void samplesAreFoundByTime() {
     arm.frames(40);
-    History history = new History(arm.tape);
+    History history = new History(arm.plotHistory);
     history.follow();
     Series series = history.of(TIME);
     assertEquals(series.first(), series.firstAtLeast(-1));
@@ -69,7 +69,7 @@ final class HistoryTest {
   @Test
   void aFileHasWhatTheWindowShows() throws IOException {
     arm.frames(40);
-    History history = new History(arm.tape);
+    History history = new History(arm.plotHistory);
     history.follow();
     history.track(TIME);
     StringBuilder text = new StringBuilder();
@@ -85,7 +85,7 @@ final class HistoryTest {
   void noPeakIsLostHoweverFewPixelsThereAre() {
     Quantity peak = new Quantity("p", "Test", "Peak", "Peak", "", s -> s.frame() == 1000 ? 7 : 0);
     arm.frames(2000);
-    History history = new History(arm.tape);
+    History history = new History(arm.plotHistory);
     history.follow();
     history.track(peak);
     Columns columns = new Columns();
@@ -100,7 +100,7 @@ final class HistoryTest {
 
   @Test
   void aScriptVariableHasASampleOfEveryFrame() {
-    History history = new History(arm.tape);
+    History history = new History(arm.plotHistory);
     history.track(COUNT);
     countUp();
     arm.frames(50);
@@ -130,7 +130,7 @@ final class HistoryTest {
   @Test
   void aVariableIsUnknownBeforeItWasTracedAndThereNoLineIsDrawn() {
     arm.frames(100);
-    History history = new History(arm.tape);
+    History history = new History(arm.plotHistory);
     history.track(COUNT);
     history.follow();
     countUp();
@@ -151,7 +151,7 @@ final class HistoryTest {
 
   @Test
   void aHeldFrameIsOneSample() {
-    History history = new History(arm.tape);
+    History history = new History(arm.plotHistory);
     history.track(TIME);
     countUp();
     arm.frames(43);
@@ -164,7 +164,7 @@ final class HistoryTest {
 
   @Test
   void aFileWithAVariableHasARowEachFrame() throws IOException {
-    History history = new History(arm.tape);
+    History history = new History(arm.plotHistory);
     history.track(COUNT);
     history.track(TIME);
     countUp();

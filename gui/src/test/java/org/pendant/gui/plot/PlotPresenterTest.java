@@ -29,7 +29,7 @@ final class PlotPresenterTest {
             remembered.put(name, text);
           }
         };
-    return new PlotPresenter(Quantities.standard(), new History(arm.tape), settings);
+    return new PlotPresenter(Quantities.standard(), new History(arm.plotHistory), settings);
   }
 
   private static List<String> ids(PlotPresenter presenter) {

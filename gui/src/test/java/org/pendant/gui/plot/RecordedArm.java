@@ -11,7 +11,7 @@ import org.pendant.language.source.Source;
 /** A controller whose frames go on a tape. */
 final class RecordedArm {
   private Controller controller = new Controller(ControllerOptions.headless());
-  final Tape tape = new Tape();
+  final PlotHistory plotHistory = new PlotHistory();
 
   void run(String program) {
     Source source = Source.of("test.script", program);
@@ -30,7 +30,7 @@ final class RecordedArm {
   void frames(int count) {
     for (int i = 0; i < count; i++) {
       controller.advance();
-      tape.frame(controller.state());
+      plotHistory.frame(controller.state());
     }
   }
 

@@ -23,13 +23,13 @@ final class PortsPresenterTest {
 
   private final Settings settings = new PreviewWorkbench().settings();
   private Session session;
-  private DeskPorts ports;
+  private DesktopPorts ports;
   private PortsPresenter presenter;
 
   @BeforeEach
   void start() {
     session = Session.start(ControllerOptions.headless());
-    ports = new DeskPorts(session, folder);
+    ports = new DesktopPorts(session, folder);
     presenter = new PortsPresenter(ports, settings, folder);
   }
 

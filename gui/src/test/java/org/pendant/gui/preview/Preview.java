@@ -9,7 +9,7 @@ import javax.swing.JFrame;
 import javax.swing.Timer;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.machine.Loaded;
+import org.pendant.controller.vm.LoadResult;
 import org.pendant.gui.io.IoView;
 import org.pendant.gui.io.SignalLabels;
 import org.pendant.gui.log.LogView;
@@ -36,8 +36,8 @@ public final class Preview {
 
   private static void start(Session session, Path file) throws IOException {
     Source source = Source.of(file.toString(), Files.readAllBytes(file));
-    Loaded loaded = session.controller().load(source);
-    var _ = session.submit(new Command.StartProgram(loaded.program().orElseThrow()));
+    LoadResult loadResult = session.controller().load(source);
+    var _ = session.submit(new Command.StartProgram(loadResult.program().orElseThrow()));
   }
 
   private static void open(String[] args, Session session) {

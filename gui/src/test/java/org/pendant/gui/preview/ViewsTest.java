@@ -28,7 +28,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.machine.Program;
+import org.pendant.controller.vm.Program;
 import org.pendant.gui.io.IoView;
 import org.pendant.gui.io.SignalLabels;
 import org.pendant.gui.log.LogView;

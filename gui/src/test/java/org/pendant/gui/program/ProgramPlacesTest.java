@@ -10,7 +10,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.program.ProgramTree;
-import org.pendant.gui.scene.Waymarks;
+import org.pendant.gui.scene.WaypointMarkers;
 
 final class ProgramPlacesTest {
   /** Keys: move 2, A 3, B 4, A 5. */
@@ -21,10 +21,12 @@ final class ProgramPlacesTest {
 
   @Test
   void eachPlaceIsMarkedOnceAndGoneToInOrder() {
-    Waymarks marks = ProgramPlaces.of(tree, Installation.NONE, Set.of(4L));
-    assertEquals(List.of("A", "B"), marks.marks().stream().map(Waymarks.Mark::name).toList());
+    WaypointMarkers marks = ProgramPlaces.of(tree, Installation.NONE, Set.of(4L));
+    assertEquals(
+        List.of("A", "B"), marks.marks().stream().map(WaypointMarkers.Mark::name).toList());
     assertEquals(List.of(List.of(0, 1, 0)), marks.ways());
-    assertEquals(List.of(false, true), marks.marks().stream().map(Waymarks.Mark::chosen).toList());
+    assertEquals(
+        List.of(false, true), marks.marks().stream().map(WaypointMarkers.Mark::chosen).toList());
   }
 
   @Test

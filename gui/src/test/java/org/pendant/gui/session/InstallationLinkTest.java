@@ -20,7 +20,7 @@ import org.pendant.controller.Pace;
 import org.pendant.controller.Reply;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.text.InstallationText;
-import org.pendant.controller.machine.Program;
+import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
 
 @Timeout(60)

@@ -22,12 +22,12 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
 import org.pendant.controller.Reply;
 import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.replay.RerunRefused;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 /** Going back to a frame and on from there, as people at a screen do. */

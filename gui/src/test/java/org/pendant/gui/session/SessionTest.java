@@ -14,10 +14,10 @@ import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
 import org.pendant.controller.Reply;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 @Timeout(60)

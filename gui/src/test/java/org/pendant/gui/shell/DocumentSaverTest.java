@@ -167,12 +167,12 @@ final class DocumentSaverTest {
   @Test
   void theWindowClosesAfterWhatIsBeingSavedIsOnDisk() throws Exception {
     List<String> left = new ArrayList<>();
-    Leaving leaving = leaving(left);
+    CloseDialog closeDialog = leaving(left);
     DispatchThread.run(
         () -> {
           document.setText("mine = 1\n");
           saver.save(document, saved::add);
-          leaving.ask();
+          closeDialog.ask();
           assertEquals(List.of(), left);
         });
     DispatchThread.await(() -> !left.isEmpty());
@@ -182,13 +182,13 @@ final class DocumentSaverTest {
   @Test
   void theWindowStaysWhenASaveFailsOnTheWayOut() throws Exception {
     List<String> left = new ArrayList<>();
-    Leaving leaving = leaving(left);
+    CloseDialog closeDialog = leaving(left);
     Files.write(file, new byte[] {1, 0, 2});
     DispatchThread.run(
         () -> {
           document.setText("mine = 1\n");
           saver.save(document, saved::add);
-          leaving.ask();
+          closeDialog.ask();
         });
     DispatchThread.await(() -> button(notices, "Quit without saving").isPresent());
     DispatchThread.await(() -> saved.equals(List.of(false)));
@@ -197,10 +197,10 @@ final class DocumentSaverTest {
   }
 
   /** Notes what is on disk when the window closes. */
-  private Leaving leaving(List<String> left) {
+  private CloseDialog leaving(List<String> left) {
     Programs programs = new Programs(document);
     ActiveInstallation installation = new ActiveInstallation();
-    return new Leaving(
+    return new CloseDialog(
         programs,
         new ProgramFiles(
             programs, saver, new NoSettings(), notices, told::add, warned::add, notices),

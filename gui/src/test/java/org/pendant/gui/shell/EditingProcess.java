@@ -40,7 +40,7 @@ final class EditingProcess {
   private final PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
   private final Programs programs;
   private final TreePrograms trees;
-  private final Keeper keeper;
+  private final Autosave autosave;
   private int edits;
 
   private EditingProcess(Path file, Path kept, long seed) throws IOException {
@@ -52,8 +52,8 @@ final class EditingProcess {
     ExecutorService worker =
         Executors.newSingleThreadExecutor(Thread.ofPlatform().daemon().factory());
     trees = new TreePrograms(programs, installation, worker, EventQueue::invokeLater);
-    keeper =
-        new Keeper(
+    autosave =
+        new Autosave(
             programs,
             installation,
             new RecoveryFolder(kept),
@@ -76,7 +76,7 @@ final class EditingProcess {
   }
 
   private void begin() {
-    new Timer(DesktopWindow.KEEP_MS, event -> keeper.look()).start();
+    new Timer(DesktopWindow.KEEP_MS, event -> autosave.look()).start();
     new Timer(EDIT_MS, event -> edit()).start();
   }
 

@@ -31,9 +31,9 @@ public record ArmShape(
     String id,
     Confidence status,
     Base base,
-    Knuckle shoulder,
+    JointHousing shoulder,
     Limb upperArm,
     Limb forearm,
-    Knuckle wrist1,
-    Knuckle wrist2,
-    Knuckle wrist3) {}
+    JointHousing wrist1,
+    JointHousing wrist2,
+    JointHousing wrist3) {}

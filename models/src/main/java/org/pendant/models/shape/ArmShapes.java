@@ -44,11 +44,11 @@ public final class ArmShapes {
     return new Base(base.number("heightM"), base.number("footRadiusM"), base.number("topRadiusM"));
   }
 
-  private static Knuckle knuckle(JsonObject knuckle) {
+  private static JointHousing knuckle(JsonObject knuckle) {
     double radiusM = knuckle.number("radiusM");
     double[] alongZ = knuckle.numbers("alongZM", 2);
     double[] alongY = knuckle.numbers("alongYM", 2);
-    return new Knuckle(
+    return new JointHousing(
         new Cylinder(radiusM, alongZ[0], alongZ[1]), new Cylinder(radiusM, alongY[0], alongY[1]));
   }
 

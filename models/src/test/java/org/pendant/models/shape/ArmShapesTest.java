@@ -45,9 +45,9 @@ class ArmShapesTest {
   void bodiesMeetTheirNeighboursAtTheJoints(String id) {
     ArmShape shape = ArmShapes.load(id);
     DhLengths dh = ArmLibrary.load(id).dh();
-    Knuckle shoulder = shape.shoulder();
-    Knuckle wrist1 = shape.wrist1();
-    Knuckle wrist2 = shape.wrist2();
+    JointHousing shoulder = shape.shoulder();
+    JointHousing wrist1 = shape.wrist1();
+    JointHousing wrist2 = shape.wrist2();
 
     // Along each joint's axis, from the near body to the far one. Where the next axis points along
     // negative y, the near body ends at its smallest y.

@@ -3,10 +3,10 @@ package org.pendant.protocols.dashboard;
 import java.io.IOException;
 import java.util.List;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.panel.Panel;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.Server;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.Server;
+import org.pendant.protocols.server.ServerContext;
+import org.pendant.protocols.teachpendant.RemotePendant;
 
 /** The dashboard server of a control box. */
 public final class DashboardServer implements Server {
@@ -22,17 +22,21 @@ public final class DashboardServer implements Server {
   /**
    * Begins to listen.
    *
-   * @param panel works the box for the clients
+   * @param remotePendant works the box for the clients
    * @throws IOException if the port cannot be had
    */
-  public static DashboardServer open(Outside outside, PortNumbers numbers, Panel panel)
+  public static DashboardServer open(
+      ServerContext serverContext, PortNumbers numbers, RemotePendant remotePendant)
       throws IOException {
-    DashboardDesk desk = new DashboardDesk(panel, outside.remote(), outside.log());
+    DashboardHandler dashboardHandler =
+        new DashboardHandler(remotePendant, serverContext.remote(), serverContext.log());
     TcpPort port =
         TcpPort.open(
             numbers.listening("Dashboard", STANDARD_PORT),
-            connection -> new DashboardSession(connection, desk, outside.remote().mayControl()),
-            outside.log());
+            connection ->
+                new DashboardSession(
+                    connection, dashboardHandler, serverContext.remote().mayControl()),
+            serverContext.log());
     return new DashboardServer(port);
   }
 

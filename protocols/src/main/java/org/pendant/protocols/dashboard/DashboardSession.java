@@ -17,7 +17,7 @@ final class DashboardSession implements Session {
           + " and reconnect to port 29999";
 
   private final Connection connection;
-  private final DashboardDesk desk;
+  private final DashboardHandler dashboardHandler;
   private final boolean mayControl;
   private final LineCutter lines = new LineCutter(LONGEST_LINE);
   private boolean left;
@@ -27,9 +27,9 @@ final class DashboardSession implements Session {
    *
    * @param mayControl whether it may do more than ask, as long as it stays connected
    */
-  DashboardSession(Connection connection, DashboardDesk desk, boolean mayControl) {
+  DashboardSession(Connection connection, DashboardHandler dashboardHandler, boolean mayControl) {
     this.connection = connection;
-    this.desk = desk;
+    this.dashboardHandler = dashboardHandler;
     this.mayControl = mayControl;
     send(GREETING);
   }
@@ -50,7 +50,7 @@ final class DashboardSession implements Session {
     } else if (request.get().word().acts() && !mayControl) {
       send(LOCAL);
     } else {
-      send(desk.answer(request.get()));
+      send(dashboardHandler.answer(request.get()));
       if (request.get().word() == Word.QUIT) {
         left = true;
         connection.closeAfterSending();

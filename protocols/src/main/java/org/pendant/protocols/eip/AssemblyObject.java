@@ -11,7 +11,7 @@ final class AssemblyObject implements CipObject {
   private static final int DATA = 3;
   private static final int SIZE = 4;
 
-  private final AssemblyDesk desk;
+  private final AssemblyHandler assemblyHandler;
   private final IntFunction<Optional<ByteBuffer>> received;
 
   /**
@@ -19,8 +19,8 @@ final class AssemblyObject implements CipObject {
    *
    * @param received what a scanner has last written to the built-in assembly
    */
-  AssemblyObject(AssemblyDesk desk, IntFunction<Optional<ByteBuffer>> received) {
-    this.desk = desk;
+  AssemblyObject(AssemblyHandler assemblyHandler, IntFunction<Optional<ByteBuffer>> received) {
+    this.assemblyHandler = assemblyHandler;
     this.received = received;
   }
 
@@ -31,7 +31,7 @@ final class AssemblyObject implements CipObject {
 
   @Override
   public int highestInstance() {
-    return desk.image().pairs().stream()
+    return assemblyHandler.image().pairs().stream()
         .mapToInt(pair -> Math.max(pair.toPlcId(), pair.fromPlcId()))
         .reduce(AssemblyPair.BUILT_IN_FROM_PLC, Math::max);
   }
@@ -45,8 +45,8 @@ final class AssemblyObject implements CipObject {
     if (instance == AssemblyPair.CONFIGURATION) {
       return OptionalInt.of(0);
     }
-    OptionalInt toScanner = desk.toScannerBytes(instance);
-    return toScanner.isPresent() ? toScanner : desk.fromScannerBytes(instance);
+    OptionalInt toScanner = assemblyHandler.toScannerBytes(instance);
+    return toScanner.isPresent() ? toScanner : assemblyHandler.fromScannerBytes(instance);
   }
 
   @Override
@@ -59,10 +59,11 @@ final class AssemblyObject implements CipObject {
   }
 
   private ByteBuffer data(int instance) {
-    if (desk.toScannerBytes(instance).isPresent()) {
-      return desk.toScanner(instance);
+    if (assemblyHandler.toScannerBytes(instance).isPresent()) {
+      return assemblyHandler.toScanner(instance);
     }
-    return desk.image()
+    return assemblyHandler
+        .image()
         .fromPlc(instance)
         .map(data -> ByteBuffer.wrap(data.toArray()))
         .or(() -> received.apply(instance))

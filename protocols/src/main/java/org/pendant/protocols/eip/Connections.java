@@ -30,7 +30,7 @@ final class Connections implements AutoCloseable {
   private static final int RUNNING = 6 << 4;
   private static final int ALL_IDLE = 7 << 4;
 
-  private final AssemblyDesk desk;
+  private final AssemblyHandler assemblyHandler;
   private final UdpPort io;
   private final PeerLog log;
   private final ReentrantLock lock = new ReentrantLock();
@@ -49,8 +49,8 @@ final class Connections implements AutoCloseable {
    *
    * @param io where packets come and go
    */
-  Connections(AssemblyDesk desk, UdpPort io, PeerLog log) {
-    this.desk = desk;
+  Connections(AssemblyHandler assemblyHandler, UdpPort io, PeerLog log) {
+    this.assemblyHandler = assemblyHandler;
     this.io = io;
     this.log = log;
     timer = new PeriodicTasks(Thread.ofPlatform().daemon().name("EtherNet/IP cyclic data"), log);
@@ -76,7 +76,7 @@ final class Connections implements AutoCloseable {
     CyclicConnection connection = reserve(request, scanner, fromScanner, toScanner);
     boolean mine = false;
     try {
-      mine = desk.claim(connection.owner(), fromScanner);
+      mine = assemblyHandler.claim(connection.owner(), fromScanner);
     } finally {
       if (!mine) {
         forget(connection);
@@ -210,7 +210,7 @@ final class Connections implements AutoCloseable {
   /** Only afterwards may somebody else write the assembly. */
   private void release(CyclicConnection connection) throws InterruptedException {
     try {
-      desk.release(connection.owner());
+      assemblyHandler.release(connection.owner());
     } finally {
       forget(connection);
     }
@@ -241,7 +241,7 @@ final class Connections implements AutoCloseable {
 
   private void produce(CyclicConnection connection) {
     // a snapshot is taken without the lock: it may have to work out where the arm is
-    ByteBuffer data = desk.toScanner(connection.toScanner());
+    ByteBuffer data = assemblyHandler.toScanner(connection.toScanner());
     lock.lock();
     try {
       if (cyclic.containsKey(connection.id())) {
@@ -272,7 +272,7 @@ final class Connections implements AutoCloseable {
   private void write(CyclicConnection connection, ByteBuffer data) {
     received.put(
         connection.fromScanner(), new LittleEndian().bytes(data).toBuffer().asReadOnlyBuffer());
-    desk.write(connection.owner(), connection.fromScanner(), data);
+    assemblyHandler.write(connection.owner(), connection.fromScanner(), data);
   }
 
   private void look() {
@@ -288,7 +288,7 @@ final class Connections implements AutoCloseable {
       for (CyclicConnection each : late) {
         remove(each);
         log.write(Level.WARNING, each.owner() + " timed out: what it has written stays");
-        desk.lost(each.owner());
+        assemblyHandler.lost(each.owner());
         releaseInBackground(each);
       }
     } finally {

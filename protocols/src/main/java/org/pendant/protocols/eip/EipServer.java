@@ -15,9 +15,9 @@ import org.pendant.protocols.eip.service.Configuration;
 import org.pendant.protocols.net.IdleLimits;
 import org.pendant.protocols.net.Listening;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.Server;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.Server;
+import org.pendant.protocols.server.ServerContext;
 
 /**
  * The EtherNet/IP adapter of a control box, with the service that configures its assemblies. Local
@@ -50,11 +50,12 @@ public final class EipServer implements Server {
    *
    * @throws IOException if one of the ports cannot be had
    */
-  public static EipServer open(Outside outside, PortNumbers numbers) throws IOException {
+  public static EipServer open(ServerContext serverContext, PortNumbers numbers)
+      throws IOException {
     boolean anyFree = numbers.listening("EtherNet/IP", STANDARD_PORT).port() == 0;
     for (int attempt = 1; ; attempt++) {
       try {
-        return openAll(outside, numbers);
+        return openAll(serverContext, numbers);
       } catch (BindException e) {
         // The number that TCP was lent may be taken for UDP; another will not be.
         if (!anyFree || attempt == ATTEMPTS) {
@@ -64,12 +65,14 @@ public final class EipServer implements Server {
     }
   }
 
-  private static EipServer openAll(Outside outside, PortNumbers numbers) throws IOException {
+  private static EipServer openAll(ServerContext serverContext, PortNumbers numbers)
+      throws IOException {
     UdpPort io =
         UdpPort.open(
-            numbers.listening("EtherNet/IP I/O", ConnectionDesk.STANDARD_IO_PORT), outside.log());
-    AssemblyDesk desk = new AssemblyDesk(outside.controller());
-    Connections connections = new Connections(desk, io, outside.log());
+            numbers.listening("EtherNet/IP I/O", ConnectionManager.STANDARD_IO_PORT),
+            serverContext.log());
+    AssemblyHandler assemblyHandler = new AssemblyHandler(serverContext.controller());
+    Connections connections = new Connections(assemblyHandler, io, serverContext.log());
     Listening listening = numbers.listening("EtherNet/IP", STANDARD_PORT);
     Supplier<ByteBuffer> identity =
         () ->
@@ -77,7 +80,7 @@ public final class EipServer implements Server {
                 new InetSocketAddress(
                     listening.host(), listening.port() == 0 ? STANDARD_PORT : listening.port()),
                 connections.status());
-    MessageRouter router = router(listening, desk, connections);
+    MessageRouter router = router(listening, assemblyHandler, connections);
     AtomicInteger sessions = new AtomicInteger();
     try {
       TcpPort messages =
@@ -86,9 +89,9 @@ public final class EipServer implements Server {
               connection ->
                   new EipSession(
                       connection, sessions.incrementAndGet(), router, connections, identity),
-              outside.log());
+              serverContext.log());
       try {
-        return complete(outside, numbers, io, connections, messages, identity);
+        return complete(serverContext, numbers, io, connections, messages, identity);
       } catch (IOException e) {
         messages.close();
         throw e;
@@ -101,32 +104,32 @@ public final class EipServer implements Server {
   }
 
   private static MessageRouter router(
-      Listening listening, AssemblyDesk desk, Connections connections) {
+      Listening listening, AssemblyHandler assemblyHandler, Connections connections) {
     Map<Integer, CipObject> objects =
         new HashMap<>(DeviceObjects.of(listening.host(), connections::status));
-    objects.put(DeviceObjects.ASSEMBLY, new AssemblyObject(desk, connections::received));
-    return new MessageRouter(objects, new ConnectionDesk(connections, desk));
+    objects.put(DeviceObjects.ASSEMBLY, new AssemblyObject(assemblyHandler, connections::received));
+    return new MessageRouter(objects, new ConnectionManager(connections, assemblyHandler));
   }
 
   private static EipServer complete(
-      Outside outside,
+      ServerContext serverContext,
       PortNumbers numbers,
       UdpPort io,
       Connections connections,
       TcpPort messages,
       Supplier<ByteBuffer> identity)
       throws IOException {
-    AssemblyDesk desk = new AssemblyDesk(outside.controller());
+    AssemblyHandler assemblyHandler = new AssemblyHandler(serverContext.controller());
     UdpPort discovery =
         UdpPort.open(
             new Listening("EtherNet/IP discovery", numbers.host(), messages.number()),
-            outside.log());
+            serverContext.log());
     try {
       Configuration configuration =
           new Configuration() {
             @Override
             public boolean add(AssemblyPair pair) throws InterruptedException {
-              return desk.configure(pair);
+              return assemblyHandler.configure(pair);
             }
 
             @Override
@@ -134,7 +137,7 @@ public final class EipServer implements Server {
               return connections.connected(fromScanner);
             }
           };
-      TcpPort service = AssemblyService.open(numbers, configuration, outside.log());
+      TcpPort service = AssemblyService.open(numbers, configuration, serverContext.log());
       io.receive(connections::datagram);
       Discovery answers = new Discovery(messages.number(), identity);
       discovery.receive(

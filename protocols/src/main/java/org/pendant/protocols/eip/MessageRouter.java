@@ -14,14 +14,14 @@ final class MessageRouter {
   private static final int EMBEDDING = 4;
 
   private final Map<Integer, CipObject> objects;
-  private final ConnectionDesk manager;
+  private final ConnectionManager manager;
 
   /**
    * A router.
    *
    * @param objects by the numbers of their classes
    */
-  MessageRouter(Map<Integer, CipObject> objects, ConnectionDesk manager) {
+  MessageRouter(Map<Integer, CipObject> objects, ConnectionManager manager) {
     this.objects = Map.copyOf(objects);
     this.manager = manager;
   }

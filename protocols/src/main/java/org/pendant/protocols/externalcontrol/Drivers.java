@@ -4,22 +4,22 @@ import java.util.Optional;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.program.ControlScript;
-import org.pendant.protocols.reach.AllowedHosts;
-import org.pendant.protocols.reach.Reach;
+import org.pendant.protocols.egress.AllowedHosts;
+import org.pendant.protocols.egress.HostPolicy;
 
 /**
  * Those who can be asked for the script of External Control nodes. Any thread.
  *
- * @param reach the way to them
+ * @param hostPolicy the way to them
  * @param chosen whom to ask whatever installations say
  */
-public record Drivers(Reach reach, Optional<ControlHost> chosen) {
+public record Drivers(HostPolicy hostPolicy, Optional<ControlHost> chosen) {
   /** None may be asked. */
   public static final Drivers NONE = new Drivers(AllowedHosts.parse("none"), Optional.empty());
 
   /** Those on {@code allowed} computers. */
   public Drivers(AllowedHosts allowed, Optional<ControlHost> chosen) {
-    this(new Reach(allowed), chosen);
+    this(new HostPolicy(allowed), chosen);
   }
 
   /** Whom programs in an installation ask. */
@@ -34,6 +34,6 @@ public record Drivers(Reach reach, Optional<ControlHost> chosen) {
    */
   public ScriptRequest ask(Installation installation, int nodes) {
     return ScriptRequest.begin(
-        reach, of(installation), ScriptRequest.largestBytes(nodes), Patience.STANDARD);
+        hostPolicy, of(installation), ScriptRequest.largestBytes(nodes), Patience.STANDARD);
   }
 }

@@ -15,8 +15,8 @@ import java.util.concurrent.TimeoutException;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.program.ControlScript;
 import org.pendant.controller.program.ExternalControl;
-import org.pendant.protocols.reach.HostNotAllowed;
-import org.pendant.protocols.reach.Reach;
+import org.pendant.protocols.egress.HostNotAllowed;
+import org.pendant.protocols.egress.HostPolicy;
 
 /**
  * One question to a driver for its script, in a thread of its own, so that whoever waits for the
@@ -34,21 +34,23 @@ public final class ScriptRequest {
 
   private static final int CHUNK_BYTES = 16 << 10;
 
-  private final Reach reach;
+  private final HostPolicy hostPolicy;
   private final ControlHost host;
   private final int largestBytes;
   private final Patience patience;
   private final FutureTask<ControlScript> task = new FutureTask<>(this::ask);
 
-  private ScriptRequest(Reach reach, ControlHost host, int largestBytes, Patience patience) {
-    this.reach = reach;
+  private ScriptRequest(
+      HostPolicy hostPolicy, ControlHost host, int largestBytes, Patience patience) {
+    this.hostPolicy = hostPolicy;
     this.host = host;
     this.largestBytes = largestBytes;
     this.patience = patience;
   }
 
-  static ScriptRequest begin(Reach reach, ControlHost host, int largestBytes, Patience patience) {
-    ScriptRequest request = new ScriptRequest(reach, host, largestBytes, patience);
+  static ScriptRequest begin(
+      HostPolicy hostPolicy, ControlHost host, int largestBytes, Patience patience) {
+    ScriptRequest request = new ScriptRequest(hostPolicy, host, largestBytes, patience);
     Thread.ofVirtual().name("script of " + host.text()).start(request.task);
     return request;
   }
@@ -115,7 +117,7 @@ public final class ScriptRequest {
 
   private Socket connected() throws NoScript {
     try {
-      return reach.connect(host.host(), host.port(), patience.connectMs());
+      return hostPolicy.connect(host.host(), host.port(), patience.connectMs());
     } catch (HostNotAllowed e) {
       throw none(host.text() + " is " + e.getMessage());
     } catch (UnknownHostException e) {

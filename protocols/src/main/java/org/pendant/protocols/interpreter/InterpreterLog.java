@@ -4,15 +4,15 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
-import org.pendant.controller.machine.InterpreterJournal;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.InterpreterJournal;
 import org.pendant.protocols.net.FaultGuard;
-import org.pendant.protocols.serve.Outside;
+import org.pendant.protocols.server.ServerContext;
 
 /** Keeps the log files up to date, in a thread of its own. */
 final class InterpreterLog implements AutoCloseable {
-  private final Outside outside;
+  private final ServerContext serverContext;
   private final InterpreterJournal journal;
   private final LogFiles files;
   private final Consumer<ControllerState> listener = this::look;
@@ -21,18 +21,18 @@ final class InterpreterLog implements AutoCloseable {
   private volatile long written;
   private boolean failed;
 
-  private InterpreterLog(Outside outside, Path folder) {
-    this.outside = outside;
-    journal = outside.controller().interpreterJournal();
+  private InterpreterLog(ServerContext serverContext, Path folder) {
+    this.serverContext = serverContext;
+    journal = serverContext.controller().interpreterJournal();
     files = new LogFiles(folder);
     written = journal.newest();
     thread = Thread.ofVirtual().name("interpreter log").unstarted(this::run);
   }
 
-  static InterpreterLog start(Outside outside, Path folder) {
-    InterpreterLog log = new InterpreterLog(outside, folder);
+  static InterpreterLog start(ServerContext serverContext, Path folder) {
+    InterpreterLog log = new InterpreterLog(serverContext, folder);
     log.thread.start();
-    outside.frames().add(log.listener);
+    serverContext.frames().add(log.listener);
     return log;
   }
 
@@ -43,7 +43,7 @@ final class InterpreterLog implements AutoCloseable {
   }
 
   private void run() {
-    FaultGuard guard = new FaultGuard("the interpreter log", outside.log());
+    FaultGuard guard = new FaultGuard("the interpreter log", serverContext.log());
     while (!closing) {
       guard.run(this::write);
       LockSupport.park(this);
@@ -55,7 +55,7 @@ final class InterpreterLog implements AutoCloseable {
     for (InterpreterJournal.Entry each : journal.since(written)) {
       if (each.number() > written + 1) {
         String missed = each.number() - written - 1 + " events were not written in time";
-        outside.log().write(Level.WARNING, "interpreter log: " + missed);
+        serverContext.log().write(Level.WARNING, "interpreter log: " + missed);
       }
       try {
         files.write(each.event());
@@ -71,14 +71,14 @@ final class InterpreterLog implements AutoCloseable {
   private void complain(IOException trouble) {
     if (!failed) {
       failed = true;
-      outside.log().write(Level.WARNING, "interpreter log: " + trouble);
+      serverContext.log().write(Level.WARNING, "interpreter log: " + trouble);
     }
   }
 
   /** Writes what is left and ends. */
   @Override
   public void close() {
-    outside.frames().remove(listener);
+    serverContext.frames().remove(listener);
     closing = true;
     LockSupport.unpark(thread);
     try {

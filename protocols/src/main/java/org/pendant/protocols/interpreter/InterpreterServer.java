@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.Server;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.Server;
+import org.pendant.protocols.server.ServerContext;
 
 /** The port of interpreter mode (manual 13). */
 public final class InterpreterServer implements Server {
@@ -27,16 +27,16 @@ public final class InterpreterServer implements Server {
    * @param logs folder for the log files; made when something is logged
    * @throws IOException if the port cannot be had
    */
-  public static InterpreterServer open(Outside outside, PortNumbers numbers, Path logs)
+  public static InterpreterServer open(ServerContext serverContext, PortNumbers numbers, Path logs)
       throws IOException {
     TcpPort port =
         TcpPort.open(
             numbers.listening("Interpreter", STANDARD_PORT),
             connection ->
                 new InterpreterSession(
-                    connection, outside.controller(), outside.remote().mayControl()),
-            outside.log());
-    return new InterpreterServer(port, InterpreterLog.start(outside, logs));
+                    connection, serverContext.controller(), serverContext.remote().mayControl()),
+            serverContext.log());
+    return new InterpreterServer(port, InterpreterLog.start(serverContext, logs));
   }
 
   @Override

@@ -7,9 +7,9 @@ import java.util.concurrent.locks.ReentrantReadWriteLock;
 import org.pendant.protocols.net.IdleLimits;
 import org.pendant.protocols.net.Listening;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.Server;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.Server;
+import org.pendant.protocols.server.ServerContext;
 
 /**
  * The Modbus server of a control box. Every request is answered from one snapshot; what is written
@@ -31,8 +31,9 @@ public final class ModbusServer implements Server {
    *
    * @throws IOException if the port cannot be had
    */
-  public static ModbusServer open(Outside outside, PortNumbers numbers) throws IOException {
-    return open(outside, numbers.listening("Modbus", STANDARD_PORT));
+  public static ModbusServer open(ServerContext serverContext, PortNumbers numbers)
+      throws IOException {
+    return open(serverContext, numbers.listening("Modbus", STANDARD_PORT));
   }
 
   /**
@@ -40,16 +41,19 @@ public final class ModbusServer implements Server {
    *
    * @throws IOException if the port cannot be had
    */
-  public static ModbusServer open(Outside outside, Listening listening) throws IOException {
+  public static ModbusServer open(ServerContext serverContext, Listening listening)
+      throws IOException {
     ReadWriteLock changing = new ReentrantReadWriteLock();
     return new ModbusServer(
         TcpPort.open(
             listening.with(IdleLimits.peerBegins()),
             connection -> {
-              SignalDesk desk = new SignalDesk(outside.controller(), connection.name());
-              return new ModbusSession(connection, new Answers(desk, changing), outside.log());
+              SignalHandler signalHandler =
+                  new SignalHandler(serverContext.controller(), connection.name());
+              return new ModbusSession(
+                  connection, new Answers(signalHandler, changing), serverContext.log());
             },
-            outside.log()));
+            serverContext.log()));
   }
 
   @Override

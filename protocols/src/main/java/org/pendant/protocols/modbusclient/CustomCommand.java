@@ -1,8 +1,8 @@
 package org.pendant.protocols.modbusclient;
 
 import java.util.Optional;
-import org.pendant.controller.outside.ModbusErrors;
-import org.pendant.controller.outside.Pending;
+import org.pendant.controller.external.ModbusErrors;
+import org.pendant.controller.external.Pending;
 import org.pendant.controller.value.NoneValue;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;

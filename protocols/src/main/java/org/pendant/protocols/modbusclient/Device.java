@@ -17,11 +17,11 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
-import org.pendant.controller.outside.ModbusAddress;
-import org.pendant.controller.outside.ModbusErrors;
-import org.pendant.controller.outside.ModbusExchange;
-import org.pendant.protocols.reach.HostNotAllowed;
-import org.pendant.protocols.reach.Reach;
+import org.pendant.controller.external.ModbusAddress;
+import org.pendant.controller.external.ModbusErrors;
+import org.pendant.controller.external.ModbusExchange;
+import org.pendant.protocols.egress.HostNotAllowed;
+import org.pendant.protocols.egress.HostPolicy;
 
 /**
  * A device and everything that is wanted of it. A thread of its own keeps a connection as long as
@@ -38,7 +38,7 @@ final class Device {
   private static final long LAST_WRITES_NS = TimeUnit.SECONDS.toNanos(2);
 
   private final ModbusAddress address;
-  private final Reach reach;
+  private final HostPolicy hostPolicy;
   private final Consumer<Device> afterwards;
   private final List<Point> points = new CopyOnWriteArrayList<>();
   private final List<CustomCommand> commands = new CopyOnWriteArrayList<>();
@@ -57,9 +57,9 @@ final class Device {
    *
    * @param afterwards told when nothing is wanted of it any more
    */
-  Device(ModbusAddress address, Reach reach, Consumer<Device> afterwards) {
+  Device(ModbusAddress address, HostPolicy hostPolicy, Consumer<Device> afterwards) {
     this.address = address;
-    this.reach = reach;
+    this.hostPolicy = hostPolicy;
     this.afterwards = afterwards;
     thread = Thread.ofVirtual().name("Modbus " + address).unstarted(this::run);
   }
@@ -195,7 +195,7 @@ final class Device {
   private void talk() {
     beginAnew();
     boolean before = oneByOne;
-    try (Socket socket = reach.connect(address.host(), address.port(), CONNECT_MS)) {
+    try (Socket socket = hostPolicy.connect(address.host(), address.port(), CONNECT_MS)) {
       new Conversation(this, socket).run();
     } catch (IOException e) {
       // on a new connection it does not mix up what it has not read yet

@@ -3,21 +3,21 @@ package org.pendant.protocols.modbusclient;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import org.pendant.controller.outside.ModbusAddress;
-import org.pendant.controller.outside.ModbusDoor;
-import org.pendant.controller.outside.ModbusExchange;
-import org.pendant.controller.outside.ModbusPoint;
-import org.pendant.controller.outside.Pending;
-import org.pendant.protocols.reach.Reach;
+import org.pendant.controller.external.ModbusAddress;
+import org.pendant.controller.external.ModbusConnector;
+import org.pendant.controller.external.ModbusExchange;
+import org.pendant.controller.external.ModbusPoint;
+import org.pendant.controller.external.Pending;
+import org.pendant.protocols.egress.HostPolicy;
 
 /** Speaks to the Modbus devices of one controller; signals at the same address share it. */
-public final class ModbusClients implements ModbusDoor, AutoCloseable {
-  private final Reach reach;
+public final class ModbusClients implements ModbusConnector, AutoCloseable {
+  private final HostPolicy hostPolicy;
   private final Map<ModbusAddress, Device> devices = new ConcurrentHashMap<>();
 
   /** Devices that are no farther than {@code reach}. */
-  public ModbusClients(Reach reach) {
-    this.reach = reach;
+  public ModbusClients(HostPolicy hostPolicy) {
+    this.hostPolicy = hostPolicy;
   }
 
   @Override
@@ -46,7 +46,7 @@ public final class ModbusClients implements ModbusDoor, AutoCloseable {
 
   private Device device(ModbusAddress address) {
     return devices.computeIfAbsent(
-        address, each -> new Device(each, reach, gone -> devices.remove(each, gone)));
+        address, each -> new Device(each, hostPolicy, gone -> devices.remove(each, gone)));
   }
 
   /** Ends all signals, and waits until what was set has been written, a few seconds at most. */

@@ -3,10 +3,10 @@ package org.pendant.protocols.modbusclient;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import org.pendant.controller.outside.ModbusErrors;
-import org.pendant.controller.outside.ModbusExchange;
-import org.pendant.controller.outside.ModbusPoint;
-import org.pendant.controller.outside.ModbusReading;
+import org.pendant.controller.external.ModbusErrors;
+import org.pendant.controller.external.ModbusExchange;
+import org.pendant.controller.external.ModbusPoint;
+import org.pendant.controller.external.ModbusReading;
 
 /**
  * One signal. The frame loop leaves wishes in volatile fields, the thread of the device leaves what

@@ -28,7 +28,7 @@ import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
-import org.pendant.controller.outside.ModbusExchange;
+import org.pendant.controller.external.ModbusExchange;
 
 /** A request to a device and how its answer is read. Pure: bytes in, bytes out. */
 final class Question {

@@ -5,15 +5,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.pendant.controller.machine.Ending;
-import org.pendant.controller.machine.ProgramEvent;
-import org.pendant.controller.machine.ScriptFailure;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.RobotBits;
+import org.pendant.controller.vm.Ending;
+import org.pendant.controller.vm.ProgramEvent;
+import org.pendant.controller.vm.ScriptFailure;
 import org.pendant.language.source.ByteText;
 import org.pendant.protocols.script.ScriptTrouble;
 

@@ -5,11 +5,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.Controller;
-import org.pendant.controller.machine.ProgramEvent;
-import org.pendant.controller.machine.ProgramLabel;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.variables.VariableSamples;
+import org.pendant.controller.vm.ProgramEvent;
+import org.pendant.controller.vm.ProgramLabel;
 import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.script.ScriptTrouble;
 

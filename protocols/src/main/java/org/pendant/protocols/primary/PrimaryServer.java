@@ -8,12 +8,12 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.net.Protocol;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.script.ScriptDesk;
-import org.pendant.protocols.serve.MissingPort;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.PortOpening;
-import org.pendant.protocols.serve.Server;
+import org.pendant.protocols.script.ScriptHandler;
+import org.pendant.protocols.server.MissingPort;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.PortOpening;
+import org.pendant.protocols.server.Server;
+import org.pendant.protocols.server.ServerContext;
 
 /** Ports 30001 and 30002, which take scripts, and their read-only twins 30011 and 30012. */
 public final class PrimaryServer implements Server {
@@ -26,15 +26,15 @@ public final class PrimaryServer implements Server {
   private static final int PRIMARY_READ_ONLY = 30011;
   private static final int SECONDARY_READ_ONLY = 30012;
 
-  private final Outside outside;
+  private final ServerContext serverContext;
   private final PrimaryFeed feed;
   private final Consumer<ControllerState> frames;
   private final List<TcpPort> writable = new ArrayList<>();
   private final List<TcpPort> readOnly = new ArrayList<>();
   private final PortOpening opening = new PortOpening();
 
-  private PrimaryServer(Outside outside, PrimaryFeed feed) {
-    this.outside = outside;
+  private PrimaryServer(ServerContext serverContext, PrimaryFeed feed) {
+    this.serverContext = serverContext;
     this.feed = feed;
     frames = feed::frame;
   }
@@ -42,18 +42,19 @@ public final class PrimaryServer implements Server {
   /**
    * Opens those of the four ports that can be had.
    *
-   * @param desk runs what clients send
+   * @param scriptHandler runs what clients send
    */
-  public static PrimaryServer open(Outside outside, PortNumbers numbers, ScriptDesk desk) {
-    PrimaryFeed feed = new PrimaryFeed(outside.controller());
-    PrimaryServer server = new PrimaryServer(outside, feed);
-    server.take(numbers, "Primary", PRIMARY, feed::addPrimary, desk);
-    server.take(numbers, "Secondary", SECONDARY, feed::addSecondary, desk);
+  public static PrimaryServer open(
+      ServerContext serverContext, PortNumbers numbers, ScriptHandler scriptHandler) {
+    PrimaryFeed feed = new PrimaryFeed(serverContext.controller());
+    PrimaryServer server = new PrimaryServer(serverContext, feed);
+    server.take(numbers, "Primary", PRIMARY, feed::addPrimary, scriptHandler);
+    server.take(numbers, "Secondary", SECONDARY, feed::addSecondary, scriptHandler);
     server.showOnly(numbers, "Primary read-only", PRIMARY_READ_ONLY, feed::addPrimary);
     server.showOnly(numbers, "Secondary read-only", SECONDARY_READ_ONLY, feed::addSecondary);
-    outside.frames().add(server.frames);
-    desk.onTrouble(feed::tell);
-    outside.remote().onLocal(() -> server.writable.forEach(TcpPort::disconnectAll));
+    serverContext.frames().add(server.frames);
+    scriptHandler.onTrouble(feed::tell);
+    serverContext.remote().onLocal(() -> server.writable.forEach(TcpPort::disconnectAll));
     return server;
   }
 
@@ -62,11 +63,11 @@ public final class PrimaryServer implements Server {
       String name,
       int number,
       Consumer<Connection> greeting,
-      ScriptDesk desk) {
+      ScriptHandler scriptHandler) {
     Protocol protocol =
         connection -> {
           greeting.accept(connection);
-          return desk.session(connection, () -> feed.remove(connection));
+          return scriptHandler.session(connection, () -> feed.remove(connection));
         };
     listen(numbers, name, number, protocol, writable);
   }
@@ -76,7 +77,7 @@ public final class PrimaryServer implements Server {
     Protocol protocol =
         connection -> {
           greeting.accept(connection);
-          return ScriptDesk.readOnly(() -> feed.remove(connection));
+          return ScriptHandler.readOnly(() -> feed.remove(connection));
         };
     listen(numbers, name, number, protocol, readOnly);
   }
@@ -85,7 +86,9 @@ public final class PrimaryServer implements Server {
       PortNumbers numbers, String name, int number, Protocol protocol, List<TcpPort> ports) {
     opening.attempt(
         number,
-        () -> ports.add(TcpPort.open(numbers.listening(name, number), protocol, outside.log())));
+        () ->
+            ports.add(
+                TcpPort.open(numbers.listening(name, number), protocol, serverContext.log())));
   }
 
   @Override
@@ -100,7 +103,7 @@ public final class PrimaryServer implements Server {
 
   @Override
   public void close() {
-    outside.frames().remove(frames);
+    serverContext.frames().remove(frames);
     Server.super.close();
   }
 }

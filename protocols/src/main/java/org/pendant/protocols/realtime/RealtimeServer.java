@@ -12,12 +12,12 @@ import org.pendant.protocols.net.Listening;
 import org.pendant.protocols.net.Protocol;
 import org.pendant.protocols.net.Session;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.script.ScriptDesk;
-import org.pendant.protocols.serve.MissingPort;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.PortOpening;
-import org.pendant.protocols.serve.Server;
+import org.pendant.protocols.script.ScriptHandler;
+import org.pendant.protocols.server.MissingPort;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.PortOpening;
+import org.pendant.protocols.server.Server;
+import org.pendant.protocols.server.ServerContext;
 
 /** Port 30003, which takes scripts, and its read-only twin 30013. */
 public final class RealtimeServer implements Server {
@@ -26,7 +26,7 @@ public final class RealtimeServer implements Server {
 
   private static final int REALTIME_READ_ONLY = 30013;
 
-  private final Outside outside;
+  private final ServerContext serverContext;
   private final RealtimeCodec codec = new RealtimeCodec();
   private final List<Connection> clients = new CopyOnWriteArrayList<>();
   private final Consumer<ControllerState> frames = this::send;
@@ -34,26 +34,27 @@ public final class RealtimeServer implements Server {
   private final List<TcpPort> readOnly = new ArrayList<>();
   private final PortOpening opening = new PortOpening();
 
-  private RealtimeServer(Outside outside) {
-    this.outside = outside;
+  private RealtimeServer(ServerContext serverContext) {
+    this.serverContext = serverContext;
   }
 
   /**
    * Opens those of the two ports that can be had.
    *
-   * @param desk runs what clients send
+   * @param scriptHandler runs what clients send
    */
-  public static RealtimeServer open(Outside outside, PortNumbers numbers, ScriptDesk desk) {
-    RealtimeServer server = new RealtimeServer(outside);
+  public static RealtimeServer open(
+      ServerContext serverContext, PortNumbers numbers, ScriptHandler scriptHandler) {
+    RealtimeServer server = new RealtimeServer(serverContext);
     server.listen(
-        numbers.listening("Realtime", REALTIME), REALTIME, desk::session, server.writable);
+        numbers.listening("Realtime", REALTIME), REALTIME, scriptHandler::session, server.writable);
     server.listen(
         numbers.listening("Realtime read-only", REALTIME_READ_ONLY),
         REALTIME_READ_ONLY,
-        (connection, left) -> ScriptDesk.readOnly(left),
+        (connection, left) -> ScriptHandler.readOnly(left),
         server.readOnly);
-    outside.frames().add(server.frames);
-    outside.remote().onLocal(() -> server.writable.forEach(TcpPort::disconnectAll));
+    serverContext.frames().add(server.frames);
+    serverContext.remote().onLocal(() -> server.writable.forEach(TcpPort::disconnectAll));
     return server;
   }
 
@@ -67,7 +68,8 @@ public final class RealtimeServer implements Server {
           clients.add(connection);
           return input.apply(connection, () -> clients.remove(connection));
         };
-    opening.attempt(number, () -> ports.add(TcpPort.open(listening, protocol, outside.log())));
+    opening.attempt(
+        number, () -> ports.add(TcpPort.open(listening, protocol, serverContext.log())));
   }
 
   private void send(ControllerState state) {
@@ -92,7 +94,7 @@ public final class RealtimeServer implements Server {
 
   @Override
   public void close() {
-    outside.frames().remove(frames);
+    serverContext.frames().remove(frames);
     Server.super.close();
   }
 }

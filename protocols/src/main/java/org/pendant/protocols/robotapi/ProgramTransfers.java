@@ -11,8 +11,8 @@ import org.pendant.protocols.http.HttpCall;
 import org.pendant.protocols.http.HttpReply;
 import org.pendant.protocols.http.HttpStatus;
 import org.pendant.protocols.http.LargeBodies;
-import org.pendant.protocols.panel.ProgramStore;
-import org.pendant.protocols.panel.StoreTrouble;
+import org.pendant.protocols.teachpendant.ProgramStore;
+import org.pendant.protocols.teachpendant.StoreTrouble;
 
 /** Takes programs of PolyScope X from clients, and gives them. Any thread. */
 final class ProgramTransfers {

@@ -8,7 +8,7 @@ import org.pendant.protocols.http.HttpCall;
 import org.pendant.protocols.http.HttpReply;
 import org.pendant.protocols.http.HttpService;
 import org.pendant.protocols.http.HttpStatus;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.server.RemoteControl;
 
 /** Finds out what a request asks for, and whether its sender may. */
 final class RobotApi implements HttpService {
@@ -17,12 +17,12 @@ final class RobotApi implements HttpService {
 
   private static final String FORBIDDEN = "Forbidden - Operation Not Allowed";
 
-  private final RobotApiDesk desk;
+  private final RobotApiHandler robotApiHandler;
   private final ProgramTransfers transfers;
   private final RemoteControl remote;
 
-  RobotApi(RobotApiDesk desk, ProgramTransfers transfers, RemoteControl remote) {
-    this.desk = desk;
+  RobotApi(RobotApiHandler robotApiHandler, ProgramTransfers transfers, RemoteControl remote) {
+    this.robotApiHandler = robotApiHandler;
     this.transfers = transfers;
     this.remote = remote;
   }
@@ -61,7 +61,7 @@ final class RobotApi implements HttpService {
       case UPLOAD -> transfers.add(call);
       case UPDATE -> transfers.replace(call);
       case DOWNLOAD -> transfers.give(wanted.nameIn(path));
-      default -> desk.answer(wanted, call.body());
+      default -> robotApiHandler.answer(wanted, call.body());
     };
   }
 

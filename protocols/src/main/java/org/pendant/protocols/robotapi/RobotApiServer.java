@@ -6,10 +6,10 @@ import java.util.List;
 import org.pendant.protocols.http.HttpSession;
 import org.pendant.protocols.net.IdleLimits;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.panel.Panel;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.Server;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.Server;
+import org.pendant.protocols.server.ServerContext;
+import org.pendant.protocols.teachpendant.RemotePendant;
 
 /** The Robot API of a control box with PolyScope X. */
 public final class RobotApiServer implements Server {
@@ -28,21 +28,22 @@ public final class RobotApiServer implements Server {
   /**
    * Begins to listen.
    *
-   * @param panel works the box for the clients
+   * @param remotePendant works the box for the clients
    * @throws IOException if the port cannot be had
    */
-  public static RobotApiServer open(Outside outside, PortNumbers numbers, Panel panel)
+  public static RobotApiServer open(
+      ServerContext serverContext, PortNumbers numbers, RemotePendant remotePendant)
       throws IOException {
     RobotApi api =
         new RobotApi(
-            new RobotApiDesk(panel, outside.remote()),
-            new ProgramTransfers(panel.store()),
-            outside.remote());
+            new RobotApiHandler(remotePendant, serverContext.remote()),
+            new ProgramTransfers(remotePendant.store()),
+            serverContext.remote());
     return new RobotApiServer(
         TcpPort.open(
             numbers.listening("Robot API", STANDARD_PORT).with(IdleLimits.of(IDLE)),
             connection -> new HttpSession(connection, api),
-            outside.log()));
+            serverContext.log()));
   }
 
   @Override

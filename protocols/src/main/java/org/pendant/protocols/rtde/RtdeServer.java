@@ -6,9 +6,9 @@ import java.util.concurrent.Semaphore;
 import org.pendant.protocols.net.IdleLimits;
 import org.pendant.protocols.net.Listening;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.Server;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.Server;
+import org.pendant.protocols.server.ServerContext;
 
 /**
  * The real-time data exchange of a control box. Local control does not keep clients from writing:
@@ -29,14 +29,15 @@ public final class RtdeServer implements Server {
    *
    * @throws IOException if the port cannot be had
    */
-  public static RtdeServer open(Outside outside, PortNumbers numbers) throws IOException {
+  public static RtdeServer open(ServerContext serverContext, PortNumbers numbers)
+      throws IOException {
     Listening listening = numbers.listening("RTDE", STANDARD_PORT).with(IdleLimits.peerBegins());
-    Semaphore inputRoom = new Semaphore(InputDesk.MOST_OF_ALL);
+    Semaphore inputRoom = new Semaphore(InputHandler.MOST_OF_ALL);
     return new RtdeServer(
         TcpPort.open(
             listening,
-            connection -> new RtdeSession(connection, outside, inputRoom),
-            outside.log()));
+            connection -> new RtdeSession(connection, serverContext, inputRoom),
+            serverContext.log()));
   }
 
   @Override

@@ -19,7 +19,7 @@ import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.ProtocolException;
 import org.pendant.protocols.net.Session;
-import org.pendant.protocols.serve.Outside;
+import org.pendant.protocols.server.ServerContext;
 
 /** One client. Requests are answered in their order; nothing comes unasked before a start. */
 final class RtdeSession implements Session {
@@ -35,23 +35,23 @@ final class RtdeSession implements Session {
   private final PeerLog log;
   private final PacketCutter cutter = new PacketCutter();
   private final DataFlow flow;
-  private final InputDesk inputs;
+  private final InputHandler inputs;
   private final Runnable leave;
   private int version = 1;
 
   /**
    * A client that has just connected.
    *
-   * @param inputRoom what all clients share, see {@link InputDesk}
+   * @param inputRoom what all clients share, see {@link InputHandler}
    */
-  RtdeSession(Connection connection, Outside outside, Semaphore inputRoom) {
+  RtdeSession(Connection connection, ServerContext serverContext, Semaphore inputRoom) {
     this.connection = connection;
-    log = outside.log();
+    log = serverContext.log();
     flow = new DataFlow(connection::stream);
-    inputs = new InputDesk(outside.controller(), connection.name(), inputRoom);
+    inputs = new InputHandler(serverContext.controller(), connection.name(), inputRoom);
     Consumer<ControllerState> frames = flow::frame;
-    outside.frames().add(frames);
-    leave = () -> outside.frames().remove(frames);
+    serverContext.frames().add(frames);
+    leave = () -> serverContext.frames().remove(frames);
   }
 
   @Override
@@ -174,7 +174,7 @@ final class RtdeSession implements Session {
     if (!inputs.hasRoom() && id == UNUSABLE) {
       tell(
           TextLevel.ERROR,
-          "a connection has " + InputDesk.MOST_RECIPES + " input recipes, which is the most");
+          "a connection has " + InputHandler.MOST_RECIPES + " input recipes, which is the most");
     }
   }
 

@@ -6,7 +6,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
-import org.pendant.controller.machine.Loaded;
+import org.pendant.controller.vm.LoadResult;
 import org.pendant.language.source.Source;
 
 /**
@@ -20,11 +20,11 @@ final class CompileLanes {
 
   private static final long IDLE_S = 10;
 
-  private final Function<Source, Loaded> compiler;
+  private final Function<Source, LoadResult> compiler;
   private final Executor shortLane = lane("short scripts");
   private final Executor longLane = lane("long scripts");
 
-  CompileLanes(Function<Source, Loaded> compiler) {
+  CompileLanes(Function<Source, LoadResult> compiler) {
     this.compiler = compiler;
   }
 
@@ -42,7 +42,7 @@ final class CompileLanes {
   }
 
   /** Waits until {@code source} is compiled. */
-  Loaded load(Source source) {
+  LoadResult load(Source source) {
     Executor lane = source.text().length() > LONG_TEXT ? longLane : shortLane;
     return CompletableFuture.supplyAsync(() -> compiler.apply(source), lane).join();
   }

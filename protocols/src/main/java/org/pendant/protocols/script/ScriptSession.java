@@ -11,7 +11,7 @@ import org.pendant.protocols.net.Session;
 /** What one client sends, item by item. */
 final class ScriptSession implements Session {
   private final Client client;
-  private final ScriptDesk desk;
+  private final ScriptHandler scriptHandler;
   private final PeerLog log;
   private final ScriptFramer framer;
 
@@ -27,9 +27,9 @@ final class ScriptSession implements Session {
     }
   }
 
-  ScriptSession(Client client, ScriptDesk desk, PeerLog log, ScriptFramer framer) {
+  ScriptSession(Client client, ScriptHandler scriptHandler, PeerLog log, ScriptFramer framer) {
     this.client = client;
-    this.desk = desk;
+    this.scriptHandler = scriptHandler;
     this.log = log;
     this.framer = framer;
   }
@@ -40,9 +40,9 @@ final class ScriptSession implements Session {
         item.isPresent();
         item = framer.next(bytes)) {
       if (client.mayControl()) {
-        desk.accept(item.get(), client.name());
+        scriptHandler.accept(item.get(), client.name());
       } else {
-        desk.refuse(client.name());
+        scriptHandler.refuse(client.name());
       }
     }
   }

@@ -10,14 +10,14 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
-import org.pendant.controller.outside.OutsideSocket;
-import org.pendant.controller.outside.ReceivedBytes;
+import org.pendant.controller.external.ExternalSocket;
+import org.pendant.controller.external.ReceivedBytes;
 
 /**
  * One TCP connection of a script. A thread connects and then receives, another one sends; the frame
  * loop only touches what lies between.
  */
-final class ScriptSocket implements OutsideSocket {
+final class ScriptSocket implements ExternalSocket {
   /** How long a connection may take; the script itself gives up earlier. */
   static final int CONNECT_MS = 10_000;
 

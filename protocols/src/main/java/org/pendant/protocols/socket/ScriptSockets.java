@@ -3,24 +3,25 @@ package org.pendant.protocols.socket;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import org.pendant.controller.outside.OutsideSocket;
-import org.pendant.controller.outside.SocketDoor;
-import org.pendant.protocols.reach.Reach;
+import org.pendant.controller.external.ExternalSocket;
+import org.pendant.controller.external.SocketConnector;
+import org.pendant.protocols.egress.HostPolicy;
 
 /** Opens the sockets of the scripts of one controller. */
-public final class ScriptSockets implements SocketDoor, AutoCloseable {
-  private final Reach reach;
+public final class ScriptSockets implements SocketConnector, AutoCloseable {
+  private final HostPolicy hostPolicy;
   private final Set<ScriptSocket> open = ConcurrentHashMap.newKeySet();
 
   /** Sockets that go no farther than {@code reach}. */
-  public ScriptSockets(Reach reach) {
-    this.reach = reach;
+  public ScriptSockets(HostPolicy hostPolicy) {
+    this.hostPolicy = hostPolicy;
   }
 
   @Override
-  public OutsideSocket open(String host, int port) {
+  public ExternalSocket open(String host, int port) {
     ScriptSocket socket =
-        new ScriptSocket(() -> reach.connect(host, port, ScriptSocket.CONNECT_MS), open::remove);
+        new ScriptSocket(
+            () -> hostPolicy.connect(host, port, ScriptSocket.CONNECT_MS), open::remove);
     open.add(socket);
     socket.begin();
     return socket;

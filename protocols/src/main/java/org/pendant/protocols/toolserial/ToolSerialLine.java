@@ -11,8 +11,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
+import org.pendant.controller.external.ToolSerialConnector;
 import org.pendant.controller.io.ToolCommunication;
-import org.pendant.controller.outside.ToolSerialDoor;
 
 /**
  * The serial line of one tool connector. It is a bus, as RS-485 is: what one on it sends, all
@@ -21,7 +21,7 @@ import org.pendant.controller.outside.ToolSerialDoor;
  *
  * <p>A thread of its own does everything with the device, in the order in which it was asked for.
  */
-public final class ToolSerialLine implements ToolSerialDoor, AutoCloseable {
+public final class ToolSerialLine implements ToolSerialConnector, AutoCloseable {
   /** Bytes that wait for the device before senders have to wait. */
   private static final int MOST_WAITING = 1 << 16;
 

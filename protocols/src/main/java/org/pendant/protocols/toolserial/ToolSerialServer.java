@@ -8,8 +8,8 @@ import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.Session;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.Server;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.Server;
 
 /** The tool's serial line as a TCP port: its clients are on the line, byte for byte. */
 public final class ToolSerialServer implements Server {

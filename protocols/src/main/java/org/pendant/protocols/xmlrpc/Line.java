@@ -8,7 +8,7 @@ import java.io.InputStream;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.util.Optional;
-import org.pendant.protocols.reach.Reach;
+import org.pendant.protocols.egress.HostPolicy;
 
 /**
  * A TCP connection to one server, made when it is needed and kept. One thread at a time uses it;
@@ -23,14 +23,14 @@ final class Line {
   /** How long a server may pause within an answer. Before it there is no limit (manual 8). */
   private static final int STALL_MS = 10_000;
 
-  private final Reach reach;
+  private final HostPolicy hostPolicy;
   private final String host;
   private final int port;
   private volatile Optional<Socket> socket = Optional.empty();
   private InputStream in = InputStream.nullInputStream();
 
-  Line(Reach reach, String host, int port) {
-    this.reach = reach;
+  Line(HostPolicy hostPolicy, String host, int port) {
+    this.hostPolicy = hostPolicy;
     this.host = host;
     this.port = port;
   }
@@ -42,7 +42,7 @@ final class Line {
   /** Connects, if it is not. */
   void connect() throws IOException {
     if (!connected()) {
-      Socket made = reach.connect(host, port, CONNECT_MS);
+      Socket made = hostPolicy.connect(host, port, CONNECT_MS);
       in = new BufferedInputStream(made.getInputStream());
       socket = Optional.of(made);
     }

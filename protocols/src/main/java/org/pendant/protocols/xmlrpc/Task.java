@@ -5,7 +5,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.function.Consumer;
-import org.pendant.controller.outside.Pending;
+import org.pendant.controller.external.Pending;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.value.Value;
 

@@ -24,19 +24,19 @@ import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.machine.Program;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.PowerTimes;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.state.StateFeed;
+import org.pendant.controller.state.StateStream;
+import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
-import org.pendant.protocols.panel.Panel;
-import org.pendant.protocols.panel.PanelSetup;
 import org.pendant.protocols.script.RunningBox;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
+import org.pendant.protocols.teachpendant.PendantSetup;
+import org.pendant.protocols.teachpendant.RemotePendant;
 
 class DashboardServerTest {
   private static final String LOCAL =
@@ -70,12 +70,12 @@ class DashboardServerTest {
                 .withPowerTimes(PowerTimes.ofTotal(0))
                 .withOperator(Operator.present()),
             remote);
-    Panel panel =
-        new Panel(
+    RemotePendant remotePendant =
+        new RemotePendant(
             box.controller(),
-            new PanelSetup(
+            new PendantSetup(
                 "ur10e", ProgramsFolder.at(folder.resolve("programs")), folder.resolve("logs")));
-    server = DashboardServer.open(box.outside(), PortNumbers.anyFree(), panel);
+    server = DashboardServer.open(box.serverContext(), PortNumbers.anyFree(), remotePendant);
     client = connect();
   }
 
@@ -265,7 +265,7 @@ class DashboardServerTest {
   }
 
   private void await(Predicate<ControllerState> condition) throws InterruptedException {
-    try (StateFeed.Follower frames = box.controller().feed().follow()) {
+    try (StateStream.Follower frames = box.controller().feed().follow()) {
       while (!condition.test(box.controller().state())) {
         var _ = frames.take();
       }

@@ -7,14 +7,14 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.ProgramState;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
-import org.pendant.protocols.ScriptDoors;
-import org.pendant.protocols.reach.AllowedHosts;
+import org.pendant.protocols.ScriptConnectors;
+import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.script.RunningBox;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
 
 /** The example of the manual: a program configures its assemblies and talks to a scanner. */
 class ConfiguredByScriptTest {
@@ -47,11 +47,12 @@ class ConfiguredByScriptTest {
 
   @Test
   void aProgramAndAScannerTalk() throws Exception {
-    try (ScriptDoors doors = new ScriptDoors(AllowedHosts.ANY);
+    try (ScriptConnectors scriptConnectors = new ScriptConnectors(AllowedHosts.ANY);
         RunningBox box =
             new RunningBox(
-                ControllerOptions.headless().withOutside(doors.doors()), RemoteControl.disabled());
-        EipServer server = EipServer.open(box.outside(), PortNumbers.anyFree())) {
+                ControllerOptions.headless().withOutside(scriptConnectors.connectors()),
+                RemoteControl.disabled());
+        EipServer server = EipServer.open(box.serverContext(), PortNumbers.anyFree())) {
       start(box, PROGRAM.replace("PORT", "" + server.ports().get(1).number()));
       try (EipClient client = EipClient.registered(server.ports().getFirst().number());
           Scanner scanner = new Scanner(client, 1)) {
@@ -70,11 +71,11 @@ class ConfiguredByScriptTest {
   }
 
   private static void start(RunningBox box, String program) throws Exception {
-    Loaded loaded =
+    LoadResult loadResult =
         box.controller()
             .load(Source.of("cnc.script", program.getBytes(StandardCharsets.ISO_8859_1)));
     box.controller()
-        .submit(new Command.StartProgram(loaded.program().orElseThrow()))
+        .submit(new Command.StartProgram(loadResult.program().orElseThrow()))
         .get(RunningBox.GIVE_UP_MS, TimeUnit.MILLISECONDS);
   }
 }

@@ -25,13 +25,13 @@ import org.pendant.controller.eip.AssemblyPair;
 import org.pendant.controller.installation.text.InstallationText;
 import org.pendant.controller.io.Direction;
 import org.pendant.controller.io.SignalWrite;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramState;
-import org.pendant.controller.state.StateFeed;
+import org.pendant.controller.state.StateStream;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.script.RunningBox;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
 
 class EipServerTest {
   private static final int RPI_US = 20_000;
@@ -44,7 +44,7 @@ class EipServerTest {
 
   @BeforeEach
   void open() throws IOException {
-    server = EipServer.open(box.outside(), PortNumbers.anyFree());
+    server = EipServer.open(box.serverContext(), PortNumbers.anyFree());
     port = server.ports().getFirst().number();
   }
 
@@ -181,7 +181,7 @@ class EipServerTest {
     assertInstanceOf(Reply.Done.class, ask(new Command.StartProgram(waits)));
     try (EipClient client = EipClient.registered(port);
         Scanner scanner = new Scanner(client, 1);
-        StateFeed.Follower frames = box.controller().feed().follow()) {
+        StateStream.Follower frames = box.controller().feed().follow()) {
       assertEquals(0, scanner.open(builtIn(scanner).replace("CDAB000005", "CDAB000000")));
       scanner.run(control(9));
       while (box.controller().state().program().state() != ProgramState.STOPPED) {

@@ -17,8 +17,8 @@ import org.junit.jupiter.api.Timeout;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.program.ControlScript;
-import org.pendant.protocols.reach.AllowedHosts;
-import org.pendant.protocols.reach.Reach;
+import org.pendant.protocols.egress.AllowedHosts;
+import org.pendant.protocols.egress.HostPolicy;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class ScriptRequestTest {
@@ -27,7 +27,7 @@ class ScriptRequestTest {
   /** So much that only what a test is about runs out. */
   private static final Patience LONG = new Patience(50_000, 50_000, 100, 50_000);
 
-  private static final Reach ANYWHERE = new Reach(AllowedHosts.ANY);
+  private static final HostPolicy ANYWHERE = new HostPolicy(AllowedHosts.ANY);
 
   private static ScriptRequest ask(ControlHost host, Patience patience) {
     return ScriptRequest.begin(ANYWHERE, host, 1000, patience);
@@ -194,8 +194,8 @@ class ScriptRequestTest {
 
   @Test
   void hostsThatAreNotAllowedAreNeitherAskedNorLookedUp() throws Exception {
-    Reach reach =
-        new Reach(
+    HostPolicy hostPolicy =
+        new HostPolicy(
             AllowedHosts.parse("10.0.0.0/8"),
             host -> {
               throw new IllegalStateException(host + " was looked up");
@@ -203,19 +203,19 @@ class ScriptRequestTest {
     try (FakeDriver driver = new FakeDriver(SCRIPT)) {
       assertEquals(
           "External Control: " + driver.host().text() + " is not among the allowed hosts",
-          refusal(ScriptRequest.begin(reach, driver.host(), 1000, LONG)));
+          refusal(ScriptRequest.begin(hostPolicy, driver.host(), 1000, LONG)));
       assertEquals(List.of(), driver.questions());
       assertEquals(
           "External Control: driver.example.invalid:50002 is not among the allowed hosts",
           refusal(
               ScriptRequest.begin(
-                  reach, new ControlHost("driver.example.invalid", 50002), 1000, LONG)));
+                  hostPolicy, new ControlHost("driver.example.invalid", 50002), 1000, LONG)));
     }
   }
 
   @Test
   void saysThatAHostIsNotKnown() {
-    Reach.Names nobody =
+    HostPolicy.Names nobody =
         host -> {
           throw new UnknownHostException(host);
         };
@@ -223,13 +223,16 @@ class ScriptRequestTest {
         "External Control: there is no host pc.local, which should send the script",
         refusal(
             ScriptRequest.begin(
-                new Reach(AllowedHosts.ANY, nobody), new ControlHost("pc.local", 50002), 1, LONG)));
+                new HostPolicy(AllowedHosts.ANY, nobody),
+                new ControlHost("pc.local", 50002),
+                1,
+                LONG)));
   }
 
   @Test
   void aLookUpWithoutEndIsGivenUp() throws Exception {
     CountDownLatch over = new CountDownLatch(1);
-    Reach.Names slow =
+    HostPolicy.Names slow =
         host -> {
           try {
             var _ = over.await(50, TimeUnit.SECONDS);
@@ -242,7 +245,7 @@ class ScriptRequestTest {
     String said =
         refusal(
             ScriptRequest.begin(
-                new Reach(AllowedHosts.ANY, slow),
+                new HostPolicy(AllowedHosts.ANY, slow),
                 new ControlHost("pc.local", 50002),
                 1,
                 patience));

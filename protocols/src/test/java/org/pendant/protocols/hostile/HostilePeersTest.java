@@ -37,15 +37,15 @@ import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.PortImage;
 import org.pendant.protocols.BoxPorts;
-import org.pendant.protocols.net.FrameFan;
 import org.pendant.protocols.net.PeerLog;
+import org.pendant.protocols.net.StateBroadcaster;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.panel.Panel;
-import org.pendant.protocols.panel.PanelSetup;
 import org.pendant.protocols.robotapi.RobotApiServer;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
+import org.pendant.protocols.server.ServerContext;
+import org.pendant.protocols.teachpendant.PendantSetup;
+import org.pendant.protocols.teachpendant.RemotePendant;
 
 class HostilePeersTest {
   private static final long SEED = 20_261_122;
@@ -69,7 +69,7 @@ class HostilePeersTest {
               faults.add(text);
             }
           });
-  private final FrameFan frames = new FrameFan(controller.feed(), log);
+  private final StateBroadcaster frames = new StateBroadcaster(controller.feed(), log);
   private FrameLoop loop;
   private BoxPorts ports;
 
@@ -80,11 +80,11 @@ class HostilePeersTest {
     loop = FrameLoop.start(controller, new WallClock());
     ports =
         BoxPorts.open(
-            new Outside(controller, frames, log, RemoteControl.disabled()),
+            new ServerContext(controller, frames, log, RemoteControl.disabled()),
             PortNumbers.anyFree().with(RobotApiServer.STANDARD_PORT, 0),
-            new Panel(
+            new RemotePendant(
                 controller,
-                new PanelSetup(
+                new PendantSetup(
                     ControllerOptions.DEFAULT_ROBOT, ProgramsFolder.at(folder), folder)));
   }
 

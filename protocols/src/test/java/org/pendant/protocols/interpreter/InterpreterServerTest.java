@@ -19,14 +19,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.state.StateFeed;
+import org.pendant.controller.state.StateStream;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.script.RunningBox;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
 
 class InterpreterServerTest {
   @TempDir Path folder;
@@ -43,7 +43,8 @@ class InterpreterServerTest {
 
   private void open(RemoteControl remote) throws IOException {
     box = new RunningBox(ControllerOptions.headless(), remote);
-    server = InterpreterServer.open(box.outside(), PortNumbers.anyFree(), folder.resolve("logs"));
+    server =
+        InterpreterServer.open(box.serverContext(), PortNumbers.anyFree(), folder.resolve("logs"));
     socket = new Socket(InetAddress.getLoopbackAddress(), server.ports().getFirst().number());
     socket.setSoTimeout(RunningBox.GIVE_UP_MS);
     answers =
@@ -70,7 +71,7 @@ class InterpreterServerTest {
   private void interpreting() throws Exception {
     start("def im():", "  interpreter_mode()", "  textmsg(\"left\")", "end");
     // the first line that is acknowledged and begun shows that the mode is active
-    try (StateFeed.Follower frames = box.controller().feed().follow()) {
+    try (StateStream.Follower frames = box.controller().feed().follow()) {
       var _ = frames.take();
       var _ = frames.take();
     }
@@ -97,7 +98,7 @@ class InterpreterServerTest {
   }
 
   private void awaitEnd() throws InterruptedException {
-    try (StateFeed.Follower frames = box.controller().feed().follow()) {
+    try (StateStream.Follower frames = box.controller().feed().follow()) {
       while (box.controller().state().program().state() != ProgramState.STOPPED) {
         var _ = frames.take();
       }
@@ -179,7 +180,7 @@ class InterpreterServerTest {
     interpreting();
     ask("movej([1.5, -1.57, -1.57, -1.57, 1.57, 0], a=0.1, v=0.1)");
     ask("end_interpreter()");
-    try (StateFeed.Follower frames = box.controller().feed().follow()) {
+    try (StateStream.Follower frames = box.controller().feed().follow()) {
       while (!box.controller().state().arm().moving()) {
         var _ = frames.take();
       }

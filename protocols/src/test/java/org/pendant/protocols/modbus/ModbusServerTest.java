@@ -19,11 +19,11 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.WallClock;
 import org.pendant.language.source.Source;
-import org.pendant.protocols.net.FrameFan;
 import org.pendant.protocols.net.PeerLog;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.net.StateBroadcaster;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
+import org.pendant.protocols.server.ServerContext;
 
 class ModbusServerTest {
   private static final int GIVE_UP_MS = 20_000;
@@ -31,7 +31,7 @@ class ModbusServerTest {
   private final Controller controller = new Controller(ControllerOptions.headless());
   private final BlockingQueue<String> logged = new LinkedBlockingQueue<>();
   private final PeerLog log = new PeerLog((level, text) -> logged.add(text));
-  private final FrameFan frames = new FrameFan(controller.feed(), log);
+  private final StateBroadcaster frames = new StateBroadcaster(controller.feed(), log);
   private FrameLoop loop;
   private ModbusServer server;
 
@@ -40,7 +40,8 @@ class ModbusServerTest {
     loop = FrameLoop.start(controller, new WallClock());
     server =
         ModbusServer.open(
-            new Outside(controller, frames, log, RemoteControl.disabled()), PortNumbers.anyFree());
+            new ServerContext(controller, frames, log, RemoteControl.disabled()),
+            PortNumbers.anyFree());
   }
 
   @AfterEach

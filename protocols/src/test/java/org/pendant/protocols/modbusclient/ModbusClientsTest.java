@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.pendant.protocols.Peer;
 import org.pendant.protocols.ScriptRun;
-import org.pendant.protocols.reach.AllowedHosts;
+import org.pendant.protocols.egress.AllowedHosts;
 
 @Timeout(60)
 class ModbusClientsTest {

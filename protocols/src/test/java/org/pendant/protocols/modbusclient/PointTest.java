@@ -5,19 +5,19 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.outside.ModbusAddress;
-import org.pendant.controller.outside.ModbusErrors;
-import org.pendant.controller.outside.ModbusExchange;
-import org.pendant.controller.outside.ModbusKind;
-import org.pendant.controller.outside.ModbusReading;
-import org.pendant.protocols.reach.AllowedHosts;
-import org.pendant.protocols.reach.Reach;
+import org.pendant.controller.external.ModbusAddress;
+import org.pendant.controller.external.ModbusErrors;
+import org.pendant.controller.external.ModbusExchange;
+import org.pendant.controller.external.ModbusKind;
+import org.pendant.controller.external.ModbusReading;
+import org.pendant.protocols.egress.AllowedHosts;
+import org.pendant.protocols.egress.HostPolicy;
 
 class PointTest {
   private static final long MS = 1_000_000;
 
   private final ModbusAddress address = new ModbusAddress("d", 502);
-  private final Device device = new Device(address, new Reach(AllowedHosts.ANY), gone -> {});
+  private final Device device = new Device(address, new HostPolicy(AllowedHosts.ANY), gone -> {});
   private final Point point =
       new Point(
           new ModbusExchange(address, 1, ModbusKind.REGISTER_OUTPUT, 0, 1, 0, 1, false), device);

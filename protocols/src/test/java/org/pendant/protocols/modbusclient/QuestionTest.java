@@ -15,9 +15,9 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.outside.ModbusAddress;
-import org.pendant.controller.outside.ModbusExchange;
-import org.pendant.controller.outside.ModbusKind;
+import org.pendant.controller.external.ModbusAddress;
+import org.pendant.controller.external.ModbusExchange;
+import org.pendant.controller.external.ModbusKind;
 
 class QuestionTest {
   private static final ModbusAddress DEVICE = new ModbusAddress("d", 502);

@@ -15,9 +15,9 @@ import org.pendant.controller.safety.RobotMode;
 import org.pendant.models.pose.Pose;
 import org.pendant.protocols.primary.PrimaryClient.Packet;
 import org.pendant.protocols.script.RunningBox;
-import org.pendant.protocols.script.ScriptDesk;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.script.ScriptHandler;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
 
 class PrimaryServerTest {
   private static final int PRIMARY = 0;
@@ -29,7 +29,8 @@ class PrimaryServerTest {
   private final RunningBox box =
       new RunningBox(ControllerOptions.headless().withOperator(Operator.present()), remote);
   private final PrimaryServer server =
-      PrimaryServer.open(box.outside(), PortNumbers.anyFree(), new ScriptDesk(box.outside()));
+      PrimaryServer.open(
+          box.serverContext(), PortNumbers.anyFree(), new ScriptHandler(box.serverContext()));
 
   private PrimaryClient client(int port) throws IOException {
     return new PrimaryClient(server.ports().get(port));

@@ -13,9 +13,9 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.protocols.script.RunningBox;
-import org.pendant.protocols.script.ScriptDesk;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.script.ScriptHandler;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
 
 class RealtimeServerTest {
   private static final int PROGRAM_STATE = 1052;
@@ -27,7 +27,8 @@ class RealtimeServerTest {
   private final RemoteControl remote = new RemoteControl(true, true);
   private final RunningBox box = new RunningBox(ControllerOptions.headless(), remote);
   private final RealtimeServer server =
-      RealtimeServer.open(box.outside(), PortNumbers.anyFree(), new ScriptDesk(box.outside()));
+      RealtimeServer.open(
+          box.serverContext(), PortNumbers.anyFree(), new ScriptHandler(box.serverContext()));
 
   private Socket connect(int port) throws IOException {
     Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.ports().get(port).number());

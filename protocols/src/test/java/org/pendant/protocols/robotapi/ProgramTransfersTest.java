@@ -23,12 +23,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.protocols.panel.Panel;
-import org.pendant.protocols.panel.PanelSetup;
-import org.pendant.protocols.panel.ProgramStore;
 import org.pendant.protocols.script.RunningBox;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
+import org.pendant.protocols.teachpendant.PendantSetup;
+import org.pendant.protocols.teachpendant.ProgramStore;
+import org.pendant.protocols.teachpendant.RemotePendant;
 
 /** Programs go to the box and come back, as UR's client library sends them. */
 class ProgramTransfersTest {
@@ -38,7 +38,7 @@ class ProgramTransfersTest {
       HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
   private Path folder;
   private RunningBox box;
-  private Panel panel;
+  private RemotePendant remotePendant;
   private RobotApiServer server;
 
   @BeforeEach
@@ -46,8 +46,10 @@ class ProgramTransfersTest {
     folder = Files.createDirectories(all.resolve("programs"));
     // nobody needs remote control to bring a program
     box = new RunningBox(ControllerOptions.headless(), new RemoteControl(true, false));
-    panel = new Panel(box.controller(), new PanelSetup("ur5e", ProgramsFolder.at(folder), all));
-    server = RobotApiServer.open(box.outside(), PortNumbers.anyFree(), panel);
+    remotePendant =
+        new RemotePendant(
+            box.controller(), new PendantSetup("ur5e", ProgramsFolder.at(folder), all));
+    server = RobotApiServer.open(box.serverContext(), PortNumbers.anyFree(), remotePendant);
   }
 
   @AfterEach
@@ -128,7 +130,13 @@ class ProgramTransfersTest {
     String name =
         new String("test caf\u00e9+".getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
     assertTrue(
-        panel.loadNamed(name).program().orElseThrow().source().text().contains("textmsg(1)"));
+        remotePendant
+            .loadNamed(name)
+            .program()
+            .orElseThrow()
+            .source()
+            .text()
+            .contains("textmsg(1)"));
   }
 
   @Test

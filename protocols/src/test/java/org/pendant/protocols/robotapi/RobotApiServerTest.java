@@ -22,16 +22,16 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.controller.machine.Program;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.PowerTimes;
 import org.pendant.controller.safety.SafetyInput;
+import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
-import org.pendant.protocols.panel.Panel;
-import org.pendant.protocols.panel.PanelSetup;
 import org.pendant.protocols.script.RunningBox;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
+import org.pendant.protocols.teachpendant.PendantSetup;
+import org.pendant.protocols.teachpendant.RemotePendant;
 
 class RobotApiServerTest {
   private static final String WAITING = "def waits():\n  while True:\n    sleep(1)\n  end\nend\n";
@@ -41,7 +41,7 @@ class RobotApiServerTest {
   private final HttpClient client =
       HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
   private RunningBox box;
-  private Panel panel;
+  private RemotePendant remotePendant;
   private RobotApiServer server;
 
   @BeforeEach
@@ -60,8 +60,10 @@ class RobotApiServerTest {
                 .withPowerTimes(PowerTimes.ofTotal(powerS))
                 .withOperator(Operator.present()),
             remote);
-    panel = new Panel(box.controller(), new PanelSetup("ur10e", ProgramsFolder.at(folder), folder));
-    server = RobotApiServer.open(box.outside(), PortNumbers.anyFree(), panel);
+    remotePendant =
+        new RemotePendant(
+            box.controller(), new PendantSetup("ur10e", ProgramsFolder.at(folder), folder));
+    server = RobotApiServer.open(box.serverContext(), PortNumbers.anyFree(), remotePendant);
   }
 
   @AfterEach
@@ -197,7 +199,7 @@ class RobotApiServerTest {
         "200 {\"name\":\"waits\",\"message\":\"the program is loaded\"}",
         put("/program/v1/loaded", "{\"name\":\"waits\"}"));
     assertEquals("200 {\"name\":\"waits\"}", get("/program/v1/loaded"));
-    assertEquals("/programs/waits.script", panel.loaded().orElseThrow().path());
+    assertEquals("/programs/waits.script", remotePendant.loaded().orElseThrow().path());
     assertProgram("STOPPED");
     for (List<String> step :
         List.of(
@@ -220,7 +222,7 @@ class RobotApiServerTest {
   @Test
   void theOldNameOfLoadingStillWorks() throws Exception {
     assertTrue(put("/program/v1/load", "{\"programName\":\"waits.script\"}").startsWith("200 "));
-    assertEquals("waits.script", panel.loaded().orElseThrow().name());
+    assertEquals("waits.script", remotePendant.loaded().orElseThrow().name());
   }
 
   @Test
@@ -236,7 +238,7 @@ class RobotApiServerTest {
         broken);
     String outside = put("/program/v1/loaded", "{\"name\":\"../waits\"}");
     assertTrue(outside.startsWith("404 "), outside);
-    assertTrue(panel.loaded().isEmpty());
+    assertTrue(remotePendant.loaded().isEmpty());
     assertTrue(program("play").startsWith("409 "));
   }
 

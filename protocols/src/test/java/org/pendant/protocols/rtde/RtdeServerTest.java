@@ -21,12 +21,12 @@ import org.pendant.controller.rtde.OutputField;
 import org.pendant.controller.rtde.OutputFields;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.SoftwareVersion;
-import org.pendant.controller.state.StateFeed;
-import org.pendant.protocols.net.FrameFan;
+import org.pendant.controller.state.StateStream;
 import org.pendant.protocols.net.PeerLog;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.PortNumbers;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.net.StateBroadcaster;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
+import org.pendant.protocols.server.ServerContext;
 
 class RtdeServerTest {
   private static final int MOST_FRAMES = 5000;
@@ -35,13 +35,14 @@ class RtdeServerTest {
   private final Controller controller = new Controller(ControllerOptions.headless());
   private final FrameLoop loop = FrameLoop.start(controller, new WallClock());
   private final PeerLog log = new PeerLog((level, text) -> logged.add(text));
-  private final FrameFan frames = new FrameFan(controller.feed(), log);
+  private final StateBroadcaster frames = new StateBroadcaster(controller.feed(), log);
   private final RtdeServer server = open();
 
   private RtdeServer open() {
     try {
       return RtdeServer.open(
-          new Outside(controller, frames, log, RemoteControl.disabled()), PortNumbers.anyFree());
+          new ServerContext(controller, frames, log, RemoteControl.disabled()),
+          PortNumbers.anyFree());
     } catch (IOException e) {
       throw new AssertionError(e);
     }
@@ -63,7 +64,7 @@ class RtdeServerTest {
   }
 
   private ControllerState await(Predicate<ControllerState> wanted) throws InterruptedException {
-    try (StateFeed.Follower follower = controller.feed().follow()) {
+    try (StateStream.Follower follower = controller.feed().follow()) {
       for (int i = 0; i < MOST_FRAMES; i++) {
         ControllerState state = follower.take();
         if (wanted.test(state)) {

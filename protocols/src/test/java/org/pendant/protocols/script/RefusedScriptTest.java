@@ -14,10 +14,10 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.debug.Breakpoint;
 import org.pendant.language.source.Source;
-import org.pendant.protocols.net.FrameFan;
 import org.pendant.protocols.net.PeerLog;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.net.StateBroadcaster;
+import org.pendant.protocols.server.RemoteControl;
+import org.pendant.protocols.server.ServerContext;
 
 /** Whatever a secondary program is refused for, its client is told. */
 class RefusedScriptTest {
@@ -33,10 +33,10 @@ class RefusedScriptTest {
     box.close();
   }
 
-  private String refusal(Outside outside) {
-    ScriptDesk desk = new ScriptDesk(outside);
-    desk.onTrouble(told::add);
-    desk.accept(SECONDARY, "client");
+  private String refusal(ServerContext serverContext) {
+    ScriptHandler scriptHandler = new ScriptHandler(serverContext);
+    scriptHandler.onTrouble(told::add);
+    scriptHandler.accept(SECONDARY, "client");
     return assertInstanceOf(ScriptTrouble.NotStarted.class, told.getFirst()).why();
   }
 
@@ -47,7 +47,7 @@ class RefusedScriptTest {
   @Test
   void byABoxThatIsShutDown() throws Exception {
     ask(new Command.ShutDown());
-    assertEquals("the controller has been shut down", refusal(box.outside()));
+    assertEquals("the controller has been shut down", refusal(box.serverContext()));
     assertEquals(
         "program beside of client was not started: the controller has been shut down",
         box.nextLogged());
@@ -58,7 +58,7 @@ class RefusedScriptTest {
     ask(new Command.Debug(debugger -> debugger.set(Breakpoint.at(2))));
     Source source = Source.of("p", "def p():\n  x = 1\n  sleep(9)\nend\n");
     ask(new Command.ReplaceProgram(box.controller().load(source).program().orElseThrow()));
-    assertEquals("a debugger holds program p", refusal(box.outside()));
+    assertEquals("a debugger holds program p", refusal(box.serverContext()));
     assertTrue(box.nextLogged().endsWith("a debugger holds program p"));
   }
 
@@ -70,9 +70,9 @@ class RefusedScriptTest {
     for (int i = 0; i < 1024; i++) {
       still.post(new Command.StopProgram());
     }
-    try (FrameFan frames = new FrameFan(still.feed(), log)) {
+    try (StateBroadcaster frames = new StateBroadcaster(still.feed(), log)) {
       assertTrue(
-          refusal(new Outside(still, frames, log, RemoteControl.disabled()))
+          refusal(new ServerContext(still, frames, log, RemoteControl.disabled()))
               .startsWith("more than 1024 commands in a frame"));
     }
     assertEquals(1, logged.size());

@@ -7,10 +7,10 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.WallClock;
-import org.pendant.protocols.net.FrameFan;
 import org.pendant.protocols.net.PeerLog;
-import org.pendant.protocols.serve.Outside;
-import org.pendant.protocols.serve.RemoteControl;
+import org.pendant.protocols.net.StateBroadcaster;
+import org.pendant.protocols.server.RemoteControl;
+import org.pendant.protocols.server.ServerContext;
 
 /** A controller whose frames go by, for servers that are tested over real sockets. */
 public final class RunningBox implements AutoCloseable {
@@ -19,22 +19,22 @@ public final class RunningBox implements AutoCloseable {
 
   private final Controller controller;
   private final FrameLoop loop;
-  private final FrameFan frames;
+  private final StateBroadcaster frames;
   private final BlockingQueue<String> logged = new LinkedBlockingQueue<>();
-  private final Outside outside;
+  private final ServerContext serverContext;
 
   /** A box that may be controlled from outside or not. */
   public RunningBox(ControllerOptions options, RemoteControl remote) {
     controller = new Controller(options);
     PeerLog log = new PeerLog((level, text) -> logged.add(text));
-    frames = new FrameFan(controller.feed(), log);
-    outside = new Outside(controller, frames, log, remote);
+    frames = new StateBroadcaster(controller.feed(), log);
+    serverContext = new ServerContext(controller, frames, log, remote);
     loop = FrameLoop.start(controller, new WallClock());
   }
 
   /** What servers get. */
-  public Outside outside() {
-    return outside;
+  public ServerContext serverContext() {
+    return serverContext;
   }
 
   public Controller controller() {

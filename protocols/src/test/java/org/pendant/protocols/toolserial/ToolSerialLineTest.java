@@ -19,9 +19,9 @@ import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.pendant.controller.external.ToolSerialConnector;
 import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.io.ToolCommunication.Parity;
-import org.pendant.controller.outside.ToolSerialDoor;
 
 @Timeout(30)
 class ToolSerialLineTest {
@@ -60,7 +60,7 @@ class ToolSerialLineTest {
   }
 
   private static void setUp(ToolSerialLine line, ToolCommunication wanted) {
-    ToolSerialDoor.SetUp setUp = line.setUp(wanted);
+    ToolSerialConnector.SetUp setUp = line.setUp(wanted);
     while (!setUp.over()) {
       Thread.onSpinWait();
     }
@@ -71,8 +71,8 @@ class ToolSerialLineTest {
   }
 
   /** The next thing that the line has to say. */
-  private static ToolSerialDoor.News news(ToolSerialLine line) {
-    List<ToolSerialDoor.News> news = line.takeNews();
+  private static ToolSerialConnector.News news(ToolSerialLine line) {
+    List<ToolSerialConnector.News> news = line.takeNews();
     while (news.isEmpty()) {
       LockSupport.parkNanos(1_000_000);
       news = line.takeNews();
@@ -81,7 +81,7 @@ class ToolSerialLineTest {
   }
 
   private static void assertTrouble(ToolSerialLine line, String text) {
-    assertEquals(new ToolSerialDoor.News(true, "tool communication: " + text), news(line));
+    assertEquals(new ToolSerialConnector.News(true, "tool communication: " + text), news(line));
   }
 
   @Test
@@ -146,7 +146,7 @@ class ToolSerialLineTest {
       assertTrouble(other, cable.box() + " is used by another program, or is no serial device");
       turnOff(line);
       assertEquals(
-          new ToolSerialDoor.News(false, "tool communication: the serial device is there now"),
+          new ToolSerialConnector.News(false, "tool communication: the serial device is there now"),
           news(other));
     }
   }

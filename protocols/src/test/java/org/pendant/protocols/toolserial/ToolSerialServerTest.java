@@ -12,10 +12,10 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.WallClock;
-import org.pendant.controller.outside.Doors;
+import org.pendant.controller.external.Connectors;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.net.PeerLog;
-import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.server.PortNumbers;
 
 class ToolSerialServerTest {
   private static final int GIVE_UP_MS = 20_000;
@@ -27,7 +27,8 @@ class ToolSerialServerTest {
             ToolSerialServer.open(line, PortNumbers.anyFree(), new PeerLog((level, text) -> {}))) {
       int port = server.ports().getFirst().number();
       Controller controller =
-          new Controller(ControllerOptions.headless().withOutside(Doors.NONE.withToolSerial(line)));
+          new Controller(
+              ControllerOptions.headless().withOutside(Connectors.NONE.withToolSerial(line)));
       try (FrameLoop loop = FrameLoop.start(controller, new WallClock());
           Socket tool = connect(port);
           Socket master = connect(port)) {

@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.pendant.controller.outside.Pending;
-import org.pendant.controller.outside.RpcLink;
+import org.pendant.controller.external.Pending;
+import org.pendant.controller.external.RpcLink;
 import org.pendant.controller.value.ScriptError;
 
 /** Whatever a server answers, it is a value or an error of the script. */

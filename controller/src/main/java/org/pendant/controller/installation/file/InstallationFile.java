@@ -12,7 +12,7 @@ import org.pendant.controller.installation.text.InstallationText;
 import org.pendant.controller.installation.text.ReadInstallation;
 import org.pendant.controller.installation.urp.ImportedInstallation;
 import org.pendant.controller.installation.urp.UrInstallations;
-import org.pendant.controller.packedxml.UnreadableFile;
+import org.pendant.controller.polyscope.xml.UnreadableFile;
 import org.pendant.controller.program.text.TextProblem;
 
 /** Reads installations by the endings of their names. */

@@ -3,7 +3,7 @@ package org.pendant.controller.installation.urp;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.installation.ControlHost;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.XmlElement;
 
 /**
  * Takes what is known of URCaps out of what they keep in an installation: pairs of key and value

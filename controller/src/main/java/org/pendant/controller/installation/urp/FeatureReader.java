@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.XmlElement;
 import org.pendant.models.pose.Pose;
 
 /** Takes features out of the element that holds them. */

@@ -10,7 +10,7 @@ import org.pendant.controller.installation.BaseMounting;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.NamedPayload;
 import org.pendant.controller.installation.NamedTool;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.XmlElement;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;

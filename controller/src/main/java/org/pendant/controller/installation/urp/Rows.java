@@ -3,7 +3,7 @@ package org.pendant.controller.installation.urp;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.XmlElement;
 
 /** Values that stand in one attribute with commas between. */
 final class Rows {

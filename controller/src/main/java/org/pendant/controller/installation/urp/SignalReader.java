@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.pendant.controller.external.ModbusKind;
 import org.pendant.controller.installation.ModbusSetup;
 import org.pendant.controller.installation.SignalUse;
 import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
-import org.pendant.controller.outside.ModbusKind;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.XmlElement;
 
 /** Takes names and actions of signals, and signals of Modbus devices, out of the element IOs. */
 final class SignalReader {

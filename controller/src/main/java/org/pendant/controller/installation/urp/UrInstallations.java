@@ -4,9 +4,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.installation.InstallationVariable;
-import org.pendant.controller.packedxml.PackedXml;
-import org.pendant.controller.packedxml.UnreadableFile;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.PackedXml;
+import org.pendant.controller.polyscope.xml.UnreadableFile;
+import org.pendant.controller.polyscope.xml.XmlElement;
 
 /**
  * Reads installations and the values of their variables. Their form is not published; what is known

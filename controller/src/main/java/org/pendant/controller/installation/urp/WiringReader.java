@@ -11,7 +11,7 @@ import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.io.ToolCommunication.Parity;
 import org.pendant.controller.io.ToolOutputMode;
 import org.pendant.controller.io.ToolPinMode;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.XmlElement;
 
 /** Takes the domains of analog signals and the tool connector out of the elements about them. */
 final class WiringReader {

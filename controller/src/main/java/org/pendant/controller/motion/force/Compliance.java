@@ -59,14 +59,14 @@ final class Compliance {
       TaskAxes axes,
       double[] felt6,
       double[] pathTwist6,
-      Carried carried,
+      ComplianceOffset complianceOffset,
       double[] twist6,
       double[] next6) {
     Arrays.fill(next6, 0);
     if (!axes.known()) {
       return;
     }
-    carried.measure(axes, deviation);
+    complianceOffset.measure(axes, deviation);
     for (int i = 0; i < ForceTask.AXES; i++) {
       int from = i < 3 ? 0 : 3;
       ForceAxis axis = task.axes().get(i);

@@ -41,9 +41,9 @@ public final class ForceMode implements PathOffset {
   private final TaskAxes axes = new TaskAxes();
   private final FeltWrench felt;
   private final Compliance compliance = new Compliance();
-  private final GivingWay givingWay;
+  private final ComplianceLimiter complianceLimiter;
   private final DeviationWatch deviations;
-  private final Carried carried = new Carried();
+  private final ComplianceOffset complianceOffset = new ComplianceOffset();
   private final double[] onPath12 = new double[Transforms.SIZE];
   private final double[] tool12 = new double[Transforms.SIZE];
   private final double[] pathTwist = new double[N];
@@ -78,8 +78,9 @@ public final class ForceMode implements PathOffset {
   public ForceMode(Setup setup) {
     motion = setup.motion();
     felt = new FeltWrench(setup.pushed(), setup.flangeWrenchInBase());
-    givingWay =
-        new GivingWay(setup.arm(), setup.speeds(), setup.limits(), setup.pushed().sensors());
+    complianceLimiter =
+        new ComplianceLimiter(
+            setup.arm(), setup.speeds(), setup.limits(), setup.pushed().sensors());
     deviations = new DeviationWatch(setup.arm());
     Transforms.of(tcpInFlange, tool12);
     motion.addOffset(this);
@@ -140,7 +141,7 @@ public final class ForceMode implements PathOffset {
   }
 
   private void forget() {
-    carried.clear();
+    complianceOffset.clear();
     pathKnown = false;
   }
 
@@ -245,7 +246,7 @@ public final class ForceMode implements PathOffset {
       double z = onPath12[11];
       Transforms.of(inFlange, tool12);
       Transforms.multiply(flange, tool12, onPath12);
-      carried.movePoint(onPath12[9] - x, onPath12[10] - y, onPath12[11] - z);
+      complianceOffset.movePoint(onPath12[9] - x, onPath12[10] - y, onPath12[11] - z);
     }
     Transforms.of(inFlange, tool12);
     tcpInFlange = inFlange;
@@ -281,19 +282,19 @@ public final class ForceMode implements PathOffset {
   @Override
   public void apply(double[] tcpInBase) {
     seePath(tcpInBase);
-    carried.apply(tcpInBase);
+    complianceOffset.apply(tcpInBase);
     axes.update(tcpInBase, pathTwist);
     felt.feel(tcpInFlange);
     if (givesWay()) {
-      compliance.step(task, axes, felt.ahead(), pathTwist, carried, twist, next);
+      compliance.step(task, axes, felt.ahead(), pathTwist, complianceOffset, twist, next);
     } else {
       Arrays.fill(next, 0);
     }
-    givingWay.limit(motion, tcpInFlange, pathTwist, twist, next);
+    complianceLimiter.limit(motion, tcpInFlange, pathTwist, twist, next);
     System.arraycopy(next, 0, twist, 0, N);
-    carried.advance(twist);
+    complianceOffset.advance(twist);
     System.arraycopy(onPath12, 0, tcpInBase, 0, Transforms.SIZE);
-    carried.apply(tcpInBase);
+    complianceOffset.apply(tcpInBase);
   }
 
   /** How the path has moved the TCP since the last frame. */
@@ -331,7 +332,7 @@ public final class ForceMode implements PathOffset {
 
   @Override
   public void rebase(double[] tcpInBase, int framesAgo) {
-    carried.undo(tcpInBase, framesAgo);
+    complianceOffset.undo(tcpInBase, framesAgo);
   }
 
   @Override

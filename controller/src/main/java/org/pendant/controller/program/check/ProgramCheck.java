@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.call.Builtins;
+import org.pendant.controller.function.Builtins;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.program.ActionStep;
 import org.pendant.controller.program.ExternalControl;

@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.packedxml.UnreadableFile;
+import org.pendant.controller.polyscope.xml.UnreadableFile;
 import org.pendant.controller.program.ControlScript;
 import org.pendant.controller.program.ExternalControl;
 import org.pendant.controller.program.ForeignStep;

@@ -2,7 +2,7 @@ package org.pendant.controller.program.urp;
 
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.XmlElement;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.DhDeltas;

@@ -2,8 +2,8 @@ package org.pendant.controller.program.urp;
 
 import java.util.Map;
 import java.util.Optional;
-import org.pendant.controller.packedxml.UnreadableFile;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.UnreadableFile;
+import org.pendant.controller.polyscope.xml.XmlElement;
 
 /** Reads expressions, which files keep as rows of single characters, tokens and names. */
 final class Expressions {

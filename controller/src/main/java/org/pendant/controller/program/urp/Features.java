@@ -1,8 +1,8 @@
 package org.pendant.controller.program.urp;
 
 import java.util.Optional;
-import org.pendant.controller.packedxml.UnreadableFile;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.UnreadableFile;
+import org.pendant.controller.polyscope.xml.XmlElement;
 import org.pendant.controller.program.WaypointPosition;
 
 /** What features are called there and here. */

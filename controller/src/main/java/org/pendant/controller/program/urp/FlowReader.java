@@ -2,8 +2,8 @@ package org.pendant.controller.program.urp;
 
 import java.util.Locale;
 import java.util.Optional;
-import org.pendant.controller.packedxml.UnreadableFile;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.UnreadableFile;
+import org.pendant.controller.polyscope.xml.XmlElement;
 import org.pendant.controller.program.FlowStep;
 import org.pendant.controller.program.LoopRule;
 import org.pendant.controller.program.Step;

@@ -3,7 +3,7 @@ package org.pendant.controller.program.urp;
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.List;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.XmlElement;
 import org.pendant.controller.program.ExternalControl;
 import org.pendant.controller.program.ForeignStep;
 

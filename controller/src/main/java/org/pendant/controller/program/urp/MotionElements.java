@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.packedxml.XmlText;
+import org.pendant.controller.polyscope.xml.XmlText;
 import org.pendant.controller.program.MotionStep;
 import org.pendant.controller.program.MoveKind;
 import org.pendant.controller.program.Timing;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.XmlElement;
 
 /** What is to be said about a file that was read; the same is said once, for the first place. */
 final class Remarks {

@@ -3,7 +3,7 @@ package org.pendant.controller.program.urp;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
-import org.pendant.controller.packedxml.XmlText;
+import org.pendant.controller.polyscope.xml.XmlText;
 import org.pendant.controller.program.ActionStep;
 import org.pendant.controller.program.FlowStep;
 import org.pendant.controller.program.LoopRule;

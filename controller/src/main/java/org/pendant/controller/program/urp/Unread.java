@@ -2,7 +2,7 @@ package org.pendant.controller.program.urp;
 
 import java.util.List;
 import java.util.Set;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.XmlElement;
 
 /** Finds what nobody has asked for in elements that were understood. */
 final class Unread {

@@ -2,8 +2,8 @@ package org.pendant.controller.program.urp;
 
 import java.util.List;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.packedxml.PackedXml;
-import org.pendant.controller.packedxml.UnreadableFile;
+import org.pendant.controller.polyscope.xml.PackedXml;
+import org.pendant.controller.polyscope.xml.UnreadableFile;
 import org.pendant.controller.program.ProgramTree;
 
 /**

@@ -6,8 +6,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.SignalUse;
-import org.pendant.controller.packedxml.UnreadableFile;
-import org.pendant.controller.packedxml.XmlElement;
+import org.pendant.controller.polyscope.xml.UnreadableFile;
+import org.pendant.controller.polyscope.xml.XmlElement;
 
 /** What signals are called there and here. */
 final class UrpSignals {

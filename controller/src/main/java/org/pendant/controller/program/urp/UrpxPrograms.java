@@ -12,7 +12,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.packedxml.UnreadableFile;
+import org.pendant.controller.polyscope.xml.UnreadableFile;
 import org.pendant.controller.program.ActionStep;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;

@@ -20,7 +20,6 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.machine.Ending;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.PreparedAnswer;
@@ -35,6 +34,7 @@ import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.Setting;
 import org.pendant.controller.program.WaitFor;
+import org.pendant.controller.vm.Ending;
 import org.pendant.models.pose.Pose;
 
 /** What nodes do on a controller that neither move nor decide. */

@@ -15,8 +15,6 @@ import org.pendant.controller.installation.ConveyorSetup;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.NamedTool;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.WaypointPosition;
@@ -24,6 +22,8 @@ import org.pendant.controller.program.check.ProgramCheck;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.value.Value;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
@@ -56,9 +56,9 @@ final class ArmRun {
     assertEquals(List.of(), ProgramCheck.problems(tree, installation));
     script = ScriptGenerator.generate("test", tree, installation).text();
     controller = new Controller(options.withStart(START));
-    Loaded loaded = controller.load(Source.of("test.script", script));
-    assertEquals(List.of(), loaded.diagnostics(), script);
-    done(new Command.StartProgram(loaded.program().orElseThrow()));
+    LoadResult loadResult = controller.load(Source.of("test.script", script));
+    assertEquals(List.of(), loadResult.diagnostics(), script);
+    done(new Command.StartProgram(loadResult.program().orElseThrow()));
   }
 
   ArmRun(ProgramTree tree, ControllerOptions options) {

@@ -16,12 +16,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
-import org.pendant.controller.machine.Ending;
 import org.pendant.controller.program.ActionStep;
 import org.pendant.controller.program.FlowStep;
 import org.pendant.controller.program.LoopRule;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
+import org.pendant.controller.vm.Ending;
 
 /** What decisions and loops do on a controller. */
 final class FlowRunTest {

@@ -15,11 +15,11 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.machine.ProgramLoader;
 import org.pendant.controller.program.FlowStep;
 import org.pendant.controller.program.LoopRule;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
+import org.pendant.controller.vm.ProgramLoader;
 import org.pendant.language.source.Source;
 
 /** Programs with very many nodes, and very deep ones. */

@@ -25,7 +25,6 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.debug.Breakpoint;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.machine.ProgramLabel;
 import org.pendant.controller.program.ActionStep;
 import org.pendant.controller.program.ActionStep.TimerAction;
 import org.pendant.controller.program.FlowStep;
@@ -34,6 +33,7 @@ import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.program.Section;
 import org.pendant.controller.program.script.GeneratedScript.Place;
+import org.pendant.controller.vm.ProgramLabel;
 
 /** Which lines of a script belong to which node. */
 final class PlacesTest {

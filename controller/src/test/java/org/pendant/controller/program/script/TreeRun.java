@@ -13,14 +13,14 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Reply;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.machine.Loaded;
-import org.pendant.controller.machine.Program;
-import org.pendant.controller.machine.ProgramLabel;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.program.ProgramTree;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.Program;
+import org.pendant.controller.vm.ProgramLabel;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 /** A tree that runs on a controller with an ideal arm, by the script that is generated from it. */
@@ -45,10 +45,10 @@ final class TreeRun {
   TreeRun(ProgramTree tree, Installation installation, ControllerOptions options) {
     controller = new Controller(options.withArm(ArmChoice.IDEAL).withStart(TestTrees.START));
     GeneratedScript script = ScriptGenerator.generate("test", tree, installation);
-    Loaded loaded = controller.load(Source.of("test.script", script.text()));
-    assertEquals(List.of(), loaded.diagnostics(), script::text);
+    LoadResult loadResult = controller.load(Source.of("test.script", script.text()));
+    assertEquals(List.of(), loadResult.diagnostics(), script::text);
     startS = state().timeS();
-    program = loaded.program().orElseThrow();
+    program = loadResult.program().orElseThrow();
     submit(new Command.StartProgram(program));
   }
 

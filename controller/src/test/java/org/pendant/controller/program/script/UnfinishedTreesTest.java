@@ -10,7 +10,6 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.machine.ProgramLoader;
 import org.pendant.controller.program.ActionStep;
 import org.pendant.controller.program.ActionStep.InputKind;
 import org.pendant.controller.program.ActionStep.PopupKind;
@@ -31,6 +30,7 @@ import org.pendant.controller.program.ToolChoice;
 import org.pendant.controller.program.UntilRule;
 import org.pendant.controller.program.WaitFor;
 import org.pendant.controller.program.WaypointTarget;
+import org.pendant.controller.vm.ProgramLoader;
 import org.pendant.language.source.Source;
 import org.pendant.models.pose.Pose;
 

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.packedxml.UnreadableFile;
+import org.pendant.controller.polyscope.xml.UnreadableFile;
 import org.pendant.controller.program.ProgramTree;
 
 /** Files that somebody has damaged, or made to do harm. */

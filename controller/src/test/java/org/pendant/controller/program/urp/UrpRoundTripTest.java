@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.packedxml.UnreadableFile;
+import org.pendant.controller.polyscope.xml.UnreadableFile;
 import org.pendant.controller.program.ActionStep;
 import org.pendant.controller.program.FlowStep;
 import org.pendant.controller.program.ForeignStep;

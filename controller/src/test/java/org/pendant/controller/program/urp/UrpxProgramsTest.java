@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.packedxml.UnreadableFile;
+import org.pendant.controller.polyscope.xml.UnreadableFile;
 import org.pendant.controller.program.ActionStep;
 import org.pendant.controller.program.ProgramNode;
 import org.pendant.controller.program.ProgramTree;

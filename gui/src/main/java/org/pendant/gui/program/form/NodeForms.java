@@ -52,7 +52,7 @@ public final class NodeForms {
   public NodeForms(Workbench workbench, FormHost host) {
     assert EventQueue.isDispatchThread();
     Background background = new WorkerThread("program-forms");
-    presenter = new FormPresenter(host, new DeskFiles(scroll, background, host));
+    presenter = new FormPresenter(host, new DesktopFiles(scroll, background, host));
     catalogue = workbench.session().controller().builtins();
     checks =
         () ->

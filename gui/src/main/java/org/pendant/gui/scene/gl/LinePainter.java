@@ -9,7 +9,7 @@ import org.pendant.gui.scene.Ground;
 import org.pendant.gui.scene.SceneModel;
 import org.pendant.gui.scene.Theme;
 import org.pendant.gui.scene.Trace;
-import org.pendant.gui.scene.Waymarks;
+import org.pendant.gui.scene.WaypointMarkers;
 import org.pendant.gui.scene.mesh.BoxEdges;
 import org.pendant.gui.scene.mesh.Finish;
 import org.pendant.gui.scene.mesh.FloorScale;
@@ -38,7 +38,7 @@ final class LinePainter implements AutoCloseable {
 
   private record EdgesOf(Object world, Object touched, Theme theme) {}
 
-  private record WaysOf(Waymarks marks, Theme theme) {}
+  private record WaysOf(WaypointMarkers marks, Theme theme) {}
 
   private record ScaleOf(double reachM, double heightM, int quarters, Theme theme) {}
 
@@ -96,7 +96,7 @@ final class LinePainter implements AutoCloseable {
               theme.edgeRgb(),
               theme.rgb(Finish.TOUCHED)));
     }
-    WaysOf newWays = new WaysOf(model.waymarks(), theme);
+    WaysOf newWays = new WaysOf(model.waypointMarkers(), theme);
     if (!waysNow.equals(Optional.of(newWays))) {
       waysNow = Optional.of(newWays);
       ways.load(newWays.marks().lines(theme));

@@ -15,7 +15,7 @@ import org.pendant.gui.scene.Ground;
 import org.pendant.gui.scene.LinkPlaces;
 import org.pendant.gui.scene.SceneModel;
 import org.pendant.gui.scene.Theme;
-import org.pendant.gui.scene.Waymarks;
+import org.pendant.gui.scene.WaypointMarkers;
 import org.pendant.gui.scene.mesh.ArmMeshes;
 import org.pendant.gui.scene.mesh.Detail;
 import org.pendant.gui.scene.mesh.Link;
@@ -206,7 +206,7 @@ final class SceneRenderer implements AutoCloseable {
     for (Pose frame : model.framesInBase()) {
       drawFrame(sight, solid, LinkPlaces.matrix(frame), EXTRA_FRAME_SHARE * length);
     }
-    for (Waymarks.Mark mark : model.waymarks().marks()) {
+    for (WaypointMarkers.Mark mark : model.waypointMarkers().marks()) {
       float share = mark.chosen() ? CHOSEN_MARK_SHARE : MARK_SHARE;
       drawFrame(sight, solid, LinkPlaces.matrix(mark.inBase()), share * length);
     }

@@ -20,15 +20,15 @@ public final class ArmMeshes {
    */
   public ArmMeshes(ArmShape shape, DhLengths dh, Detail detail) {
     JointFaces faces = JointFaces.of(shape, dh);
-    Knuckles knuckles = new Knuckles(shape, dh, faces, detail);
+    JointHousings jointHousings = new JointHousings(shape, dh, faces, detail);
     Limbs limbs = new Limbs(shape, faces, detail);
     meshes.put(Link.BASE, Foot.of(shape.base(), faces.j1() - JointFaces.HALF_GAP_M, detail));
-    meshes.put(Link.SHOULDER, knuckles.shoulder());
+    meshes.put(Link.SHOULDER, jointHousings.shoulder());
     meshes.put(Link.UPPER_ARM, limbs.upperArm());
     meshes.put(Link.FOREARM, limbs.forearm());
-    meshes.put(Link.WRIST_1, knuckles.wrist1());
-    meshes.put(Link.WRIST_2, knuckles.wrist2());
-    meshes.put(Link.WRIST_3, knuckles.wrist3());
+    meshes.put(Link.WRIST_1, jointHousings.wrist1());
+    meshes.put(Link.WRIST_2, jointHousings.wrist2());
+    meshes.put(Link.WRIST_3, jointHousings.wrist3());
   }
 
   /** One body, in the frame at its near end ({@link ArmShape}). */

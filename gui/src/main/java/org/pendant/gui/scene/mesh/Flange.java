@@ -2,7 +2,7 @@ package org.pendant.gui.scene.mesh;
 
 import org.joml.Matrix4f;
 import org.pendant.models.shape.Cylinder;
-import org.pendant.models.shape.Knuckle;
+import org.pendant.models.shape.JointHousing;
 
 /**
  * The last link: its body, the metal flange with its threads, and the socket of the tool's cable.
@@ -13,7 +13,7 @@ final class Flange {
   private final Cylinder body;
   private final Cylinder socket;
 
-  Flange(Knuckle wrist3) {
+  Flange(JointHousing wrist3) {
     body = wrist3.alongZ();
     socket = wrist3.alongY();
   }

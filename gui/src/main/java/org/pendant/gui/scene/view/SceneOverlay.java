@@ -15,7 +15,7 @@ import java.util.Optional;
 import org.pendant.controller.world.Vector3;
 import org.pendant.gui.scene.SceneModel;
 import org.pendant.gui.scene.SpeedColours;
-import org.pendant.gui.scene.Waymarks;
+import org.pendant.gui.scene.WaypointMarkers;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.models.pose.Pose;
 
@@ -104,13 +104,13 @@ final class SceneOverlay {
 
   /** Names beside the places that a program goes to; that of a chosen one comes last, on top. */
   void placeNames(PictureRequest shown) {
-    List<Waymarks.Mark> marks = shown.model().waymarks().marks();
+    List<WaypointMarkers.Mark> marks = shown.model().waypointMarkers().marks();
     if (marks.size() > MOST_PLACE_NAMES) {
-      marks = marks.stream().filter(Waymarks.Mark::chosen).toList();
+      marks = marks.stream().filter(WaypointMarkers.Mark::chosen).toList();
     }
     Map<Point2D, String> names = new LinkedHashMap<>();
     for (boolean chosen : new boolean[] {false, true}) {
-      for (Waymarks.Mark mark : marks) {
+      for (WaypointMarkers.Mark mark : marks) {
         Pose place = mark.inBase();
         if (mark.chosen() == chosen) {
           shown

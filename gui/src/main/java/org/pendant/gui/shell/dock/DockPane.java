@@ -10,8 +10,8 @@ import java.util.function.Function;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
-import org.pendant.gui.shell.look.Glyph;
-import org.pendant.gui.shell.look.GlyphIcon;
+import org.pendant.gui.shell.theme.Glyph;
+import org.pendant.gui.shell.theme.GlyphIcon;
 import org.pendant.gui.workbench.View;
 
 /** One dock: its views as tabs, or only the tabs while it is collapsed. */

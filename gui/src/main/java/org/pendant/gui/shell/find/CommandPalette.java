@@ -18,7 +18,7 @@ import javax.swing.KeyStroke;
 import javax.swing.ListCellRenderer;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.gui.shell.look.Overlay;
+import org.pendant.gui.shell.theme.Overlay;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
 import org.pendant.gui.workbench.FuzzyMatch;

@@ -16,7 +16,7 @@ import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.gui.layout.WrappingRow;
-import org.pendant.gui.shell.look.Overlay;
+import org.pendant.gui.shell.theme.Overlay;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
 import org.pendant.gui.workbench.KeyText;

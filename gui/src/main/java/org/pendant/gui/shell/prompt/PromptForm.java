@@ -18,8 +18,8 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.message.Popup.Severity;
 import org.pendant.gui.layout.Typed;
-import org.pendant.gui.shell.look.Glyph;
-import org.pendant.gui.shell.look.GlyphIcon;
+import org.pendant.gui.shell.theme.Glyph;
+import org.pendant.gui.shell.theme.GlyphIcon;
 import org.pendant.gui.workbench.Palette;
 
 /** The widgets that show one popup or question. */

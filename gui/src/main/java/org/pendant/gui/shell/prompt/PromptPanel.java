@@ -8,7 +8,7 @@ import javax.swing.JComponent;
 import javax.swing.text.JTextComponent;
 import org.pendant.controller.Command;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.gui.shell.look.Overlay;
+import org.pendant.gui.shell.theme.Overlay;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
 import org.pendant.gui.workbench.KeyText;

@@ -7,7 +7,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.Controller;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.gui.shell.look.Card;
+import org.pendant.gui.shell.theme.Card;
 import org.pendant.gui.workbench.Palette;
 
 /** A card with the last messages. */

@@ -5,7 +5,7 @@ import java.util.List;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.gui.shell.look.Card;
+import org.pendant.gui.shell.theme.Card;
 import org.pendant.gui.workbench.Palette;
 
 /** A card with names and numbers in a column each. */

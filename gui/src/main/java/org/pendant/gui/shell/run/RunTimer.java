@@ -1,8 +1,8 @@
 package org.pendant.gui.shell.run;
 
 import java.util.Locale;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.ProgramState;
 
 /** How long the program has run, in robot time. */
 final class RunTimer {

@@ -15,9 +15,9 @@ import org.pendant.controller.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.session.Readiness;
 import org.pendant.gui.session.StopCard;
-import org.pendant.gui.shell.look.Card;
-import org.pendant.gui.shell.look.Glyph;
-import org.pendant.gui.shell.look.GlyphIcon;
+import org.pendant.gui.shell.theme.Card;
+import org.pendant.gui.shell.theme.Glyph;
+import org.pendant.gui.shell.theme.GlyphIcon;
 import org.pendant.gui.workbench.Palette;
 
 /** Why the arm is stopped and what to do about it; hidden while it is not. */

@@ -12,7 +12,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.variables.VariableSamples;
 import org.pendant.gui.debug.Favourites;
 import org.pendant.gui.debug.Star;
-import org.pendant.gui.shell.look.Card;
+import org.pendant.gui.shell.theme.Card;
 import org.pendant.gui.workbench.Palette;
 
 /** A card with the variables of the running or last program, favourites first. */

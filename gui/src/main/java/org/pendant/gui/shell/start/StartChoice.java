@@ -2,8 +2,8 @@ package org.pendant.gui.shell.start;
 
 import java.util.Locale;
 import java.util.Optional;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.workbench.Settings;
 
 /**

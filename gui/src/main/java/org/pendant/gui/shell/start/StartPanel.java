@@ -14,10 +14,10 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.layout.FlushRow;
 import org.pendant.gui.move.HoldButton;
-import org.pendant.gui.shell.look.Glyph;
-import org.pendant.gui.shell.look.GlyphIcon;
-import org.pendant.gui.shell.look.Overlay;
-import org.pendant.gui.shell.look.WrappedText;
+import org.pendant.gui.shell.theme.Glyph;
+import org.pendant.gui.shell.theme.GlyphIcon;
+import org.pendant.gui.shell.theme.Overlay;
+import org.pendant.gui.shell.theme.WrappedText;
 import org.pendant.gui.workbench.Palette;
 
 /** Shows a {@link StartChoice} over the views and never over the footer. Escape cancels. */

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.shape.ArmShape;
 import org.pendant.models.shape.ArmShapes;
-import org.pendant.models.shape.Knuckle;
+import org.pendant.models.shape.JointHousing;
 import org.pendant.models.shape.Limb;
 
 final class ArmMeshesTest {
@@ -92,15 +92,15 @@ final class ArmMeshesTest {
     }
   }
 
-  private static Mesh.Box box(Knuckle knuckle) {
-    float radius = (float) knuckle.alongZ().radiusM();
+  private static Mesh.Box box(JointHousing jointHousing) {
+    float radius = (float) jointHousing.alongZ().radiusM();
     return new Mesh.Box(
         -radius,
-        Math.min(-radius, (float) knuckle.alongY().fromM()),
-        (float) Math.min(-radius, knuckle.alongZ().fromM()),
+        Math.min(-radius, (float) jointHousing.alongY().fromM()),
+        (float) Math.min(-radius, jointHousing.alongZ().fromM()),
         radius,
-        Math.max(radius, (float) knuckle.alongY().toM()),
-        (float) Math.max(radius, knuckle.alongZ().toM()));
+        Math.max(radius, (float) jointHousing.alongY().toM()),
+        (float) Math.max(radius, jointHousing.alongZ().toM()));
   }
 
   private static Mesh.Box box(Limb limb) {

@@ -12,10 +12,10 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Reply;
 import org.pendant.controller.box.ArmChoice;
-import org.pendant.controller.machine.ProgramState;
 import org.pendant.controller.message.Answer;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.Popup.Severity;
+import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 
 final class PromptsTest {

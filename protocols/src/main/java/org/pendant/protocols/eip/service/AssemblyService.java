@@ -6,7 +6,7 @@ import org.pendant.protocols.http.HttpSession;
 import org.pendant.protocols.net.IdleLimits;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.TcpPort;
-import org.pendant.protocols.serve.PortNumbers;
+import org.pendant.protocols.server.PortNumbers;
 
 /** Listens for calls that configure assemblies. */
 public final class AssemblyService {

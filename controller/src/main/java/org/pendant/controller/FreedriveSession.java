@@ -1,0 +1,123 @@
+package org.pendant.controller;
+
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.freedrive.FreeAxes;
+import org.pendant.controller.freedrive.FreedriveFrame;
+import org.pendant.controller.freedrive.FreedriveHolder;
+import org.pendant.controller.freedrive.FreedriveMode;
+import org.pendant.controller.freedrive.FreedriveStart;
+import org.pendant.controller.jog.Jogging;
+import org.pendant.controller.motion.FrameTime;
+import org.pendant.controller.value.Value;
+
+/**
+ * Freedrive session of an operator: lasts as long as a screen renews it or an input is high. A
+ * session that ended early stays ended until its button is released and pressed again.
+ */
+final class FreedriveSession {
+  private static final long DEAD_MAN_FRAMES = FrameTime.framesFor(Jogging.DEAD_MAN_S);
+
+  private final ControlBox box;
+  private Optional<Hold> hold = Optional.empty();
+  private boolean inputDemands;
+
+  /** What somebody at a screen holds, and why it has ended, if it has. */
+  private static final class Hold {
+    final FreedriveMode mode;
+    long lastFrame;
+    Optional<String> reason;
+
+    Hold(FreedriveMode mode, Optional<String> reason) {
+      this.mode = mode;
+      this.reason = reason;
+    }
+  }
+
+  FreedriveSession(ControlBox box) {
+    this.box = box;
+  }
+
+  /** Begins, or goes on; answers why the arm cannot be guided, or no longer. */
+  Optional<String> hold(FreeAxes axes, FreedriveFrame frame) {
+    FreedriveMode mode = new FreedriveMode(FreedriveHolder.HAND, axes, frame, true);
+    if (hold.isEmpty() || !hold.get().mode.equals(mode)) {
+      box.motion().clearFault();
+      hold = Optional.of(new Hold(mode, refusal(box.freedrive().start(mode))));
+    }
+    hold.get().lastFrame = box.clock().frame() + DEAD_MAN_FRAMES;
+    noticeEnd(hold.get());
+    return hold.get().reason;
+  }
+
+  private static Optional<String> refusal(FreedriveStart start) {
+    return switch (start) {
+      case FreedriveStart.Started _ -> Optional.empty();
+      case FreedriveStart.Refused refused -> Optional.of(refused.reason());
+      case FreedriveStart.WrongPayload wrong ->
+          Optional.of(
+              "the declared payload is wrong by "
+                  + text(wrong.errorN())
+                  + " N, must be at most "
+                  + text(wrong.toleranceN())
+                  + " N, or something pushes the tool; declare what hangs on the flange first");
+    };
+  }
+
+  private static String text(double newtons) {
+    return Value.of(Math.round(10 * newtons) / 10.0).text();
+  }
+
+  /** Let go: the arm holds where it is. */
+  void release() {
+    hold = Optional.empty();
+    box.freedrive().end(FreedriveHolder.HAND);
+  }
+
+  /** Looks at how it goes; once a frame. */
+  void step() {
+    if (hold.isPresent()) {
+      watch(hold.get());
+    }
+  }
+
+  private void watch(Hold present) {
+    if (box.clock().frame() > present.lastFrame) {
+      release();
+    } else {
+      noticeEnd(present);
+    }
+  }
+
+  private void noticeEnd(Hold present) {
+    boolean guided =
+        box.freedrive().state(box.drive().actualPositionRad()).heldBy(FreedriveHolder.HAND);
+    if (!guided && present.reason.isEmpty()) {
+      present.reason =
+          Optional.of(box.safety().programRefusal().orElse("freedrive has been ended"));
+    }
+  }
+
+  /**
+   * The level of the inputs with the freedrive action; once a frame.
+   *
+   * @param demanded whether one of them is high
+   * @param program why a program keeps the arm from being guided; asked only when that matters
+   */
+  void followInput(boolean demanded, Supplier<Optional<String>> program) {
+    if (demanded == inputDemands) {
+      return;
+    }
+    inputDemands = demanded;
+    if (!demanded) {
+      box.freedrive().end(FreedriveHolder.INPUT);
+      return;
+    }
+    Optional<String> refusal = program.get();
+    if (refusal.isEmpty() && !box.freedrive().active()) {
+      refusal = refusal(box.freedrive().start(FreedriveMode.free(FreedriveHolder.INPUT, true)));
+    }
+    refusal.ifPresent(reason -> box.log().warning("freedrive by an input: " + reason));
+  }
+}

@@ -1,0 +1,263 @@
+package org.pendant.controller;
+
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.box.Inertia;
+import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.encoder.PulseDecoder;
+import org.pendant.controller.external.ModbusAddress;
+import org.pendant.controller.external.ModbusExchange;
+import org.pendant.controller.installation.ConveyorSetup;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.InstallationCheck;
+import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.controller.installation.ModbusSetup;
+import org.pendant.controller.installation.NamedPayload;
+import org.pendant.controller.installation.SignalId;
+import org.pendant.controller.installation.StartUp;
+import org.pendant.controller.io.Signal;
+import org.pendant.controller.io.SignalBank;
+import org.pendant.controller.io.WatchdogAction;
+import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.safety.SafetyChecksum;
+import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.vm.Machine;
+import org.pendant.controller.world.Vector3;
+import org.pendant.language.source.ByteText;
+import org.pendant.models.dynamics.Payload;
+
+/**
+ * Installation handler: applies an installation to the control box, and runs what it does at
+ * start-up and in each frame. Only for the frame loop; {@link #current} may be read by any thread.
+ */
+final class InstallationHandler {
+  /** What the log calls a fieldbus that has gone. */
+  private static final String FIELDBUS_LOST = "C207A0";
+
+  private final ControlBox box;
+  private final Machine machine;
+  private final InstalledSignals signals;
+  private volatile Installation current = Installation.NONE;
+  private Optional<Signal> powerInput = Optional.empty();
+  private boolean powerLevel;
+
+  InstallationHandler(ControlBox box, Machine machine) {
+    this.box = box;
+    this.machine = machine;
+    signals = new InstalledSignals(box);
+  }
+
+  /** What is set up, with the values that programs have left in its variables. */
+  Installation current() {
+    return current;
+  }
+
+  /**
+   * Sets up everything but safety, which the box was made with.
+   *
+   * @throws IllegalArgumentException if the check finds something wrong with it
+   */
+  void begin(Installation installation) {
+    InstallationCheck.refusal(installation, box.armDescription())
+        .ifPresent(
+            why -> {
+              throw new IllegalArgumentException("installation: " + why);
+            });
+    apply(installation);
+  }
+
+  /**
+   * Sets everything up in place of what was. No program runs, the arm is at rest, and the check has
+   * found nothing wrong. Where safety differs the arm is powered off.
+   */
+  void change(Installation installation) {
+    followSafety(installation);
+    apply(installation);
+    box.log().info("the installation has been changed");
+  }
+
+  private void followSafety(Installation installation) {
+    SafetyConfiguration wanted =
+        installation.safety().orElseGet(() -> SafetyConfiguration.standard(box.armDescription()));
+    SafetyChecksum before = box.safety().checksum();
+    SafetyChecksum after = SafetyChecksum.of(wanted);
+    if (!after.equals(before)) {
+      box.safety().configure(wanted);
+      box.log()
+          .safety(
+              Level.INFO,
+              "",
+              "the safety configuration is another one, checksum "
+                  + after
+                  + " instead of "
+                  + before
+                  + ": the arm is powered off");
+    }
+  }
+
+  private void apply(Installation next) {
+    Installation before = current;
+    box.flange()
+        .setTool(new ToolCentre(next.activeToolInFlange(), ByteText.asBytes(next.activeTool())));
+    box.flange()
+        .declarePayload(
+            next.payload(next.activePayload())
+                .map(InstallationHandler::payload)
+                .orElse(Payload.NONE),
+            0);
+    Vector3 gravity = next.mounting().gravityInBaseMPerS2();
+    box.setGravity(gravity.x(), gravity.y(), gravity.z());
+    box.safety().setTransitionHardness(next.transitionHardness() < 0.5 ? 0 : 1);
+    signals.apply(next);
+    next.conveyors().forEach(this::decode);
+    exchange(before.modbus(), next.modbus());
+    watch(next.startUp());
+    current = next;
+  }
+
+  private static Payload payload(NamedPayload payload) {
+    Vector3 cog = payload.cogM();
+    Inertia i = payload.inertia();
+    return new Payload(
+        payload.massKg(),
+        cog.x(),
+        cog.y(),
+        cog.z(),
+        i.ixx(),
+        i.iyy(),
+        i.izz(),
+        i.ixy(),
+        i.ixz(),
+        i.iyz());
+  }
+
+  private void decode(ConveyorSetup conveyor) {
+    if (conveyor.decoder() == 0) {
+      return;
+    }
+    PulseDecoder.Kind kind = PulseDecoder.Kind.of(conveyor.decoder());
+    Signal a = pulseInput(conveyor.inputs().getFirst());
+    Signal b = pulseInput(conveyor.inputs().getLast());
+    box.encoders().get(conveyor.encoder()).decode(new PulseDecoder(kind, a, b), box.io());
+  }
+
+  /** The numbers of the configurable inputs follow those of the eight standard ones. */
+  private static Signal pulseInput(int number) {
+    return new Signal(SignalBank.CONFIGURABLE_IN, number - SignalBank.STANDARD_IN.size());
+  }
+
+  /** Signals that stay the same keep their values and their connection. */
+  private void exchange(List<ModbusSetup> before, List<ModbusSetup> wanted) {
+    for (ModbusSetup each : before) {
+      if (!wanted.contains(each)) {
+        deleteModbus(each.name());
+      }
+    }
+    for (ModbusSetup each : wanted) {
+      if (!before.contains(each)) {
+        addModbus(each);
+      }
+    }
+  }
+
+  private void addModbus(ModbusSetup setup) {
+    String name = ByteText.asBytes(setup.name());
+    try {
+      box.links().modbus().add(name, exchange(setup));
+      box.links().modbus().signal(name).setUpdateHz(setup.updateHz());
+    } catch (ScriptError e) {
+      box.log()
+          .warning("installation: Modbus signal " + name + " is not exchanged: " + e.getMessage());
+    }
+  }
+
+  private void deleteModbus(String name) {
+    try {
+      box.links().modbus().delete(ByteText.asBytes(name));
+    } catch (ScriptError e) {
+      // a program has deleted it already
+      box.log().info("installation: Modbus signal " + name + " is gone: " + e.getMessage());
+    }
+  }
+
+  private static ModbusExchange exchange(ModbusSetup signal) {
+    return new ModbusExchange(
+        ModbusAddress.parse(ByteText.asBytes(signal.device())),
+        signal.unit(),
+        signal.kind(),
+        signal.address(),
+        1,
+        signal.address(),
+        1,
+        false);
+  }
+
+  private void watch(StartUp startUp) {
+    powerInput = SignalId.digitalInput(startUp.powerInput());
+    takeLevels();
+  }
+
+  /** What inputs are now they were before: no edge. */
+  void takeLevels() {
+    powerLevel = powerInput.isPresent() && level(powerInput.get());
+  }
+
+  private boolean level(Signal input) {
+    return box.io().level(input.bank(), input.index());
+  }
+
+  /** Looks for the edge of an input that switches the arm on; in each frame. */
+  void step() {
+    if (powerInput.isEmpty()) {
+      return;
+    }
+    boolean level = level(powerInput.get());
+    if (level != powerLevel) {
+      powerLevel = level;
+      if (level == current.startUp().powerOnHigh()) {
+        Optional<String> refusal = box.safety().releaseBrakes();
+        box.log()
+            .info(
+                powerInput.get()
+                    + refusal
+                        .map(why -> " asks to switch the arm on, which is refused: " + why)
+                        .orElse(" switches the arm on"));
+      }
+    }
+  }
+
+  /** A program has ended: its values of the installation's variables are kept. */
+  void programEnded() {
+    Installation now = current;
+    if (now.variables().isEmpty()) {
+      return;
+    }
+    List<InstallationVariable> left =
+        InstalledVariables.after(now.variables(), machine.globals(), box.log());
+    if (!left.equals(now.variables())) {
+      current = now.withVariables(left);
+    }
+  }
+
+  /**
+   * A scanner that writes an EtherNet/IP assembly has gone.
+   *
+   * @param who and what it was
+   */
+  void scannerLost(String who) {
+    String what = who + " timed out: ";
+    switch (current.ethernetIpLoss().orElse(WatchdogAction.IGNORE)) {
+      case IGNORE -> {}
+      case PAUSE -> {
+        box.log().safety(Level.ERROR, FIELDBUS_LOST, what + "the program pauses");
+        machine.pause();
+      }
+      case STOP -> {
+        box.log().safety(Level.ERROR, FIELDBUS_LOST, what + "the program ends");
+        machine.stop();
+      }
+    }
+  }
+}

@@ -1,0 +1,94 @@
+package org.pendant.controller.arm;
+
+import org.pendant.controller.motion.FrameTime;
+import org.pendant.controller.world.ContactWorld;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.kinematics.Jacobian;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Transforms;
+import org.pendant.models.pose.Wrench;
+
+/**
+ * External forces on the tool: the wrench at the flange and the torques that it causes at the
+ * joints.
+ */
+final class ExternalForces {
+  private static final int N = Joints.COUNT;
+
+  /** Wrench at the flange's origin along the base's axes, N and Nm. */
+  final double[] wrench6 = new double[6];
+
+  /** The joint torques that it is worth, Nm. */
+  final double[] torqueNm = new double[N];
+
+  private final ContactWorld world;
+  private final ForwardKinematics forward;
+  private final Jacobian jacobian;
+  private final double[] jacobian36 = new double[Jacobian.SIZE];
+  private final double[] tcpInFlange3 = new double[3];
+  private final double[] ahead = new double[N];
+  private final double[] flange12 = new double[Transforms.SIZE];
+  private final double[] twist6 = new double[6];
+  private final HandForces grip;
+  private Wrench applied;
+  private long gripChange;
+
+  ExternalForces(ArmDescription arm, ContactWorld world) {
+    this.world = world;
+    forward = new ForwardKinematics(arm.dh());
+    jacobian = new Jacobian(arm.dh());
+    grip = new HandForces(world.grip(), arm, forward);
+    applied = world.applied();
+    gripChange = world.grip().changes();
+  }
+
+  void setToolCentre(Pose tcpInFlange) {
+    tcpInFlange3[0] = tcpInFlange.x();
+    tcpInFlange3[1] = tcpInFlange.y();
+    tcpInFlange3[2] = tcpInFlange.z();
+  }
+
+  /**
+   * Feels what will push at the end of the frame if the arm goes on as now. {@link #feel} uses the
+   * same levers within the frame.
+   */
+  void lookAhead(ArmBody body) {
+    applied = world.applied();
+    gripChange = world.grip().changes();
+    predict(body, FrameTime.FRAME_S);
+    jacobian.at(ahead, Pose.ZERO, jacobian36);
+    feelAhead(body);
+  }
+
+  /** Feels what will push {@code afterS} s later if the arm goes on as now. */
+  void feel(ArmBody body, double afterS) {
+    predict(body, afterS);
+    feelAhead(body);
+  }
+
+  private void predict(ArmBody body, double afterS) {
+    for (int i = 0; i < N; i++) {
+      ahead[i] = body.q[i] + afterS * body.qd[i];
+    }
+  }
+
+  private void feelAhead(ArmBody body) {
+    forward.flange(ahead, flange12);
+    Jacobian.twist(jacobian36, body.qd, twist6);
+    world.wrench(flange12, tcpInFlange3, twist6, wrench6);
+    Jacobian.transposed(jacobian36, wrench6, torqueNm);
+    grip.add(ahead, body.qd, torqueNm, wrench6);
+  }
+
+  /** Whether the tool touched something when it was felt for last. */
+  boolean inContact() {
+    return world.inContact();
+  }
+
+  /** Whether a hand pushes otherwise than was felt last. */
+  boolean changed() {
+    return !world.applied().equals(applied) || world.grip().changes() != gripChange;
+  }
+}

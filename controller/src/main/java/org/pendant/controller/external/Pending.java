@@ -1,0 +1,20 @@
+package org.pendant.controller.external;
+
+import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.value.Value;
+
+/** Something that was asked for and comes from outside. None of the methods waits. */
+public interface Pending {
+  /** Whether the result is there. */
+  boolean over();
+
+  /**
+   * The result, once it is over; the caller owns it.
+   *
+   * @throws ScriptError when it has failed
+   */
+  Value result() throws ScriptError;
+
+  /** Nobody wants the result any more. */
+  void cancel();
+}

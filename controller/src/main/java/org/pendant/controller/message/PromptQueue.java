@@ -1,0 +1,131 @@
+package org.pendant.controller.message;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Prompt queue: the questions to the operator that wait for an answer. Owned by the frame loop. */
+public final class PromptQueue {
+  /** Questions of a frame with a prepared answer that are told; more are answered all the same. */
+  private static final int MOST_TOLD = 64;
+
+  /** Bytes of a text that are asked. */
+  private static final int LONGEST_TEXT = 4096;
+
+  private final Optional<ScriptedAnswers> sheet;
+  private final MessageLog log;
+  private final PromptNumbers numbers;
+  private final List<PendingPrompt> waiting = new ArrayList<>();
+  private List<Question> open = List.of();
+  private List<Question> fresh = new ArrayList<>();
+
+  /**
+   * No questions yet.
+   *
+   * @param log is told the answers
+   * @param numbers shared with the popups
+   */
+  public PromptQueue(Operator operator, MessageLog log, PromptNumbers numbers) {
+    sheet =
+        switch (operator) {
+          case Operator.Present present -> Optional.empty();
+          case Operator.Absent absent -> Optional.of(new ScriptedAnswers(absent.answers()));
+        };
+    this.log = log;
+    this.numbers = numbers;
+  }
+
+  /**
+   * Asks; where nobody is there, a prepared answer is given at once.
+   *
+   * @param text bytes, one {@code char} a byte; not empty
+   */
+  public PendingPrompt ask(double timeS, Question.Kind kind, String text) {
+    String shown = LogEntry.shortened(text, LONGEST_TEXT);
+    PendingPrompt pendingPrompt =
+        new PendingPrompt(new Question(numbers.next(), timeS, kind, shown));
+    if (sheet.isEmpty() || fresh.size() < MOST_TOLD) {
+      fresh.add(pendingPrompt.question());
+    }
+    if (sheet.isPresent()) {
+      answerFrom(sheet.get(), pendingPrompt);
+    } else {
+      waiting.add(pendingPrompt);
+      publish();
+    }
+    return pendingPrompt;
+  }
+
+  private void answerFrom(ScriptedAnswers answers, PendingPrompt pendingPrompt) {
+    String text = pendingPrompt.question().text();
+    Optional<String> value = answers.next(text);
+    if (value.isEmpty()) {
+      pendingPrompt.refuse("nobody is here to answer \"" + text + "\", and no answer is prepared");
+      return;
+    }
+    try {
+      give(pendingPrompt, pendingPrompt.question().kind().read(value.get()));
+    } catch (IllegalArgumentException e) {
+      pendingPrompt.refuse("prepared for \"" + text + "\": " + e.getMessage());
+    }
+  }
+
+  /**
+   * Answers question {@code number}; it stays open when the answer is refused.
+   *
+   * @throws IllegalArgumentException if it is not open, or if it does not take this answer
+   */
+  public void answer(long number, Answer answer) {
+    PendingPrompt pendingPrompt = find(number);
+    give(pendingPrompt, pendingPrompt.question().kind().fitting(answer));
+    withdraw(pendingPrompt);
+  }
+
+  private void give(PendingPrompt pendingPrompt, Answer answer) {
+    pendingPrompt.answer(answer);
+    log.info("\"" + pendingPrompt.question().text() + "\" is answered: " + answer.text());
+  }
+
+  /**
+   * The operator does not want to answer; whoever calls this stops the program.
+   *
+   * @throws IllegalArgumentException if question {@code number} is not open
+   */
+  public void cancel(long number) {
+    PendingPrompt pendingPrompt = find(number);
+    withdraw(pendingPrompt);
+    log.info("\"" + pendingPrompt.question().text() + "\" is cancelled, the program stops");
+  }
+
+  private PendingPrompt find(long number) {
+    return waiting.stream()
+        .filter(each -> each.question().number() == number)
+        .findFirst()
+        .orElseThrow(() -> new IllegalArgumentException("question " + number + " is not open"));
+  }
+
+  /** Takes a question back: the thread that asked it has ended. */
+  public void withdraw(PendingPrompt pendingPrompt) {
+    waiting.remove(pendingPrompt);
+    publish();
+  }
+
+  private void publish() {
+    open = waiting.stream().map(PendingPrompt::question).toList();
+  }
+
+  /** Those that wait for an answer, oldest first. */
+  public List<Question> open() {
+    return open;
+  }
+
+  /** What was asked since the last call, answered or not; for the frame's snapshot. */
+  public List<Question> takeNew() {
+    if (fresh.isEmpty()) {
+      return List.of();
+    }
+    List<Question> taken = List.copyOf(fresh);
+    fresh = new ArrayList<>();
+    return taken;
+  }
+}

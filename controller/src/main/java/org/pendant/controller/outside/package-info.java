@@ -1,5 +1,0 @@
-/**
- * What a script reaches beyond its controller: the ways out are interfaces that others implement,
- * and what comes in is read here. Open {@link org.pendant.controller.outside.Doors} first.
- */
-package org.pendant.controller.outside;

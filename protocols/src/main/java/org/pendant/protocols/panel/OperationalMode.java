@@ -1,9 +1,0 @@
-package org.pendant.protocols.panel;
-
-/** Who is meant to work with the robot: somebody beside it, or nobody. */
-public enum OperationalMode {
-  /** The robot has no such modes, or nobody has chosen one. */
-  NONE,
-  MANUAL,
-  AUTOMATIC
-}

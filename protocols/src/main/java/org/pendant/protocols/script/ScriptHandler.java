@@ -1,0 +1,245 @@
+package org.pendant.protocols.script;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.Reply;
+import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.message.Question;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.Program;
+import org.pendant.language.source.ByteText;
+import org.pendant.language.source.Diagnostic;
+import org.pendant.language.source.Source;
+import org.pendant.protocols.net.Connection;
+import org.pendant.protocols.net.PeerLog;
+import org.pendant.protocols.net.Session;
+import org.pendant.protocols.server.ServerContext;
+
+/**
+ * Script handler: runs the scripts that clients send. The scripts of one client run one after the
+ * other, each at least a frame before the next; clients do not wait for each other. Any thread.
+ */
+public final class ScriptHandler {
+  /** What a statement without a function around it is called. */
+  static final String UNNAMED = "unnamed";
+
+  private static final String FREEDRIVE_NAME = "set_robotmode_freedrive";
+  private static final String FREEDRIVE =
+      "def " + FREEDRIVE_NAME + "():\n  freedrive_mode()\n  while True:\n    sync()\n  end\nend\n";
+
+  private static final Pattern NAME = Pattern.compile("(?:def|sec)\\s+(\\w+)");
+  private static final Pattern SYNTAX_LINE = Pattern.compile("syntax_error_on_line:(\\d{1,9}):");
+
+  private final ServerContext serverContext;
+  private final Controller controller;
+  private final PeerLog log;
+  private final CompileLanes compiler;
+  private final TextBudget budget = new TextBudget();
+  private final List<Consumer<ScriptTrouble>> listeners = new CopyOnWriteArrayList<>();
+
+  /** For all clients of one controller. */
+  public ScriptHandler(ServerContext serverContext) {
+    this.serverContext = serverContext;
+    controller = serverContext.controller();
+    log = serverContext.log();
+    compiler = new CompileLanes(controller::load);
+  }
+
+  /**
+   * Has {@code listener} told what did not run.
+   *
+   * @param listener called by the thread of the client that sent it
+   */
+  public void onTrouble(Consumer<ScriptTrouble> listener) {
+    listeners.add(listener);
+  }
+
+  /**
+   * The conversation with a client that has just connected and may send scripts.
+   *
+   * @param left runs when the client has gone
+   */
+  public Session session(Connection connection, Runnable left) {
+    return new ScriptSession(
+        new ScriptSession.Client(connection, serverContext.remote().mayControl(), left),
+        this,
+        log,
+        new ScriptFramer(budget));
+  }
+
+  /**
+   * The conversation with a client of a read-only port: whatever it sends is ignored.
+   *
+   * @param left runs when the client has gone
+   */
+  public static Session readOnly(Runnable left) {
+    return new ReadOnlySession(left);
+  }
+
+  /** A client that may only read has sent an item. */
+  void refuse(String client) {
+    log.write(Level.WARNING, client + " sent a script, but connected in local control");
+    tell(new ScriptTrouble.ReadOnly());
+  }
+
+  /**
+   * Carries out an item; comes back when it has had its frame.
+   *
+   * @param client for messages
+   */
+  void accept(ScriptItem item, String client) {
+    switch (item) {
+      case ScriptItem.Program program -> run(source(program.text()), client);
+      case ScriptItem.Line line -> {
+        Optional<RawCommand> command = RawCommand.read(line.text());
+        if (command.isPresent()) {
+          carryOut(command.get(), client);
+        } else {
+          run(sourceOf(UNNAMED, line.text()), client);
+        }
+      }
+    }
+  }
+
+  private static Source source(String text) {
+    Matcher name = NAME.matcher(text);
+    return sourceOf(name.lookingAt() ? name.group(1) : UNNAMED, text);
+  }
+
+  private static Source sourceOf(String name, String text) {
+    return Source.of(name, text.getBytes(StandardCharsets.ISO_8859_1));
+  }
+
+  private void run(Source source, String client) {
+    LoadResult loadResult = compiler.load(source);
+    if (loadResult.program().isEmpty()) {
+      reportErrors(source, loadResult, client);
+      return;
+    }
+    Program program = loadResult.program().get();
+    Reply reply = await(controller.submit(start(program)));
+    // that a secondary program has failed comes with the events of the frame
+    if (reply instanceof Reply.Refused refused) {
+      log.write(
+          Level.WARNING,
+          "program "
+              + program.name()
+              + " of "
+              + client
+              + " was not started: "
+              + ByteText.asBytes(refused.reason()));
+      tell(new ScriptTrouble.NotStarted(ByteText.asBytes(refused.reason())));
+    }
+  }
+
+  private static Command start(Program program) {
+    return program.secondary()
+        ? new Command.RunSecondary(program)
+        : new Command.ReplaceProgram(program);
+  }
+
+  private static Reply await(CompletableFuture<Reply> reply) {
+    return reply.join();
+  }
+
+  private void reportErrors(Source source, LoadResult loadResult, String client) {
+    List<Diagnostic> errors =
+        loadResult.diagnostics().stream().filter(Diagnostic::isError).toList();
+    Diagnostic first = errors.getFirst();
+    int start = Math.min(first.range().start(), source.text().length());
+    log.write(
+        Level.ERROR,
+        "script of "
+            + client
+            + " does not compile: "
+            + source.name()
+            + ":"
+            + source.line(start)
+            + ":"
+            + source.column(start)
+            + ": "
+            + first.message()
+            + (errors.size() > 1 ? " (and " + (errors.size() - 1) + " more errors)" : ""));
+    tell(notCompiled(source, first));
+  }
+
+  /** In the controller's own words, which may give up on a later line than the fault is on. */
+  static ScriptTrouble.NotCompiled notCompiled(Source source, Diagnostic error) {
+    int start = Math.min(error.range().start(), source.text().length());
+    int line = source.line(start);
+    int column = source.column(start);
+    Matcher gaveUp = SYNTAX_LINE.matcher(error.wireText());
+    if (gaveUp.lookingAt() && Integer.parseInt(gaveUp.group(1)) != line) {
+      line = Integer.parseInt(gaveUp.group(1));
+      column = 1;
+    }
+    String text = error.wireText().isEmpty() ? error.message() : error.wireText();
+    return new ScriptTrouble.NotCompiled(line, column, text);
+  }
+
+  private void tell(ScriptTrouble trouble) {
+    listeners.forEach(each -> each.accept(trouble));
+  }
+
+  private void carryOut(RawCommand command, String client) {
+    switch (command) {
+      case RawCommand.PowerOn on -> submit(new Command.PowerOn(), "power on", client);
+      case RawCommand.PowerOff off -> submit(new Command.PowerOff(), "power off", client);
+      case RawCommand.Run run -> {
+        if (controller.state().program().name().equals(FREEDRIVE_NAME)) {
+          submit(new Command.StopProgram(), "stop program", client);
+        }
+        submit(new Command.ReleaseBrakes(), "set robotmode run", client);
+      }
+      case RawCommand.Freedrive freedrive -> run(source(FREEDRIVE), client);
+      case RawCommand.UnlockProtectiveStop unlock ->
+          submit(new Command.UnlockProtectiveStop(true), "set unlock protective stop", client);
+      case RawCommand.StopProgram stop -> submit(new Command.StopProgram(), "stop program", client);
+      case RawCommand.SetSpeed speed ->
+          submit(new Command.SetSpeedFraction(client, speed.fraction()), "set speed", client);
+      case RawCommand.ChooseArm choice ->
+          log.write(
+              Level.INFO,
+              client
+                  + " asks for the "
+                  + (choice.real() ? "real" : "simulated")
+                  + " arm; there is only this one");
+      case RawCommand.AnswerRequest answer -> answer(answer, client);
+    }
+  }
+
+  private void submit(Command command, String name, String client) {
+    if (await(controller.submit(command)) instanceof Reply.Refused refused) {
+      log.write(
+          Level.WARNING,
+          name + " of " + client + " was refused: " + ByteText.asBytes(refused.reason()));
+    }
+  }
+
+  private void answer(RawCommand.AnswerRequest answer, String client) {
+    Optional<Question> question =
+        controller.state().openQuestions().stream()
+            .filter(each -> each.number() == answer.number())
+            .findFirst();
+    if (question.isEmpty()) {
+      submit(new Command.AnswerPopup(answer.number()), "request_value", client);
+      return;
+    }
+    try {
+      submit(
+          new Command.AnswerQuestion(answer.number(), question.get().kind().read(answer.value())),
+          "request_value",
+          client);
+    } catch (IllegalArgumentException e) {
+      log.write(Level.WARNING, "request_value of " + client + " was refused: " + e.getMessage());
+    }
+  }
+}

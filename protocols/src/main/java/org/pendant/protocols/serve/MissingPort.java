@@ -1,9 +1,0 @@
-package org.pendant.protocols.serve;
-
-/**
- * A port that could not be had.
- *
- * @param standardPort its number on a real box
- * @param why the message, which names protocol, address and port
- */
-public record MissingPort(int standardPort, String why) {}

@@ -1,0 +1,392 @@
+package org.pendant.protocols.teachpendant;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.ReentrantLock;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.PendingCommand;
+import org.pendant.controller.Reply;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.file.LoadedInstallation;
+import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.message.Popup;
+import org.pendant.controller.program.file.TreeFile;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.StateStream;
+import org.pendant.controller.vm.ProgramState;
+import org.pendant.language.source.ByteText;
+import org.pendant.protocols.externalcontrol.NoScript;
+import org.pendant.protocols.externalcontrol.ScriptRequest;
+
+/**
+ * Remote pendant: the teach pendant of one control box without a screen. Any thread may use it that
+ * may wait: most methods return when their action is done. A refusal gives its reason, and has
+ * changed nothing.
+ */
+public final class RemotePendant {
+  /** A frame takes 2 ms: a box that has not answered by then stands still. */
+  private static final Duration PATIENCE = Duration.ofSeconds(2);
+
+  /** How long a pause may take to come about before it is called under way. */
+  private static final long PAUSE_NS = TimeUnit.MILLISECONDS.toNanos(800);
+
+  /** More remarks about an installation are of no use in a log. */
+  private static final int MOST_REMARKS = 20;
+
+  private static final String POPUP_TITLE = "Popup";
+
+  private final Controller controller;
+  private final PendantSetup setup;
+  private final Identity identity;
+  private final ProgramRepository programRepository;
+  private final ProgramStore store;
+  private final Reports reports;
+
+  /** One change of the program at a time. */
+  private final ReentrantLock changing = new ReentrantLock();
+
+  private volatile Optional<LoadedProgram> loaded = Optional.empty();
+  private volatile String installation = "default";
+
+  /** The installation for which the loaded program was made; guarded by {@code changing}. */
+  private Installation madeFor = Installation.NONE;
+
+  /** A driver that is asked for a part of the program that is about to start. */
+  private volatile Optional<ScriptRequest> asked = Optional.empty();
+
+  /** The last program that was started with what a driver has sent. */
+  private volatile Optional<DrivenProgram> driven = Optional.empty();
+
+  private volatile OperationalMode mode = OperationalMode.NONE;
+
+  /** A pendant without a loaded program. */
+  public RemotePendant(Controller controller, PendantSetup setup) {
+    this.controller = controller;
+    this.setup = setup;
+    identity = Identity.of(setup.robotId());
+    programRepository = new ProgramRepository(setup.programs(), controller);
+    store = new ProgramStore(setup.programs(), programRepository);
+    reports = new Reports(controller, setup, this::loaded);
+  }
+
+  /** What stands on the type plate. */
+  public Identity identity() {
+    return identity;
+  }
+
+  /** What it belongs to. */
+  public PendantSetup setup() {
+    return setup;
+  }
+
+  /** The newest snapshot of the controller. */
+  public ControllerState state() {
+    return controller.state();
+  }
+
+  /** Files with what there is to know about the box. */
+  public Reports reports() {
+    return reports;
+  }
+
+  /** The program that {@link #play} starts. Programs that others upload do not change it. */
+  public Optional<LoadedProgram> loaded() {
+    return loaded;
+  }
+
+  /** Name of the loaded installation. */
+  public String installation() {
+    return installation;
+  }
+
+  /**
+   * Loads a program of the programs folder, and the installation that it names if that is there; a
+   * program that runs is stopped.
+   *
+   * @param name bytes, one {@code char} a byte
+   */
+  public LoadedProgram load(String name) throws LoadTrouble {
+    cancelStart();
+    changing.lock();
+    try {
+      LoadedProgram found = programRepository.load(name);
+      if (running()) {
+        var _ = ask(new Command.StopProgram());
+      }
+      loaded = Optional.of(found);
+      installation = found.installation().isEmpty() ? installation : found.installation();
+      setUp(found);
+      madeFor = controller.installation();
+      return found;
+    } finally {
+      changing.unlock();
+    }
+  }
+
+  /**
+   * As {@link #load}, also by the name of a file without its ending.
+   *
+   * @param name bytes, one {@code char} a byte
+   */
+  public LoadedProgram loadNamed(String name) throws LoadTrouble {
+    if (ProgramFile.isProgram(name)) {
+      return load(name);
+    }
+    for (String ending : ProgramFile.ENDINGS) {
+      try {
+        return load(name + ending);
+      } catch (LoadTrouble e) {
+        if (!e.missing()) {
+          throw e;
+        }
+      }
+    }
+    throw new LoadTrouble(
+        true,
+        name + " is not there, with none of the endings " + String.join(", ", ProgramFile.ENDINGS));
+  }
+
+  /**
+   * The programs that stand in the programs folder itself, by name.
+   *
+   * @throws IOException if the folder cannot be read
+   */
+  public List<ProgramFile> programs() throws IOException {
+    return programRepository.programs();
+  }
+
+  /** Where clients put programs of PolyScope X, and get them from. */
+  public ProgramStore store() {
+    return store;
+  }
+
+  private void setUp(LoadedProgram program) {
+    if (program.setup().isEmpty() || program.setup().get().equals(controller.installation())) {
+      return;
+    }
+    ask(new Command.ApplyInstallation(program.setup().get()))
+        .ifPresent(
+            why ->
+                log(
+                    Level.WARNING,
+                    "installation " + ByteText.asBytes(program.installation()) + ": " + why));
+  }
+
+  /**
+   * Loads an installation of the programs folder and sets the controller up with it. Refused while
+   * a program runs or the arm moves; where the safety configuration differs the arm is powered off.
+   *
+   * @param name bytes, one {@code char} a byte
+   */
+  public void loadInstallation(String name) throws LoadTrouble {
+    changing.lock();
+    try {
+      LoadedInstallation found = programRepository.installation(name);
+      Optional<String> refusal = ask(new Command.ApplyInstallation(found.installation()));
+      if (refusal.isPresent()) {
+        throw new LoadTrouble(false, name + ": " + refusal.get());
+      }
+      installation = programRepository.nameOf(name);
+      found.remarks().stream()
+          .limit(MOST_REMARKS)
+          .forEach(each -> log(Level.INFO, ByteText.asBytes("installation: " + each)));
+    } finally {
+      changing.unlock();
+    }
+  }
+
+  /**
+   * Loads the program that the installation names for the start, if it names one; one that cannot
+   * be loaded is told in the log.
+   */
+  public void loadAtStart() {
+    String program = controller.installation().startUp().program();
+    if (program.isEmpty()) {
+      return;
+    }
+    try {
+      var _ = load(ByteText.asBytes(program));
+    } catch (LoadTrouble e) {
+      log(Level.WARNING, "program " + program + " is not loaded at the start: " + e.getMessage());
+    }
+  }
+
+  /**
+   * Starts the loaded program, or goes on with one that is paused. One with External Control nodes
+   * waits for the driver, for 10 s at most.
+   */
+  public Optional<String> play() {
+    changing.lock();
+    try {
+      return switch (state().program().state()) {
+        case RUNNING -> Optional.of("program " + state().program().name() + " runs already");
+        case PAUSED -> ask(new Command.ResumeProgram());
+        case STOPPED ->
+            loaded.isPresent() ? start(loaded.get()) : Optional.of("no program is loaded");
+      };
+    } finally {
+      changing.unlock();
+    }
+  }
+
+  /** A program tree begins with what programs have left in the installation's variables. */
+  private Optional<String> start(LoadedProgram program) {
+    Installation now = controller.installation();
+    if (!now.equals(madeFor)) {
+      try {
+        loaded = Optional.of(programRepository.renewed(program));
+        madeFor = now;
+      } catch (LoadTrouble e) {
+        return Optional.of(e.getMessage());
+      }
+    }
+    LoadedProgram ready = loaded.orElseThrow();
+    return ready.program().isPresent()
+        ? ask(new Command.StartProgram(ready.program().get()))
+        : startWithDriver(ready);
+  }
+
+  private Optional<String> startWithDriver(LoadedProgram program) {
+    TreeFile tree = program.tree().orElseThrow();
+    ScriptRequest request = setup.drivers().ask(tree.installation(), tree.waitingNodes());
+    asked = Optional.of(request);
+    try {
+      DrivenProgram whole = programRepository.driven(program, request.await());
+      driven = Optional.of(whole);
+      return asked.isPresent()
+          ? ask(new Command.StartProgram(whole.program()))
+          : Optional.of("stopped before it began");
+    } catch (NoScript | LoadTrouble e) {
+      return Optional.of(e.getMessage());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return Optional.of("interrupted");
+    } finally {
+      asked = Optional.empty();
+    }
+  }
+
+  /**
+   * Which line of what a driver has sent a line of the program is, in words.
+   *
+   * @param source name of the program's text
+   */
+  public Optional<String> receivedAt(String source, int line) {
+    return driven.flatMap(each -> each.receivedAt(source, line));
+  }
+
+  /** A start that waits for a driver comes to nothing. */
+  private void cancelStart() {
+    asked.ifPresent(ScriptRequest::cancel);
+    asked = Optional.empty();
+  }
+
+  /** Pauses the program and waits until it stands. */
+  public Optional<String> pause() {
+    try (StateStream.Follower frames = controller.feed().follow()) {
+      Optional<String> refusal = ask(new Command.PauseProgram());
+      long begunNs = System.nanoTime();
+      while (refusal.isEmpty()
+          && state().program().state() == ProgramState.RUNNING
+          && System.nanoTime() - begunNs < PAUSE_NS) {
+        var _ = frames.take();
+      }
+      return refusal;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return Optional.of("interrupted");
+    }
+  }
+
+  /**
+   * Stops the program, also one that is about to start; refused when there has been none and none
+   * is loaded. One that has just ended by itself is no refusal: some clients end their program and
+   * then make sure of it.
+   */
+  public Optional<String> stop() {
+    cancelStart();
+    return running() || loaded.isPresent() || state().program().ending().isPresent()
+        ? ask(new Command.StopProgram())
+        : Optional.of("no program is loaded or runs");
+  }
+
+  private boolean running() {
+    return state().program().state() != ProgramState.STOPPED;
+  }
+
+  /** The chosen operational mode. */
+  public OperationalMode operationalMode() {
+    return mode;
+  }
+
+  /** Chooses an operational mode; NONE leaves the choice to nobody, as AUTOMATIC for the robot. */
+  public void setOperationalMode(OperationalMode chosen) {
+    mode = chosen;
+    var _ = ask(new Command.SetManualMode(chosen == OperationalMode.MANUAL));
+    log(Level.INFO, "operational mode: " + chosen);
+  }
+
+  /**
+   * Shows a popup.
+   *
+   * @param text bytes, one {@code char} a byte
+   */
+  public Optional<String> showPopup(String text) {
+    return ask(new Command.ShowPopup(POPUP_TITLE, text));
+  }
+
+  /** Closes the newest popup, whoever has shown it; a program that waits for it goes on. */
+  public Optional<String> closePopup() {
+    List<Popup> open = state().openPopups();
+    return open.isEmpty()
+        ? Optional.of("no popup is open")
+        : ask(new Command.AnswerPopup(open.getLast().number()));
+  }
+
+  /** Writes a line to the log of the controller; does not wait. */
+  public void log(Level level, String text) {
+    var _ = controller.submit(new Command.WriteLog(level, text));
+  }
+
+  /**
+   * Has the controller carry out a command, and waits until it has. What it does not come to in
+   * time is taken back, unless it ends something: a late stop is better than none.
+   */
+  public Optional<String> ask(Command command) {
+    PendingCommand pending = controller.post(command);
+    try {
+      Reply reply = ends(command) ? awaitEnd(pending) : pending.await(PATIENCE);
+      return switch (reply) {
+        case Reply.Refused refused -> Optional.of(refused.reason());
+        case Reply.Failed failed -> Optional.of(failed.reason());
+        case Reply.Done _, Reply.Interpreted _, Reply.InterpreterState _ -> Optional.empty();
+      };
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return Optional.of("interrupted");
+    }
+  }
+
+  private static boolean ends(Command command) {
+    return command instanceof Command.StopProgram
+        || command instanceof Command.PauseProgram
+        || command instanceof Command.PowerOff
+        || command instanceof Command.ShutDown;
+  }
+
+  private static Reply awaitEnd(PendingCommand pending) throws InterruptedException {
+    try {
+      return pending.reply().get(PATIENCE.toNanos(), TimeUnit.NANOSECONDS);
+    } catch (TimeoutException e) {
+      return new Reply.Refused("the controller does not answer");
+    } catch (ExecutionException e) {
+      return new Reply.Refused("the controller has failed: " + e.getCause());
+    }
+  }
+}

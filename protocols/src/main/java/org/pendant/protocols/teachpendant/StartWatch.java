@@ -1,0 +1,54 @@
+package org.pendant.protocols.teachpendant;
+
+import java.util.concurrent.atomic.AtomicInteger;
+import org.pendant.controller.Controller;
+import org.pendant.controller.installation.StartEdge;
+import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.state.ControllerState;
+
+/** Plays the loaded program when the input asks for it that the installation names. */
+public final class StartWatch {
+  private final Controller controller;
+  private final RemotePendant remotePendant;
+  private final StartEdge edge = new StartEdge();
+
+  /** Edges that nobody has answered to yet. */
+  private final AtomicInteger asked = new AtomicInteger();
+
+  /**
+   * A watch that looks at nothing yet.
+   *
+   * @param remotePendant has the loaded program
+   */
+  public StartWatch(Controller controller, RemotePendant remotePendant) {
+    this.controller = controller;
+    this.remotePendant = remotePendant;
+  }
+
+  /** Looks at a frame; does not wait. One thread hands over all of them, in order. */
+  public void look(ControllerState state) {
+    if (edge.look(controller.installation().startUp(), state.io())
+        && asked.getAndIncrement() == 0) {
+      Thread.ofVirtual().name("start by input").start(this::play);
+    }
+  }
+
+  private void play() {
+    int answered;
+    do {
+      answered = asked.get();
+      playOnce();
+    } while (asked.addAndGet(-answered) > 0);
+  }
+
+  /** A fault is logged, as the next edge must be answered all the same. */
+  private void playOnce() {
+    try {
+      remotePendant
+          .play()
+          .ifPresent(why -> remotePendant.log(Level.WARNING, "start by an input: " + why));
+    } catch (RuntimeException e) {
+      remotePendant.log(Level.ERROR, "start by an input: internal error: " + e);
+    }
+  }
+}
