@@ -55,6 +55,13 @@ final class ArchitectureTest {
           .mayOnlyBeAccessedByLayers("controller", "protocols", "gui")
           .ensureAllClassesAreContainedInArchitecture();
 
+  /** What docs/glossary.md has better words for. */
+  @ArchTest
+  static final ArchRule namesAreThoseOfTheField =
+      noClasses()
+          .should()
+          .haveNameMatching(".*\\.\\w*(Desk|Doors?|Witness|Foresight|Succession|Headroom)");
+
   @ArchTest
   static final ArchRule packagesFormNoCycle =
       slices().assignedFrom(new OneSlicePerPackage()).should().beFreeOfCycles();
