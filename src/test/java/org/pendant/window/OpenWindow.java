@@ -140,12 +140,17 @@ final class OpenWindow implements AutoCloseable {
 
   /** Opens a program by the dialog, and gives the focus back to the window. */
   void open(Path file) {
+    takeFocus();
     press("control O");
     awaitFocus("open-dialog");
     type(file + "\n");
     awaitWords("program-name", String.valueOf(file.getFileName()));
     awaitHidden("open-dialog");
-    // Without a window manager nobody else gives it.
+    takeFocus();
+  }
+
+  /** Without a window manager nobody else gives the window the focus, and keys are lost. */
+  private void takeFocus() {
     click("rail-run");
     awaitFocus("pendant");
   }
