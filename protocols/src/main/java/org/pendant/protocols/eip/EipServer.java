@@ -69,7 +69,7 @@ public final class EipServer implements Server {
       throws IOException {
     UdpPort io =
         UdpPort.open(
-            numbers.listening("EtherNet/IP I/O", ConnectionManager.STANDARD_IO_PORT),
+            numbers.listening("EtherNet/IP I/O", ConnectionHandler.STANDARD_IO_PORT),
             serverContext.log());
     AssemblyHandler assemblyHandler = new AssemblyHandler(serverContext.controller());
     Connections connections = new Connections(assemblyHandler, io, serverContext.log());
@@ -108,7 +108,7 @@ public final class EipServer implements Server {
     Map<Integer, CipObject> objects =
         new HashMap<>(DeviceObjects.of(listening.host(), connections::status));
     objects.put(DeviceObjects.ASSEMBLY, new AssemblyObject(assemblyHandler, connections::received));
-    return new MessageRouter(objects, new ConnectionManager(connections, assemblyHandler));
+    return new MessageRouter(objects, new ConnectionHandler(connections, assemblyHandler));
   }
 
   private static EipServer complete(

@@ -14,14 +14,14 @@ final class MessageRouter {
   private static final int EMBEDDING = 4;
 
   private final Map<Integer, CipObject> objects;
-  private final ConnectionManager manager;
+  private final ConnectionHandler manager;
 
   /**
    * A router.
    *
    * @param objects by the numbers of their classes
    */
-  MessageRouter(Map<Integer, CipObject> objects, ConnectionManager manager) {
+  MessageRouter(Map<Integer, CipObject> objects, ConnectionHandler manager) {
     this.objects = Map.copyOf(objects);
     this.manager = manager;
   }

@@ -9,9 +9,9 @@ import java.util.OptionalInt;
 import org.pendant.controller.eip.AssemblyPair;
 
 /**
- * Connection manager: opens and closes connections on request of scanners (CIP volume 1, 3-5.5).
+ * Connection handler: opens and closes connections on request of scanners (CIP volume 1, 3-5.5).
  */
-final class ConnectionManager {
+final class ConnectionHandler {
   /** Where scanners and adapters expect cyclic data. */
   static final int STANDARD_IO_PORT = 2222;
 
@@ -29,7 +29,7 @@ final class ConnectionManager {
   private final Connections connections;
   private final AssemblyHandler assemblyHandler;
 
-  ConnectionManager(Connections connections, AssemblyHandler assemblyHandler) {
+  ConnectionHandler(Connections connections, AssemblyHandler assemblyHandler) {
     this.connections = connections;
     this.assemblyHandler = assemblyHandler;
   }
