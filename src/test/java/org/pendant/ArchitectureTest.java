@@ -37,8 +37,12 @@ final class ArchitectureTest {
           .definedBy("org.pendant.language..")
           .layer("models")
           .definedBy("org.pendant.models..")
-          .layer("controller")
+          .layer("core")
           .definedBy("org.pendant.controller..")
+          .layer("recording")
+          .definedBy("org.pendant.recording..")
+          .layer("project")
+          .definedBy("org.pendant.project..")
           .layer("protocols")
           .definedBy("org.pendant.protocols..")
           .layer("gui")
@@ -47,12 +51,16 @@ final class ArchitectureTest {
           .mayNotBeAccessedByAnyLayer()
           .whereLayer("protocols")
           .mayOnlyBeAccessedByLayers("gui")
-          .whereLayer("controller")
+          .whereLayer("recording")
+          .mayOnlyBeAccessedByLayers("gui")
+          .whereLayer("project")
           .mayOnlyBeAccessedByLayers("protocols", "gui")
+          .whereLayer("core")
+          .mayOnlyBeAccessedByLayers("recording", "project", "protocols", "gui")
           .whereLayer("language")
-          .mayOnlyBeAccessedByLayers("controller", "protocols", "gui")
+          .mayOnlyBeAccessedByLayers("core", "recording", "project", "protocols", "gui")
           .whereLayer("models")
-          .mayOnlyBeAccessedByLayers("controller", "protocols", "gui")
+          .mayOnlyBeAccessedByLayers("core", "recording", "project", "protocols", "gui")
           .ensureAllClassesAreContainedInArchitecture();
 
   /** What docs/glossary.md has better words for. */
@@ -126,7 +134,11 @@ final class ArchitectureTest {
       noClasses()
           .that()
           .resideInAnyPackage(
-              "org.pendant.language..", "org.pendant.models..", "org.pendant.controller..")
+              "org.pendant.language..",
+              "org.pendant.models..",
+              "org.pendant.controller..",
+              "org.pendant.recording..",
+              "org.pendant.project..")
           .should()
           .dependOnClassesThat(
               resideInAnyPackage("java.net..", "java.nio.channels..")

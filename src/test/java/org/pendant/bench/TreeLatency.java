@@ -1,6 +1,6 @@
 package org.pendant.bench;
 
-import static org.pendant.controller.program.ProgramTree.node;
+import static org.pendant.project.program.ProgramTree.node;
 
 import java.awt.Component;
 import java.awt.Container;
@@ -28,22 +28,22 @@ import javax.swing.AbstractButton;
 import javax.swing.JFileChooser;
 import javax.swing.JList;
 import javax.swing.JScrollPane;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.FlowStep;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.MoveKind;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Setting;
-import org.pendant.controller.program.Timing;
-import org.pendant.controller.program.ToolChoice;
-import org.pendant.controller.program.WaitFor;
-import org.pendant.controller.program.WaypointPosition;
-import org.pendant.controller.program.WaypointTarget;
-import org.pendant.controller.program.text.ProgramText;
 import org.pendant.gui.shell.Desktop;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.FlowStep;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Setting;
+import org.pendant.project.program.Timing;
+import org.pendant.project.program.ToolChoice;
+import org.pendant.project.program.WaitFor;
+import org.pendant.project.program.WaypointPosition;
+import org.pendant.project.program.WaypointTarget;
+import org.pendant.project.program.text.ProgramText;
 
 /**
  * How long the desktop takes to open a long program tree, from the press that chooses its file to

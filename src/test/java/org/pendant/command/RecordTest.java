@@ -20,8 +20,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.Launcher.Result;
-import org.pendant.controller.recording.Recording;
-import org.pendant.controller.recording.RecordingFile;
+import org.pendant.recording.Recording;
+import org.pendant.recording.RecordingFile;
 
 /** {@code pendant run --record}. */
 final class RecordTest {

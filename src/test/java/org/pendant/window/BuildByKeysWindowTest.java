@@ -10,8 +10,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.program.text.ProgramText;
-import org.pendant.controller.program.text.ReadProgram;
+import org.pendant.project.program.text.ProgramText;
+import org.pendant.project.program.text.ReadProgram;
 
 /** A program made of nodes, from nothing to the file and back, by the keyboard alone. */
 final class BuildByKeysWindowTest {

@@ -14,11 +14,11 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.text.ProgramText;
-import org.pendant.controller.program.text.ReadProgram;
 import org.pendant.gui.session.RecoveryFolder;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.text.ProgramText;
+import org.pendant.project.program.text.ReadProgram;
 
 /**
  * Windows that are killed at random moments while somebody types into the form of a node. The

@@ -2,7 +2,7 @@ package org.pendant.window;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.pendant.controller.program.ProgramTree.node;
+import static org.pendant.project.program.ProgramTree.node;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -13,22 +13,22 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.MoveKind;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Section;
-import org.pendant.controller.program.Timing;
-import org.pendant.controller.program.ToolChoice;
-import org.pendant.controller.program.WaitFor;
-import org.pendant.controller.program.WaypointPosition;
-import org.pendant.controller.program.WaypointTarget;
-import org.pendant.controller.program.text.ProgramText;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.Timing;
+import org.pendant.project.program.ToolChoice;
+import org.pendant.project.program.WaitFor;
+import org.pendant.project.program.WaypointPosition;
+import org.pendant.project.program.WaypointTarget;
+import org.pendant.project.program.text.ProgramText;
 
 /** Starting programs that are trees: at a node, and with the arm away from where they go first. */
 final class StartWindowTest {

@@ -9,18 +9,18 @@ import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileTrouble;
-import org.pendant.controller.installation.file.InstallationFile;
-import org.pendant.controller.installation.file.InstallationTrouble;
-import org.pendant.controller.installation.file.LoadedInstallation;
-import org.pendant.controller.installation.text.InstallationText;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.file.BrokenTree;
-import org.pendant.controller.program.file.TreeFile;
-import org.pendant.controller.program.text.ProgramText;
-import org.pendant.controller.program.urp.UrpPrograms;
-import org.pendant.controller.recording.Recording;
-import org.pendant.controller.recording.RecordingExport;
-import org.pendant.controller.recording.RecordingFile;
+import org.pendant.project.installation.file.InstallationFile;
+import org.pendant.project.installation.file.InstallationTrouble;
+import org.pendant.project.installation.file.LoadedInstallation;
+import org.pendant.project.installation.text.InstallationText;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.file.BrokenTree;
+import org.pendant.project.program.file.TreeFile;
+import org.pendant.project.program.text.ProgramText;
+import org.pendant.project.program.urp.UrpPrograms;
+import org.pendant.recording.Recording;
+import org.pendant.recording.RecordingExport;
+import org.pendant.recording.RecordingFile;
 
 /** {@code pendant convert FROM TO}: writes a file in another form; the endings say which. */
 final class ConvertCommand implements Subcommand {

@@ -12,9 +12,9 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationCheck;
 import org.pendant.controller.installation.InstallationProblem;
-import org.pendant.controller.installation.file.InstallationFile;
-import org.pendant.controller.installation.file.InstallationTrouble;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.project.installation.file.InstallationFile;
+import org.pendant.project.installation.file.InstallationTrouble;
 
 /** {@code --installation FILE}: how the robot is set up. */
 final class InstallationOption {

@@ -5,8 +5,8 @@ import java.io.StringWriter;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.program.file.TreeFile;
 import org.pendant.language.check.Nearest;
+import org.pendant.project.program.file.TreeFile;
 
 /**
  * The {@code pendant} command: finds the subcommand, and turns whatever happens into an exit code

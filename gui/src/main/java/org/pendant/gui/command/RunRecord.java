@@ -9,10 +9,10 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.disk.FileDraft;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.disk.GrowingFile;
-import org.pendant.controller.recording.ProgramText;
-import org.pendant.controller.recording.Recorder;
-import org.pendant.controller.recording.RecordingWriter;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.recording.ProgramText;
+import org.pendant.recording.Recorder;
+import org.pendant.recording.RecordingWriter;
 
 /**
  * The file that a run is recorded to, if one is wanted. Its name says what it is: {@code .rec} a

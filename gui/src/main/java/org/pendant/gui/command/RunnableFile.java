@@ -9,13 +9,13 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.file.BrokenTree;
-import org.pendant.controller.program.file.TreeFile;
-import org.pendant.controller.program.script.GeneratedScript;
-import org.pendant.controller.program.urp.UrpPrograms;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
+import org.pendant.project.program.file.BrokenTree;
+import org.pendant.project.program.file.TreeFile;
+import org.pendant.project.program.script.GeneratedScript;
+import org.pendant.project.program.urp.UrpPrograms;
 import org.pendant.protocols.externalcontrol.Drivers;
 import org.pendant.protocols.externalcontrol.NoScript;
 

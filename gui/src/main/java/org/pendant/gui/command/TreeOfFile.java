@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.file.BrokenTree;
-import org.pendant.controller.program.file.TreeFile;
+import org.pendant.project.program.file.BrokenTree;
+import org.pendant.project.program.file.TreeFile;
 
 /**
  * A program tree of a command line, in the installation that it belongs to.

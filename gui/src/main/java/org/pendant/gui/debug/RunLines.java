@@ -3,9 +3,9 @@ package org.pendant.gui.debug;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import org.pendant.controller.program.ControlScript;
-import org.pendant.controller.program.script.GeneratedScript;
-import org.pendant.controller.program.script.GeneratedScript.Place;
+import org.pendant.project.program.ControlScript;
+import org.pendant.project.program.script.GeneratedScript;
+import org.pendant.project.program.script.GeneratedScript.Place;
 
 /** Which lines of the text that runs are which of the text that people see; both count from 1. */
 public interface RunLines {

@@ -3,7 +3,7 @@ package org.pendant.gui.debug;
 import java.util.Optional;
 import java.util.function.Function;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.ControlScript;
+import org.pendant.project.program.ControlScript;
 
 /**
  * A program that is about to start, as it is at that moment.

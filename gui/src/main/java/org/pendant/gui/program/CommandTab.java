@@ -4,8 +4,8 @@ import java.awt.CardLayout;
 import java.util.Optional;
 import java.util.OptionalLong;
 import javax.swing.JPanel;
-import org.pendant.controller.program.ProgramNode;
 import org.pendant.gui.program.form.NodeForms;
+import org.pendant.project.program.ProgramNode;
 
 /**
  * The selected node: its form, what can be done with several, or what is known of a foreign one.

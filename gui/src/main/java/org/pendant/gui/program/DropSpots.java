@@ -3,9 +3,9 @@ package org.pendant.gui.program;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.program.Placement;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
+import org.pendant.project.program.Placement;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
 
 /** Where nodes go that are dropped at a point of the tree. */
 final class DropSpots {

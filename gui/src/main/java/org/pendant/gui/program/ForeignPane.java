@@ -10,13 +10,13 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.StepNames;
-import org.pendant.controller.program.script.GeneratedScript;
-import org.pendant.controller.program.script.GeneratedScript.Place;
-import org.pendant.controller.program.urp.ShownNodes;
 import org.pendant.gui.layout.CodeArea;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.StepNames;
+import org.pendant.project.program.script.GeneratedScript;
+import org.pendant.project.program.script.GeneratedScript.Place;
+import org.pendant.project.program.urp.ShownNodes;
 
 /** What is known of a node of a program of PolyScope X: what it is called, and its lines. */
 @SuppressWarnings("serial") // never written to a stream

@@ -1,11 +1,11 @@
 package org.pendant.gui.program;
 
 import java.util.List;
-import org.pendant.controller.program.ForeignStep;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.StepNames;
-import org.pendant.controller.program.urp.ShownNodes;
+import org.pendant.project.program.ForeignStep;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.StepNames;
+import org.pendant.project.program.urp.ShownNodes;
 
 /**
  * A program of PolyScope X as people see it. In the file its nodes are suppressed folders, as the

@@ -16,9 +16,9 @@ import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.check.NodeProblem;
 import org.pendant.gui.workbench.Palette;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.check.NodeProblem;
 
 /** What keeps the program from running, below the tree: a line, and on demand all of it. */
 @SuppressWarnings("serial") // never written to a stream

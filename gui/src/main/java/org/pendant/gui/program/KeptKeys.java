@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
 
 /** Gives the nodes of a tree that was read again the keys that they had, where they are alike. */
 final class KeptKeys {

@@ -3,14 +3,14 @@ package org.pendant.gui.program;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
-import org.pendant.controller.program.FlowStep;
-import org.pendant.controller.program.NewNodes;
-import org.pendant.controller.program.NodeKind;
-import org.pendant.controller.program.Placement;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Section;
-import org.pendant.controller.program.Step;
+import org.pendant.project.program.FlowStep;
+import org.pendant.project.program.NewNodes;
+import org.pendant.project.program.NodeKind;
+import org.pendant.project.program.Placement;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.Step;
 
 /**
  * Where nodes go that somebody adds without saying where: into the selected node, or behind it, or

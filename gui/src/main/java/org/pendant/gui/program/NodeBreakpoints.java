@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.pendant.controller.program.script.GeneratedScript;
-import org.pendant.controller.program.script.GeneratedScript.Place;
+import org.pendant.project.program.script.GeneratedScript;
+import org.pendant.project.program.script.GeneratedScript.Place;
 
 /**
  * Which nodes of a program the breakpoints in its script stand beside. A node and the first one

@@ -5,9 +5,9 @@ import java.util.Map;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.SignalUse;
-import org.pendant.controller.program.ExternalControl;
-import org.pendant.controller.program.Step;
-import org.pendant.controller.program.StepNames;
+import org.pendant.project.program.ExternalControl;
+import org.pendant.project.program.Step;
+import org.pendant.project.program.StepNames;
 
 /** What nodes are called on the screen, with what people call things in an installation. */
 final class NodeLabels {

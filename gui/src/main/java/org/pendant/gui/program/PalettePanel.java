@@ -24,10 +24,10 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.SwingUtilities;
-import org.pendant.controller.program.NodeKind;
-import org.pendant.controller.program.ProgramNode;
 import org.pendant.gui.layout.Typed;
 import org.pendant.gui.workbench.Palette;
+import org.pendant.project.program.NodeKind;
+import org.pendant.project.program.ProgramNode;
 
 /** The kinds of nodes that can be added: by a click, by Enter, or dragged into the tree. */
 @SuppressWarnings("serial") // never written to a stream

@@ -7,18 +7,18 @@ import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.jog.JogMove;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.TemplateStep;
-import org.pendant.controller.program.TreeNames;
-import org.pendant.controller.program.WaypointPosition;
-import org.pendant.controller.program.check.NodeProblem;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.move.JogHold;
 import org.pendant.gui.program.form.FormHost;
 import org.pendant.gui.program.form.Taught;
 import org.pendant.gui.workbench.Workbench;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.TemplateStep;
+import org.pendant.project.program.TreeNames;
+import org.pendant.project.program.WaypointPosition;
+import org.pendant.project.program.check.NodeProblem;
 
 /** What forms use of the program in front. */
 final class ProgramHost implements FormHost {

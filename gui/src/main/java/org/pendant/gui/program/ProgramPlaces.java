@@ -8,15 +8,15 @@ import java.util.Optional;
 import java.util.Set;
 import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.TreeNames;
-import org.pendant.controller.program.WaypointPosition;
-import org.pendant.controller.program.WaypointTarget;
 import org.pendant.gui.scene.WaypointMarkers;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.TreeNames;
+import org.pendant.project.program.WaypointPosition;
+import org.pendant.project.program.WaypointTarget;
 
 /** The places of a program as they are shown in 3D. */
 final class ProgramPlaces {

@@ -16,8 +16,6 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.check.NodeProblem;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.move.JogHold;
 import org.pendant.gui.program.form.NodeForms;
@@ -26,6 +24,8 @@ import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.check.NodeProblem;
 
 /** The screen where programs are built as trees: palette, tree, and the form of a node. */
 public final class ProgramView implements View {

@@ -1,18 +1,18 @@
 package org.pendant.gui.program;
 
 import java.util.Optional;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.FlowStep;
-import org.pendant.controller.program.ForeignStep;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.PlaceNames;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Section;
-import org.pendant.controller.program.SeekChange;
-import org.pendant.controller.program.Step;
-import org.pendant.controller.program.TemplateStep;
-import org.pendant.controller.program.WaypointTarget;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.FlowStep;
+import org.pendant.project.program.ForeignStep;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.PlaceNames;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.SeekChange;
+import org.pendant.project.program.Step;
+import org.pendant.project.program.TemplateStep;
+import org.pendant.project.program.WaypointTarget;
 
 /** What nodes are called, and calling them otherwise wherever they are named. */
 final class Renames {

@@ -14,9 +14,6 @@ import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.pendant.controller.debug.Breakpoint;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.script.GeneratedScript;
-import org.pendant.controller.program.script.GeneratedScript.Place;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.vm.ThreadSnapshot;
 import org.pendant.gui.debug.DebugPresenter;
@@ -24,6 +21,9 @@ import org.pendant.gui.editor.Execution;
 import org.pendant.gui.editor.LineIcon;
 import org.pendant.gui.editor.ScriptEditor;
 import org.pendant.gui.session.ProgramDocument;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.script.GeneratedScript;
+import org.pendant.project.program.script.GeneratedScript.Place;
 
 /**
  * Keeps the tree of a program and the script that it generates together: breakpoints, the place

@@ -6,9 +6,9 @@ import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.DefaultHighlighter;
-import org.pendant.controller.program.script.GeneratedScript;
 import org.pendant.gui.layout.CodeArea;
 import org.pendant.gui.workbench.Palette;
+import org.pendant.project.program.script.GeneratedScript;
 
 /** The script that the tree generates, with the lines of the selected node marked. */
 @SuppressWarnings("serial") // never written to a stream

@@ -15,9 +15,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import javax.swing.Icon;
-import org.pendant.controller.program.NodeKind;
-import org.pendant.controller.program.Step;
 import org.pendant.gui.workbench.Palette;
+import org.pendant.project.program.NodeKind;
+import org.pendant.project.program.Step;
 
 /** A small drawing for each kind of node, in a square of 16, in the colour of its family. */
 final class StepIcon implements Icon {

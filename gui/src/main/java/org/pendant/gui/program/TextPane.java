@@ -16,11 +16,11 @@ import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import javax.swing.undo.UndoManager;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.controller.program.text.TextProblem;
 import org.pendant.gui.layout.CodeArea;
 import org.pendant.gui.layout.Typed;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.workbench.Palette;
+import org.pendant.project.program.text.TextProblem;
 
 /** The text of a program file, to be put right by hand, with what cannot be understood in it. */
 @SuppressWarnings("serial") // never written to a stream

@@ -5,9 +5,9 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import javax.swing.KeyStroke;
-import org.pendant.controller.program.NodeKind;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.Actions;
+import org.pendant.project.program.NodeKind;
 
 /** What can be done on the Program screen, by name and key. */
 final class TreeActions {

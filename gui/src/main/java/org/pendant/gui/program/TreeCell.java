@@ -16,10 +16,10 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.ListCellRenderer;
 import javax.swing.UIManager;
-import org.pendant.controller.program.check.NodeProblem;
 import org.pendant.gui.editor.Execution;
 import org.pendant.gui.editor.LineIcon;
 import org.pendant.gui.workbench.Palette;
+import org.pendant.project.program.check.NodeProblem;
 
 /** Draws a node of a tree: mark, number, how deep it is, what it is, and whether it is complete. */
 @SuppressWarnings("serial") // never written to a stream

@@ -6,13 +6,13 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.pendant.controller.program.PlaceNames;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.TreeNames;
-import org.pendant.controller.program.WaypointPosition;
-import org.pendant.controller.program.text.Clip;
-import org.pendant.controller.program.text.ProgramText;
+import org.pendant.project.program.PlaceNames;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.TreeNames;
+import org.pendant.project.program.WaypointPosition;
+import org.pendant.project.program.text.Clip;
+import org.pendant.project.program.text.ProgramText;
 
 /** Nodes on the clipboard, as text, with the places that they go to. */
 final class TreeClips {

@@ -8,14 +8,14 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.NewNodes;
-import org.pendant.controller.program.NodeKind;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.StepNames;
-import org.pendant.controller.program.text.Clip;
-import org.pendant.controller.program.text.ProgramText;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.NewNodes;
+import org.pendant.project.program.NodeKind;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.StepNames;
+import org.pendant.project.program.text.Clip;
+import org.pendant.project.program.text.ProgramText;
 
 /** What people do with the selected nodes of the program in front. It has no Swing. */
 final class TreeCommands {

@@ -13,8 +13,8 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
-import org.pendant.controller.program.ProgramNode;
 import org.pendant.gui.fault.Faults;
+import org.pendant.project.program.ProgramNode;
 
 /**
  * Nodes on their way under the pointer, from the tree or from the palette. The pointer's own

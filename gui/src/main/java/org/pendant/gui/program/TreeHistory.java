@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
 import java.util.function.LongSupplier;
-import org.pendant.controller.program.ProgramTree;
+import org.pendant.project.program.ProgramTree;
 
 /** Trees as they were before each change, so that changes can be undone and done again. */
 final class TreeHistory {

@@ -22,9 +22,9 @@ import java.util.function.Consumer;
 import javax.swing.JList;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.check.NodeProblem;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.check.NodeProblem;
 
 /** The nodes of a program, one a line, each below the one that holds it. */
 @SuppressWarnings("serial") // never written to a stream

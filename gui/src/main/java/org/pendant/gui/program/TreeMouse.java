@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.LongConsumer;
 import javax.swing.SwingUtilities;
-import org.pendant.controller.program.ProgramNode;
+import org.pendant.project.program.ProgramNode;
 
 /**
  * What a mouse does with a tree besides what it does with any list: breakpoints, folding, and

@@ -19,12 +19,12 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
-import org.pendant.controller.program.check.NodeProblem;
 import org.pendant.gui.layout.WrappingRow;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
 import org.pendant.gui.workbench.Actions;
 import org.pendant.gui.workbench.KeyText;
+import org.pendant.project.program.check.NodeProblem;
 
 /** The tree with what is around it: buttons, search, and what is not complete. */
 @SuppressWarnings("serial") // never written to a stream

@@ -10,16 +10,16 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.check.NodeProblem;
-import org.pendant.controller.program.check.ProgramCheck;
-import org.pendant.controller.program.script.GeneratedScript;
-import org.pendant.controller.program.script.ScriptGenerator;
-import org.pendant.controller.program.text.ProgramText;
-import org.pendant.controller.program.text.ReadProgram;
-import org.pendant.controller.program.text.TextProblem;
-import org.pendant.controller.program.urp.ShownNodes;
 import org.pendant.gui.session.ProgramDocument;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.check.NodeProblem;
+import org.pendant.project.program.check.ProgramCheck;
+import org.pendant.project.program.script.GeneratedScript;
+import org.pendant.project.program.script.ScriptGenerator;
+import org.pendant.project.program.text.ProgramText;
+import org.pendant.project.program.text.ReadProgram;
+import org.pendant.project.program.text.TextProblem;
+import org.pendant.project.program.urp.ShownNodes;
 
 /**
  * An open program whose text is a tree: each change of the tree is written into the text at once,

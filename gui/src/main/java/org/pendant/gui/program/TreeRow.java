@@ -3,9 +3,9 @@ package org.pendant.gui.program;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.StepNames;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.StepNames;
 
 /**
  * A node as a line of the screen.

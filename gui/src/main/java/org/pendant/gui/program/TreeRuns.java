@@ -2,20 +2,20 @@ package org.pendant.gui.program;
 
 import java.util.Optional;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.ExternalControl;
-import org.pendant.controller.program.FirstWaypoint;
-import org.pendant.controller.program.PlayFrom;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Section;
-import org.pendant.controller.program.StepNames;
-import org.pendant.controller.program.script.GeneratedScript;
-import org.pendant.controller.program.script.ScriptGenerator;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.debug.RunLines;
 import org.pendant.gui.debug.RunPlan;
 import org.pendant.gui.debug.RunScript;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.language.source.Source;
+import org.pendant.project.program.ExternalControl;
+import org.pendant.project.program.FirstWaypoint;
+import org.pendant.project.program.PlayFrom;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.StepNames;
+import org.pendant.project.program.script.GeneratedScript;
+import org.pendant.project.program.script.ScriptGenerator;
 
 /**
  * Programs that are trees as they run: from their beginning or from a node. Everywhere 0 stands for

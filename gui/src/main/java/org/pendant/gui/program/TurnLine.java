@@ -2,14 +2,14 @@ package org.pendant.gui.program;
 
 import java.util.List;
 import java.util.stream.Stream;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.FlowStep;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Section;
-import org.pendant.controller.program.WaitFor;
-import org.pendant.controller.program.script.GeneratedScript;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.FlowStep;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.WaitFor;
+import org.pendant.project.program.script.GeneratedScript;
 
 /** Finds where the turns of a main program can be counted. */
 final class TurnLine {

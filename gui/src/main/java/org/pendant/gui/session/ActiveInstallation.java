@@ -3,9 +3,9 @@ package org.pendant.gui.session;
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.installation.text.InstallationText;
-import org.pendant.controller.installation.text.ReadInstallation;
-import org.pendant.controller.program.text.TextProblem;
+import org.pendant.project.installation.text.InstallationText;
+import org.pendant.project.installation.text.ReadInstallation;
+import org.pendant.project.program.text.TextProblem;
 
 /**
  * The installation that the desktop works with, and the document that it is written in. One thread

@@ -2,8 +2,8 @@ package org.pendant.gui.session;
 
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
-import org.pendant.controller.replay.Rerun;
-import org.pendant.controller.replay.RerunRefused;
+import org.pendant.recording.replay.Rerun;
+import org.pendant.recording.replay.RerunRefused;
 
 /**
  * A branch on its way: beside the controller that goes on, another one repeats its run up to a

@@ -9,11 +9,11 @@ import org.pendant.controller.FrameLoop;
 import org.pendant.controller.Pace;
 import org.pendant.controller.Reply;
 import org.pendant.controller.SteerableClock;
-import org.pendant.controller.recording.RecordingRing;
-import org.pendant.controller.replay.Journal;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.fault.Faults;
 import org.pendant.protocols.toolserial.ToolSerialLine;
+import org.pendant.recording.RecordingRing;
+import org.pendant.recording.replay.Journal;
 
 /** One controller with the thread that drives it, until it is switched off. */
 final class DrivenController implements AutoCloseable {

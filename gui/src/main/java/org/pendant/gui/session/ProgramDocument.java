@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.program.file.TreeFile;
 import org.pendant.language.source.Source;
+import org.pendant.project.program.file.TreeFile;
 
 /**
  * A program that is open: its text, and what of it is on disk. It reads and writes nothing itself.

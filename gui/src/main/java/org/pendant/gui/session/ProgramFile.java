@@ -11,11 +11,11 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.util.List;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileTrouble;
-import org.pendant.controller.polyscope.xml.UnreadableFile;
-import org.pendant.controller.program.file.TreeFile;
-import org.pendant.controller.program.text.ProgramText;
-import org.pendant.controller.program.urp.ImportedProgram;
-import org.pendant.controller.program.urp.UrpxPrograms;
+import org.pendant.project.polyscope.xml.UnreadableFile;
+import org.pendant.project.program.file.TreeFile;
+import org.pendant.project.program.text.ProgramText;
+import org.pendant.project.program.urp.ImportedProgram;
+import org.pendant.project.program.urp.UrpxPrograms;
 
 /**
  * A program as it is on disk. Its methods read and write, so they are not for the dispatch thread.

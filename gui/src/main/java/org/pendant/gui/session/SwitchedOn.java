@@ -5,13 +5,13 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.function.Builtins;
-import org.pendant.controller.recording.RecordingRing;
-import org.pendant.controller.replay.Journal;
-import org.pendant.controller.replay.Rerun;
-import org.pendant.controller.replay.RerunRefused;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.toolserial.ToolSerialLine;
+import org.pendant.recording.RecordingRing;
+import org.pendant.recording.replay.Journal;
+import org.pendant.recording.replay.Rerun;
+import org.pendant.recording.replay.RerunRefused;
 
 /**
  * A controller that nobody drives yet.

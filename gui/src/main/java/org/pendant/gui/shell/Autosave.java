@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.controller.disk.FileTrouble;
-import org.pendant.controller.installation.text.InstallationText;
 import org.pendant.gui.fault.Faults;
 import org.pendant.gui.session.ActiveInstallation;
 import org.pendant.gui.session.ProgramDocument;
@@ -17,6 +16,7 @@ import org.pendant.gui.session.ProgramFile;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.RecoveryFolder;
 import org.pendant.gui.shell.Notices.Choice;
+import org.pendant.project.installation.text.InstallationText;
 
 /** Autosave: keeps unsaved texts in case of a crash, and offers them at the next start. */
 final class Autosave {

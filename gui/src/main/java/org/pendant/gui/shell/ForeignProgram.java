@@ -6,10 +6,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import org.pendant.controller.disk.FileTrouble;
-import org.pendant.controller.polyscope.xml.UnreadableFile;
-import org.pendant.controller.program.text.ProgramText;
-import org.pendant.controller.program.urp.ImportedProgram;
-import org.pendant.controller.program.urp.UrpPrograms;
+import org.pendant.project.polyscope.xml.UnreadableFile;
+import org.pendant.project.program.text.ProgramText;
+import org.pendant.project.program.urp.ImportedProgram;
+import org.pendant.project.program.urp.UrpPrograms;
 
 /**
  * A program of PolyScope as a text of ours. Reading is not for the dispatch thread.

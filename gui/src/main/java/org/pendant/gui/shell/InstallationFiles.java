@@ -12,11 +12,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.installation.file.InstallationFile;
-import org.pendant.controller.installation.file.InstallationTrouble;
-import org.pendant.controller.installation.file.LoadedInstallation;
-import org.pendant.controller.installation.text.InstallationText;
-import org.pendant.controller.program.text.ProgramText;
 import org.pendant.gui.export.SaveDialog;
 import org.pendant.gui.export.SaveRequest;
 import org.pendant.gui.session.ActiveInstallation;
@@ -28,6 +23,11 @@ import org.pendant.gui.shell.Notices.Choice;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
 import org.pendant.gui.workbench.Settings;
+import org.pendant.project.installation.file.InstallationFile;
+import org.pendant.project.installation.file.InstallationTrouble;
+import org.pendant.project.installation.file.LoadedInstallation;
+import org.pendant.project.installation.text.InstallationText;
+import org.pendant.project.program.text.ProgramText;
 
 /** Opens and saves the installation; what touches the disk is done elsewhere. */
 final class InstallationFiles {

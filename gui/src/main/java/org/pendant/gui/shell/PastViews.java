@@ -9,7 +9,6 @@ import java.util.OptionalLong;
 import java.util.Set;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.recording.ProgramText;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.editor.Execution;
 import org.pendant.gui.editor.ScriptEditor;
@@ -26,6 +25,7 @@ import org.pendant.gui.timeline.RecordedText;
 import org.pendant.gui.timeline.TimelineView;
 import org.pendant.gui.workbench.View;
 import org.pendant.language.source.ByteText;
+import org.pendant.recording.ProgramText;
 
 /** What the window does while people look at the past. */
 final class PastViews {

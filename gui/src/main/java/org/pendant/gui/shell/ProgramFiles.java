@@ -8,9 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.file.TreeFile;
-import org.pendant.controller.program.text.ProgramText;
 import org.pendant.gui.export.SaveDialog;
 import org.pendant.gui.export.SaveRequest;
 import org.pendant.gui.session.ProgramDocument;
@@ -18,6 +15,9 @@ import org.pendant.gui.session.ProgramFile;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.shell.Notices.Choice;
 import org.pendant.gui.workbench.Settings;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.file.TreeFile;
+import org.pendant.project.program.text.ProgramText;
 
 /** Opens and saves programs. Only the dispatch thread calls it; it reads and writes elsewhere. */
 final class ProgramFiles {

@@ -4,10 +4,10 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.replay.RerunRefused;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.session.Branching;
 import org.pendant.gui.session.Branching.Outcome;
+import org.pendant.recording.replay.RerunRefused;
 
 /**
  * Branch control: continues from a moment of the past. It asks first, since the run after that

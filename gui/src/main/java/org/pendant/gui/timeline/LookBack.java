@@ -12,10 +12,10 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.recording.ProgramText;
-import org.pendant.controller.recording.Recording;
-import org.pendant.controller.recording.RecordingMark;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.recording.ProgramText;
+import org.pendant.recording.Recording;
+import org.pendant.recording.RecordingMark;
 
 /**
  * Which moment people look at: now, one of what the controller has just done, or one of a file. The

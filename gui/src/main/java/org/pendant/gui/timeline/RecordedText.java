@@ -14,10 +14,10 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.DefaultHighlighter.DefaultHighlightPainter;
-import org.pendant.controller.recording.ProgramText;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.language.source.ByteText;
+import org.pendant.recording.ProgramText;
 
 /** The text of a program as it was when it ran, in a window of its own; it cannot be changed. */
 public final class RecordedText {

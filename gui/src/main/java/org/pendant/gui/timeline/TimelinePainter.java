@@ -12,9 +12,9 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Locale;
-import org.pendant.controller.recording.ColumnTrace;
-import org.pendant.controller.recording.RecordingMark;
 import org.pendant.gui.workbench.Palette;
+import org.pendant.recording.ColumnTrace;
+import org.pendant.recording.RecordingMark;
 
 /** Draws a timeline: names at the left, time above, a row for each track. */
 final class TimelinePainter {

@@ -20,10 +20,6 @@ import javax.swing.JProgressBar;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.recording.Recording;
-import org.pendant.controller.recording.RecordingExport;
-import org.pendant.controller.recording.RecordingFile;
-import org.pendant.controller.replay.RerunRefused;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.export.SaveDialog;
 import org.pendant.gui.export.SaveRequest;
@@ -34,6 +30,10 @@ import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
+import org.pendant.recording.Recording;
+import org.pendant.recording.RecordingExport;
+import org.pendant.recording.RecordingFile;
+import org.pendant.recording.replay.RerunRefused;
 
 /** The panel with what the robot did over time. */
 public final class TimelineView implements View {

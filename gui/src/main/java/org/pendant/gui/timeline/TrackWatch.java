@@ -4,8 +4,8 @@ import java.awt.EventQueue;
 import java.io.UncheckedIOException;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.pendant.controller.recording.Recording;
 import org.pendant.gui.fault.Faults;
+import org.pendant.recording.Recording;
 
 /** Has tracks looked for beside the dispatch thread, one at a time and at most half of the time. */
 final class TrackWatch {

@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.recording.Column;
-import org.pendant.controller.recording.ColumnTrace;
-import org.pendant.controller.recording.Recording;
-import org.pendant.controller.recording.RecordingMark;
 import org.pendant.language.source.ByteText;
+import org.pendant.recording.Column;
+import org.pendant.recording.ColumnTrace;
+import org.pendant.recording.Recording;
+import org.pendant.recording.RecordingMark;
 
 /**
  * What a timeline draws of a stretch of a recording.

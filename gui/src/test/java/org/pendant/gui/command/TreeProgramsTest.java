@@ -13,8 +13,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.polyscope.xml.PackedXml;
 import org.pendant.gui.session.FakeDriver;
+import org.pendant.project.polyscope.xml.PackedXml;
 
 /** Program trees on the command line: run, check and convert. */
 class TreeProgramsTest {

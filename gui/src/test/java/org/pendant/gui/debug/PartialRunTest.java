@@ -3,7 +3,7 @@ package org.pendant.gui.debug;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.pendant.controller.program.ProgramTree.node;
+import static org.pendant.project.program.ProgramTree.node;
 
 import java.util.List;
 import java.util.Map;
@@ -12,17 +12,17 @@ import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.ControlScript;
-import org.pendant.controller.program.ExternalControl;
-import org.pendant.controller.program.ForeignStep;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Section;
-import org.pendant.controller.program.WaitFor;
-import org.pendant.controller.program.script.GeneratedScript;
-import org.pendant.controller.program.script.ScriptGenerator;
 import org.pendant.language.source.Source;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.ControlScript;
+import org.pendant.project.program.ExternalControl;
+import org.pendant.project.program.ForeignStep;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.WaitFor;
+import org.pendant.project.program.script.GeneratedScript;
+import org.pendant.project.program.script.ScriptGenerator;
 
 /** A tree that was started at a node, while people see the script of all of it. */
 final class PartialRunTest {

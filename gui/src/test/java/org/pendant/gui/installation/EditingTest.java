@@ -8,11 +8,11 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.NamedTool;
-import org.pendant.controller.installation.text.InstallationText;
 import org.pendant.gui.session.ActiveInstallation;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.pose.Pose;
+import org.pendant.project.installation.text.InstallationText;
 
 final class EditingTest {
   private static final NamedTool GRIPPER = new NamedTool("Gripper", Pose.ZERO);

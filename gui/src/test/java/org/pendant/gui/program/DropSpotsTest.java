@@ -11,8 +11,8 @@ import static org.pendant.gui.program.Trees.waypoint;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
 
 final class DropSpotsTest {
   /** Rows: 0 main 1, 1 a 2, 2 F 3, 3 b 4, 4 d 5. */

@@ -20,12 +20,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.NodeKind;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.StepNames;
-import org.pendant.controller.program.script.GeneratedScript.Place;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
+import org.pendant.project.program.NodeKind;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.StepNames;
+import org.pendant.project.program.script.GeneratedScript.Place;
 
 /** A program of PolyScope X on the Program screen. */
 final class ForeignTreeTest {

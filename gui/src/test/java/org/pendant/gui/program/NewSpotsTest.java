@@ -1,21 +1,21 @@
 package org.pendant.gui.program;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.pendant.controller.program.ProgramTree.node;
 import static org.pendant.gui.program.Trees.MAIN;
 import static org.pendant.gui.program.Trees.comment;
 import static org.pendant.gui.program.Trees.folder;
 import static org.pendant.gui.program.Trees.move;
 import static org.pendant.gui.program.Trees.waypoint;
+import static org.pendant.project.program.ProgramTree.node;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.program.FlowStep;
-import org.pendant.controller.program.NodeKind;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Section;
+import org.pendant.project.program.FlowStep;
+import org.pendant.project.program.NodeKind;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Section;
 
 final class NewSpotsTest {
   private static String added(ProgramTree tree, long selected, NodeKind kind) {

@@ -3,10 +3,10 @@ package org.pendant.gui.program;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.pendant.controller.program.ProgramTree.node;
 import static org.pendant.gui.program.Trees.folder;
 import static org.pendant.gui.program.Trees.move;
 import static org.pendant.gui.program.Trees.waypoint;
+import static org.pendant.project.program.ProgramTree.node;
 
 import java.util.HashSet;
 import java.util.List;
@@ -16,13 +16,13 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.FlowStep;
-import org.pendant.controller.program.LoopRule;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.script.GeneratedScript;
-import org.pendant.controller.program.script.ScriptGenerator;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.FlowStep;
+import org.pendant.project.program.LoopRule;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.script.GeneratedScript;
+import org.pendant.project.program.script.ScriptGenerator;
 
 /** Beside which nodes breakpoints stand. */
 final class NodeBreakpointsTest {

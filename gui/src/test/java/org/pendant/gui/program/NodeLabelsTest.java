@@ -10,10 +10,10 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.SignalUse;
 import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.ForeignStep;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Setting;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.ForeignStep;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Setting;
 
 final class NodeLabelsTest {
   private static final String GRIPPER = "digital_out[0]";

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.ProgramTree;
 import org.pendant.gui.scene.WaypointMarkers;
+import org.pendant.project.program.ProgramTree;
 
 final class ProgramPlacesTest {
   /** Keys: move 2, A 3, B 4, A 5. */

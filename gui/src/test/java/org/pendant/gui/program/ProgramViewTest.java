@@ -24,8 +24,6 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.text.ProgramText;
 import org.pendant.gui.debug.DebugPresenter;
 import org.pendant.gui.debug.EditorLink;
 import org.pendant.gui.editor.ScriptEditor;
@@ -35,6 +33,8 @@ import org.pendant.gui.session.ActiveInstallation;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.Session;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.text.ProgramText;
 
 final class ProgramViewTest {
   private final ProgramDocument document =

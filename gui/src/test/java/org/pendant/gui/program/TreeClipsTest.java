@@ -9,9 +9,9 @@ import static org.pendant.gui.program.Trees.waypoint;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.text.Clip;
-import org.pendant.controller.program.text.ProgramText;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.text.Clip;
+import org.pendant.project.program.text.ProgramText;
 
 final class TreeClipsTest {
   private final ProgramTree from =

@@ -16,9 +16,9 @@ import java.util.OptionalLong;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.NodeKind;
-import org.pendant.controller.program.text.ProgramText;
 import org.pendant.gui.session.ProgramDocument;
+import org.pendant.project.program.NodeKind;
+import org.pendant.project.program.text.ProgramText;
 
 final class TreeCommandsTest {
   private final Set<Long> selected = new LinkedHashSet<>();

@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
 
 final class TreeEditsTest {
   /** Keys: a 2, F 3, b 4, c 5, d 6. */

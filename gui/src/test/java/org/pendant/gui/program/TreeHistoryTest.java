@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.program.ProgramTree;
+import org.pendant.project.program.ProgramTree;
 
 final class TreeHistoryTest {
   private long nowMs;

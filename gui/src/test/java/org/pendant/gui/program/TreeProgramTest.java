@@ -14,9 +14,9 @@ import java.util.Deque;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.text.ProgramText;
 import org.pendant.gui.session.ProgramDocument;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.text.ProgramText;
 
 final class TreeProgramTest {
   private final ProgramDocument document =

@@ -1,21 +1,21 @@
 package org.pendant.gui.program;
 
-import static org.pendant.controller.program.ProgramTree.node;
+import static org.pendant.project.program.ProgramTree.node;
 
 import java.util.List;
 import java.util.OptionalDouble;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.MoveKind;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.StepNames;
-import org.pendant.controller.program.Timing;
-import org.pendant.controller.program.ToolChoice;
-import org.pendant.controller.program.WaypointPosition;
-import org.pendant.controller.program.WaypointTarget;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.StepNames;
+import org.pendant.project.program.Timing;
+import org.pendant.project.program.ToolChoice;
+import org.pendant.project.program.WaypointPosition;
+import org.pendant.project.program.WaypointTarget;
 
 /** Trees for tests. */
 final class Trees {

@@ -9,8 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.installation.text.InstallationText;
 import org.pendant.models.arm.Joints;
+import org.pendant.project.installation.text.InstallationText;
 
 final class ActiveInstallationTest {
   private static final Installation MOVED = Installation.NONE.withHome(Joints.ZERO);

@@ -23,12 +23,12 @@ import org.pendant.controller.Pace;
 import org.pendant.controller.Reply;
 import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.message.Operator;
-import org.pendant.controller.replay.RerunRefused;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.vm.Program;
 import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.recording.replay.RerunRefused;
 
 /** Going back to a frame and on from there, as people at a screen do. */
 @Timeout(60)

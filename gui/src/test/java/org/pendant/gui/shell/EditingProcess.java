@@ -11,9 +11,6 @@ import java.util.Random;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import javax.swing.Timer;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
 import org.pendant.gui.program.TreeProgram;
 import org.pendant.gui.program.TreePrograms;
 import org.pendant.gui.session.ActiveInstallation;
@@ -21,6 +18,9 @@ import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.RecoveryFolder;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
 
 /**
  * A process that edits program trees without a window, with what the desktop keeps against a crash:

@@ -22,10 +22,10 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.text.ProgramText;
-import org.pendant.controller.program.text.ReadProgram;
 import org.pendant.gui.session.RecoveryFolder;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.text.ProgramText;
+import org.pendant.project.program.text.ReadProgram;
 
 /**
  * Processes that are killed while somebody edits program trees in them; {@code -Dtest.kills=47} or

@@ -13,10 +13,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
-import org.pendant.controller.replay.RerunRefused;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.session.Branching;
 import org.pendant.gui.session.Session;
+import org.pendant.recording.replay.RerunRefused;
 
 @Timeout(60)
 final class BranchControlTest {

@@ -12,10 +12,10 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.recording.RecordingExport;
-import org.pendant.controller.recording.RecordingFile;
-import org.pendant.controller.recording.RecordingRing;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.recording.RecordingExport;
+import org.pendant.recording.RecordingFile;
+import org.pendant.recording.RecordingRing;
 
 final class LookBackTest {
   private static final String MOVE = "n = 1\nmovej([0, -1.2, -1.5, -1.5, 1.5, 0], a=3, v=2)\n";

@@ -3,9 +3,9 @@ package org.pendant.gui.timeline;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.recording.RecordingRing;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
+import org.pendant.recording.RecordingRing;
 
 /** A controller that is recorded. */
 final class RecordedRun {

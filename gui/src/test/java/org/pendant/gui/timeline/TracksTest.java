@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.recording.RecordingMark;
-import org.pendant.controller.recording.RecordingMark.Kind;
+import org.pendant.recording.RecordingMark;
+import org.pendant.recording.RecordingMark.Kind;
 
 final class TracksTest {
   private static RecordingMark mark(Kind kind, double timeS, String text) {

@@ -3,7 +3,7 @@ package org.pendant.protocols.externalcontrol;
 import java.util.Optional;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.ControlScript;
+import org.pendant.project.program.ControlScript;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.egress.HostPolicy;
 

@@ -13,8 +13,8 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.pendant.controller.installation.ControlHost;
-import org.pendant.controller.program.ControlScript;
-import org.pendant.controller.program.ExternalControl;
+import org.pendant.project.program.ControlScript;
+import org.pendant.project.program.ExternalControl;
 import org.pendant.protocols.egress.HostNotAllowed;
 import org.pendant.protocols.egress.HostPolicy;
 

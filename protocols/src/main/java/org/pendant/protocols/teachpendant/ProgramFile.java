@@ -5,8 +5,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
-import org.pendant.controller.program.file.TreeFile;
-import org.pendant.controller.program.urp.UrpxPrograms;
+import org.pendant.project.program.file.TreeFile;
+import org.pendant.project.program.urp.UrpxPrograms;
 
 /**
  * A program of the programs folder.

@@ -16,13 +16,6 @@ import java.util.stream.Stream;
 import org.pendant.controller.Controller;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.installation.file.InstallationFile;
-import org.pendant.controller.installation.file.InstallationTrouble;
-import org.pendant.controller.installation.file.LoadedInstallation;
-import org.pendant.controller.program.ControlScript;
-import org.pendant.controller.program.file.BrokenTree;
-import org.pendant.controller.program.file.TreeFile;
-import org.pendant.controller.program.script.GeneratedScript;
 import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.vm.LoadResult;
 import org.pendant.controller.vm.Program;
@@ -30,6 +23,13 @@ import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.DiagnosticFormat;
 import org.pendant.language.source.Source;
+import org.pendant.project.installation.file.InstallationFile;
+import org.pendant.project.installation.file.InstallationTrouble;
+import org.pendant.project.installation.file.LoadedInstallation;
+import org.pendant.project.program.ControlScript;
+import org.pendant.project.program.file.BrokenTree;
+import org.pendant.project.program.file.TreeFile;
+import org.pendant.project.program.script.GeneratedScript;
 
 /** Program repository: the programs and installations of the programs folder. Any thread. */
 final class ProgramRepository {

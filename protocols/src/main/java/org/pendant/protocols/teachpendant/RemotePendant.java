@@ -13,14 +13,14 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.PendingCommand;
 import org.pendant.controller.Reply;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.installation.file.LoadedInstallation;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.Popup;
-import org.pendant.controller.program.file.TreeFile;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
 import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.ByteText;
+import org.pendant.project.installation.file.LoadedInstallation;
+import org.pendant.project.program.file.TreeFile;
 import org.pendant.protocols.externalcontrol.NoScript;
 import org.pendant.protocols.externalcontrol.ScriptRequest;
 

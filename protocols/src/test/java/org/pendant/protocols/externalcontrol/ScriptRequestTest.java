@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.ControlScript;
+import org.pendant.project.program.ControlScript;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.egress.HostPolicy;
 

@@ -15,11 +15,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.controller.installation.text.InstallationText;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
 import org.pendant.controller.vm.ProgramState;
+import org.pendant.project.installation.text.InstallationText;
 import org.pendant.protocols.script.RunningBox;
 import org.pendant.protocols.server.RemoteControl;
 

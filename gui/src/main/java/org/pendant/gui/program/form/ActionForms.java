@@ -3,11 +3,11 @@ package org.pendant.gui.program.form;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.Section;
-import org.pendant.controller.program.WaitFor;
 import org.pendant.gui.program.form.Item.Option;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.WaitFor;
 
 /** The forms of nodes that do something else than moving; settings have a class of their own. */
 final class ActionForms {

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.Step;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.Step;
 
 /** The form of a straight way in a direction. */
 final class DirectionForm {

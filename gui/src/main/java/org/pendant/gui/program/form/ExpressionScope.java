@@ -2,8 +2,8 @@ package org.pendant.gui.program.form;
 
 import java.util.List;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.ProgramTree;
 import org.pendant.language.source.Source;
+import org.pendant.project.program.ProgramTree;
 
 /**
  * A program in which expressions of a tree are read while they are typed: it knows the names of the

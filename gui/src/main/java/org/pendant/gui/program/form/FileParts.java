@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.PlaceNames;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Section;
-import org.pendant.controller.program.WaypointPosition;
-import org.pendant.controller.program.text.ProgramText;
-import org.pendant.controller.program.text.ReadProgram;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.PlaceNames;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.WaypointPosition;
+import org.pendant.project.program.text.ProgramText;
+import org.pendant.project.program.text.ReadProgram;
 
 /** What forms do with files: a script that is pasted, a program that becomes a sub program. */
 final class FileParts {

@@ -2,12 +2,12 @@ package org.pendant.gui.program.form;
 
 import java.util.List;
 import java.util.function.Predicate;
-import org.pendant.controller.program.FlowStep;
-import org.pendant.controller.program.LoopRule;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Step;
 import org.pendant.gui.program.form.Item.Option;
+import org.pendant.project.program.FlowStep;
+import org.pendant.project.program.LoopRule;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Step;
 
 /** The forms of nodes that decide which nodes run. */
 final class FlowForms {

@@ -2,9 +2,9 @@ package org.pendant.gui.program.form;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.controller.program.TemplateStep.Force;
-import org.pendant.controller.program.TemplateStep.ForceKind;
 import org.pendant.gui.program.form.Item.Option;
+import org.pendant.project.program.TemplateStep.Force;
+import org.pendant.project.program.TemplateStep.ForceKind;
 
 /** The form of a node that holds forces. */
 final class ForceForm {

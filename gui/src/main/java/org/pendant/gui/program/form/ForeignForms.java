@@ -2,8 +2,8 @@ package org.pendant.gui.program.form;
 
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.program.ExternalControl;
-import org.pendant.controller.program.ForeignStep;
+import org.pendant.project.program.ExternalControl;
+import org.pendant.project.program.ForeignStep;
 
 /** The forms of nodes that Pendant does not know. */
 final class ForeignForms {

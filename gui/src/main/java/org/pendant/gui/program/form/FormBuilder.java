@@ -7,9 +7,9 @@ import java.util.OptionalDouble;
 import java.util.function.DoubleFunction;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Step;
 import org.pendant.gui.program.form.Item.Option;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Step;
 
 /** Puts a form together; most edits give another step for the node. */
 final class FormBuilder {

@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.MoveKind;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Step;
-import org.pendant.controller.program.TemplateStep;
-import org.pendant.controller.program.WaypointPosition;
 import org.pendant.gui.program.form.Item.Option;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Step;
+import org.pendant.project.program.TemplateStep;
+import org.pendant.project.program.WaypointPosition;
 
 /**
  * What the form of one node is made from.

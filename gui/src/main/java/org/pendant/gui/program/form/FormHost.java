@@ -4,9 +4,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.check.NodeProblem;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.check.NodeProblem;
 
 /**
  * What the forms of nodes may use of the program that they edit. Only the dispatch thread calls.

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
-import org.pendant.controller.program.ProgramTree;
+import org.pendant.project.program.ProgramTree;
 
 /**
  * A part of a form, with the value that it has now. Those that can be changed know the program that

@@ -10,8 +10,8 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.controller.program.ActionStep;
 import org.pendant.gui.workbench.Palette;
+import org.pendant.project.program.ActionStep;
 
 /** Draws a popup as operators will see it. */
 final class MessagePainter {

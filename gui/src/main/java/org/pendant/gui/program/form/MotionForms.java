@@ -6,16 +6,16 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import org.pendant.controller.installation.NamedTool;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.MoveKind;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Step;
-import org.pendant.controller.program.Timing;
-import org.pendant.controller.program.ToolChoice;
-import org.pendant.controller.program.UntilRule;
 import org.pendant.gui.program.form.Item.Option;
 import org.pendant.models.arm.Joints;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Step;
+import org.pendant.project.program.Timing;
+import org.pendant.project.program.ToolChoice;
+import org.pendant.project.program.UntilRule;
 
 /** The forms of moves and of what belongs to them, without waypoints. */
 final class MotionForms {

@@ -16,13 +16,13 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
-import org.pendant.controller.program.ProgramNode;
 import org.pendant.gui.debug.ConditionCheck;
 import org.pendant.gui.editor.WorkerThread;
 import org.pendant.gui.editor.text.Background;
 import org.pendant.gui.layout.Card;
 import org.pendant.gui.workbench.Workbench;
 import org.pendant.language.signature.Catalogue;
+import org.pendant.project.program.ProgramNode;
 
 /**
  * The form of the selected node. What is typed changes the program at once, by {@link

@@ -3,10 +3,10 @@ package org.pendant.gui.program.form;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiFunction;
-import org.pendant.controller.program.Pattern;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.TemplateStep.Palletizing;
 import org.pendant.gui.program.form.Item.Option;
+import org.pendant.project.program.Pattern;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.TemplateStep.Palletizing;
 
 /** The form of a pattern of places. */
 final class PalletizingForm {

@@ -11,15 +11,15 @@ import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.installation.ModbusSetup;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.FlowStep;
-import org.pendant.controller.program.ForeignStep;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Section;
-import org.pendant.controller.program.Step;
-import org.pendant.controller.program.TemplateStep;
-import org.pendant.controller.program.TreeNames;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.FlowStep;
+import org.pendant.project.program.ForeignStep;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.Step;
+import org.pendant.project.program.TemplateStep;
+import org.pendant.project.program.TreeNames;
 
 /** What a program and its installation have given names to. */
 final class ProgramNames {

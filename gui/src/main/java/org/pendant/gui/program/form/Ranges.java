@@ -1,8 +1,8 @@
 package org.pendant.gui.program.form;
 
-import org.pendant.controller.program.MoveKind;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.JointLimits;
+import org.pendant.project.program.MoveKind;
 
 /** How fast moves may be, and what a new one is like. */
 record Ranges(ArmDescription arm) {

@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Locale;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.installation.NamedTool;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.Setting;
 import org.pendant.gui.program.form.Item.Option;
 import org.pendant.models.pose.Pose;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.Setting;
 
 /** The form of a node that sets something. */
 final class SettingForm {

@@ -1,8 +1,8 @@
 package org.pendant.gui.program.form;
 
 import java.util.List;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.Pattern;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.Pattern;
 
 /** What a picture in a form shows. */
 sealed interface Sketch {

@@ -9,8 +9,8 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.util.List;
-import org.pendant.controller.program.Pattern;
 import org.pendant.gui.workbench.Palette;
+import org.pendant.project.program.Pattern;
 
 /** Draws frames, directions and patterns, seen from above at an angle. */
 final class SketchPainter {

@@ -1,11 +1,11 @@
 package org.pendant.gui.program.form;
 
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.FlowStep;
-import org.pendant.controller.program.ForeignStep;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.Section;
-import org.pendant.controller.program.TemplateStep;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.FlowStep;
+import org.pendant.project.program.ForeignStep;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.TemplateStep;
 
 /** The form of any node. */
 final class StepForms {

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.WaypointPosition;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.move.Reach;
 import org.pendant.models.arm.ArmDescription;
@@ -14,6 +13,7 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.project.program.WaypointPosition;
 
 /** Positions of waypoints: as the arm stands, typed, and whether the arm gets there. */
 public final class Taught {

@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.WaypointPosition;
 import org.pendant.gui.program.form.Item.Option;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.WaypointPosition;
 
 /**
  * A place that a node refers to by the name of a waypoint: chosen, set, taught and gone to.

@@ -3,14 +3,14 @@ package org.pendant.gui.program.form;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.pendant.controller.installation.ConveyorSetup;
-import org.pendant.controller.program.MoveKind;
-import org.pendant.controller.program.SeekChange;
-import org.pendant.controller.program.TemplateStep;
-import org.pendant.controller.program.TemplateStep.PatternPoint;
-import org.pendant.controller.program.TemplateStep.Screwdriving;
-import org.pendant.controller.program.TemplateStep.Seek;
-import org.pendant.controller.program.ToolChoice;
 import org.pendant.gui.program.form.Item.Option;
+import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.SeekChange;
+import org.pendant.project.program.TemplateStep;
+import org.pendant.project.program.TemplateStep.PatternPoint;
+import org.pendant.project.program.TemplateStep.Screwdriving;
+import org.pendant.project.program.TemplateStep.Seek;
+import org.pendant.project.program.ToolChoice;
 
 /** The forms of templates; force and palletizing have classes of their own. */
 final class TemplateForms {

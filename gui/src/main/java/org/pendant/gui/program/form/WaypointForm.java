@@ -5,17 +5,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.MotionStep.Waypoint;
-import org.pendant.controller.program.PlaceNames;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Timing;
-import org.pendant.controller.program.WaypointPosition;
-import org.pendant.controller.program.WaypointTarget;
 import org.pendant.gui.program.form.Item.Option;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.MotionStep.Waypoint;
+import org.pendant.project.program.PlaceNames;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Timing;
+import org.pendant.project.program.WaypointPosition;
+import org.pendant.project.program.WaypointTarget;
 
 /** The form of a waypoint. */
 final class WaypointForm {

@@ -3,8 +3,8 @@ package org.pendant.gui.program.form;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.TreeNames;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.TreeNames;
 
 /** The names of the places of a program, and who uses them. */
 final class WaypointNames {

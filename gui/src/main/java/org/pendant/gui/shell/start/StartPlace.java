@@ -3,8 +3,6 @@ package org.pendant.gui.shell.start;
 import java.util.Optional;
 import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.FirstWaypoint;
-import org.pendant.controller.program.WaypointPosition;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.move.Reach;
 import org.pendant.models.arm.ArmDescription;
@@ -13,6 +11,8 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.project.program.FirstWaypoint;
+import org.pendant.project.program.WaypointPosition;
 
 /**
  * The place where a program goes first.

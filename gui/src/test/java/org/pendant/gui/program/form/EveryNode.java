@@ -1,6 +1,6 @@
 package org.pendant.gui.program.form;
 
-import static org.pendant.controller.program.ProgramTree.node;
+import static org.pendant.project.program.ProgramTree.node;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -18,28 +18,28 @@ import org.pendant.controller.installation.NamedTool;
 import org.pendant.controller.installation.SignalUse;
 import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
-import org.pendant.controller.program.ActionStep;
-import org.pendant.controller.program.FlowStep;
-import org.pendant.controller.program.ForeignStep;
-import org.pendant.controller.program.LoopRule;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.MoveKind;
-import org.pendant.controller.program.Pattern;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.Section;
-import org.pendant.controller.program.Setting;
-import org.pendant.controller.program.TemplateStep;
-import org.pendant.controller.program.Timing;
-import org.pendant.controller.program.ToolChoice;
-import org.pendant.controller.program.UntilRule;
-import org.pendant.controller.program.WaitFor;
-import org.pendant.controller.program.WaypointPosition;
-import org.pendant.controller.program.WaypointTarget;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.FlowStep;
+import org.pendant.project.program.ForeignStep;
+import org.pendant.project.program.LoopRule;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.Pattern;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.Setting;
+import org.pendant.project.program.TemplateStep;
+import org.pendant.project.program.Timing;
+import org.pendant.project.program.ToolChoice;
+import org.pendant.project.program.UntilRule;
+import org.pendant.project.program.WaitFor;
+import org.pendant.project.program.WaypointPosition;
+import org.pendant.project.program.WaypointTarget;
 
 /** A program with a node of every kind, and an installation for it. */
 final class EveryNode {

@@ -5,9 +5,9 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.ProgramTree;
-import org.pendant.controller.program.check.NodeProblem;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.check.NodeProblem;
 
 /** A program without a screen around it. It remembers what it was told. */
 final class FakeHost implements FormHost {

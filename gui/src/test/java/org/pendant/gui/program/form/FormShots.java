@@ -14,11 +14,11 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JScrollPane;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.check.NodeProblem;
 import org.pendant.gui.preview.PreviewLook;
 import org.pendant.gui.preview.PreviewWorkbench;
 import org.pendant.gui.session.Session;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.check.NodeProblem;
 
 /** Writes a picture of each form: {@code FormShots light|dark WIDTH FOLDER [KIND...]}. */
 public final class FormShots {

@@ -24,12 +24,12 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.program.MotionStep;
-import org.pendant.controller.program.ProgramNode;
-import org.pendant.controller.program.check.NodeProblem;
 import org.pendant.gui.preview.PreviewLook;
 import org.pendant.gui.preview.PreviewWorkbench;
 import org.pendant.gui.session.Session;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.check.NodeProblem;
 
 /** Forms in a real window, as far as there is a display. */
 final class NodeFormsTest {

@@ -15,8 +15,6 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.program.FirstWaypoint;
-import org.pendant.controller.program.WaypointPosition;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.shell.start.StartChoice.Phase;
 import org.pendant.gui.workbench.Settings;
@@ -25,6 +23,8 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
+import org.pendant.project.program.FirstWaypoint;
+import org.pendant.project.program.WaypointPosition;
 
 final class StartChoiceTest {
   private static final ArmDescription ARM = ArmLibrary.load("ur5e");

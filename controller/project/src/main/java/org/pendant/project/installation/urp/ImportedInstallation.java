@@ -1,0 +1,16 @@
+package org.pendant.project.installation.urp;
+
+import java.util.List;
+import org.pendant.controller.installation.Installation;
+
+/**
+ * An installation as it was read from a file of PolyScope.
+ *
+ * @param installation what was understood; the rest is as in a new one
+ * @param remarks what was not understood
+ */
+public record ImportedInstallation(Installation installation, List<String> remarks) {
+  public ImportedInstallation {
+    remarks = List.copyOf(remarks);
+  }
+}

@@ -1,0 +1,30 @@
+package org.pendant.project.program;
+
+/** Decides which nodes run. */
+public sealed interface FlowStep extends Step {
+
+  /**
+   * Runs its children if a condition holds.
+   *
+   * @param continuously whether the children end as soon as it holds no more
+   */
+  record If(String condition, boolean continuously) implements FlowStep {}
+
+  /** Follows an {@link If} or another one of its kind beside it. */
+  record ElseIf(String condition) implements FlowStep {}
+
+  /** Follows an {@link If} or {@link ElseIf} beside it. */
+  record Else() implements FlowStep {}
+
+  /** Runs its children again and again. */
+  record Loop(LoopRule rule) implements FlowStep {}
+
+  /** Runs the one among its children, {@link Case} and {@link DefaultCase}, that fits a value. */
+  record Switch(String expression) implements FlowStep {}
+
+  /** Runs for a value, a number as it was typed. */
+  record Case(String value) implements FlowStep {}
+
+  /** Runs when no case fits. */
+  record DefaultCase() implements FlowStep {}
+}

@@ -1,0 +1,23 @@
+package org.pendant.project.program;
+
+/** How long a {@link FlowStep.Loop} goes on. */
+public sealed interface LoopRule {
+
+  /** For ever. */
+  record Forever() implements LoopRule {}
+
+  /**
+   * So many times.
+   *
+   * @param count an expression, computed in each turn
+   * @param variable that counts the turns from 0; empty for one with a name of its own
+   */
+  record Times(String count, String variable) implements LoopRule {}
+
+  /**
+   * While a condition holds.
+   *
+   * @param continuously whether the children end as soon as it holds no more
+   */
+  record While(String condition, boolean continuously) implements LoopRule {}
+}

@@ -1,0 +1,22 @@
+package org.pendant.project.program;
+
+/** What ends a way early. */
+public sealed interface UntilRule {
+
+  /** The tool has come so far, m. */
+  record Distance(double distanceM) implements UntilRule {}
+
+  /**
+   * The tool touches something.
+   *
+   * @param retractM how far it goes back from where it touched; 0 to stay there, negative to go on
+   * @param stopDecelerationMPerS2 of the stop
+   */
+  record Contact(double retractM, double stopDecelerationMPerS2) implements UntilRule {}
+
+  /** An expression holds. */
+  record Expression(String condition) implements UntilRule {}
+
+  /** A digital input has a level; {@code signal} such as {@code digital_in[0]}. */
+  record DigitalInput(String signal, boolean level) implements UntilRule {}
+}

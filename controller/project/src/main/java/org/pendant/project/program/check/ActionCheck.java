@@ -1,0 +1,162 @@
+package org.pendant.project.program.check;
+
+import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.controller.installation.Wiring;
+import org.pendant.controller.io.AnalogBank;
+import org.pendant.controller.io.AnalogDomain;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.Setting;
+import org.pendant.project.program.WaitFor;
+
+/** Checks nodes that do something else than moving. */
+final class ActionCheck {
+  private static final double MOST_S = 1e6;
+  private static final double MOST_PULSE_S = 1000;
+  private static final double MOST_V = 10;
+  private static final double LEAST_A = 0.004;
+  private static final double MOST_A = 0.02;
+  private static final double MOST_KG = 100;
+  private static final double MOST_COG_M = 1;
+
+  private final Findings findings;
+  private final SignalCheck signals;
+
+  ActionCheck(Findings findings, SignalCheck signals) {
+    this.findings = findings;
+    this.signals = signals;
+  }
+
+  void check(ProgramNode node, ActionStep step) {
+    switch (step) {
+      case ActionStep.Wait wait -> wait(node, wait.what());
+      case ActionStep.SetAction set -> set(node, set.setting());
+      case ActionStep.Popup popup -> popup(node, popup);
+      case ActionStep.Halt _, ActionStep.Comment _, ActionStep.Folder _ -> {}
+      case ActionStep.Assignment assignment -> {
+        findings.identifier(node, "variable", "variable", assignment.variable());
+        findings.expression(node, "expression", "value", assignment.expression());
+      }
+      case ActionStep.OperatorInput input ->
+          findings.identifier(node, "variable", "variable", input.variable());
+      case ActionStep.Call call -> call(node, call.subProgram());
+      case ActionStep.ScriptLine line -> {
+        if (line.code().isBlank()) {
+          findings.problem(node, "code", "the script line is empty");
+        }
+      }
+      case ActionStep.ScriptFile file -> {
+        if (file.lines().isEmpty()) {
+          findings.problem(
+              node,
+              file.file().isBlank() ? "file" : "lines",
+              file.file().isBlank()
+                  ? "no script file is chosen"
+                  : file.file() + " is empty or has not been read");
+        }
+      }
+      case ActionStep.Timer timer -> findings.identifier(node, "name", "timer", timer.name());
+    }
+  }
+
+  private void wait(ProgramNode node, WaitFor what) {
+    switch (what) {
+      case WaitFor.Nothing _ -> {}
+      case WaitFor.Time time ->
+          findings.range(node, "what", "time", Shown.SECOND, time.timeS(), 0, MOST_S);
+      case WaitFor.Digital digital -> signals.digital(node, "what", digital.signal());
+      case WaitFor.Analog analog -> {
+        signals.analog(node, "what", analog.signal());
+        if (!Double.isFinite(analog.value())) {
+          findings.problem(node, "what", "the value is no number");
+        }
+      }
+      case WaitFor.Expression expression ->
+          findings.expression(node, "what", "condition", expression.condition());
+    }
+  }
+
+  private void set(ProgramNode node, Setting setting) {
+    switch (setting) {
+      case Setting.Nothing _ -> {}
+      case Setting.Digital digital -> signals.digitalOut(node, "setting", digital.signal());
+      case Setting.Analog analog -> analog(node, analog);
+      case Setting.Pulse pulse -> {
+        signals.digitalOut(node, "setting", pulse.signal());
+        findings.positive(node, "setting", "time", Shown.SECOND, pulse.timeS(), MOST_PULSE_S);
+      }
+      case Setting.Expression expression -> {
+        signals.output(node, "setting", expression.signal());
+        findings.expression(node, "setting", "value", expression.expression());
+      }
+      case Setting.NamedPayload payload -> {
+        if (findings.installation().payload(payload.name()).isEmpty()) {
+          findings.problem(
+              node,
+              "setting",
+              payload.name().isBlank()
+                  ? "the payload is missing"
+                  : "the installation has no payload '" + payload.name() + "'");
+        }
+      }
+      case Setting.Payload payload -> {
+        findings.range(node, "setting", "mass", Shown.KILOGRAM, payload.massKg(), 0, MOST_KG);
+        cog(node, payload.cogXM());
+        cog(node, payload.cogYM());
+        cog(node, payload.cogZM());
+      }
+      case Setting.Tcp tcp -> {
+        if (!tcp.name().isEmpty()) {
+          findings.namedTool(node, "setting", tcp.name());
+        }
+      }
+      case Setting.Increment increment -> increment(node, increment.variable());
+    }
+  }
+
+  private void cog(ProgramNode node, double offsetM) {
+    findings.range(
+        node, "setting", "centre of gravity", Shown.MILLIMETRE, offsetM, -MOST_COG_M, MOST_COG_M);
+  }
+
+  private void analog(ProgramNode node, Setting.Analog analog) {
+    signals.analogOut(node, "setting", analog.signal());
+    Wiring wiring = findings.installation().wiring();
+    for (int i = 0; i < AnalogBank.SIZE; i++) {
+      if (analog.signal().equals(AnalogBank.STANDARD_OUT.name(i))) {
+        if (wiring.analogOut().get(i) == AnalogDomain.VOLTAGE) {
+          findings.range(node, "setting", "voltage", Shown.VOLT, analog.value(), 0, MOST_V);
+        } else {
+          findings.range(
+              node, "setting", "current", Shown.MILLIAMPERE, analog.value(), LEAST_A, MOST_A);
+        }
+      }
+    }
+  }
+
+  private void increment(ProgramNode node, String variable) {
+    if (variable.isBlank()) {
+      findings.problem(node, "setting", "the variable is missing");
+    } else if (findings.installation().variables().stream()
+        .map(InstallationVariable::name)
+        .noneMatch(variable::equals)) {
+      findings.problem(node, "setting", "the installation has no variable '" + variable + "'");
+    }
+  }
+
+  private void popup(ProgramNode node, ActionStep.Popup popup) {
+    if (popup.isExpression()) {
+      findings.expression(node, "text", "text", popup.text());
+    } else if (popup.text().isBlank()) {
+      findings.problem(node, "text", "the popup says nothing, its text is missing");
+    }
+  }
+
+  private void call(ProgramNode node, String subProgram) {
+    if (subProgram.isBlank()) {
+      findings.problem(node, "subProgram", "no sub program is chosen");
+    } else if (!findings.subPrograms().contains(subProgram)) {
+      findings.problem(node, "subProgram", "there is no sub program '" + subProgram + "'");
+    }
+  }
+}

@@ -1,0 +1,204 @@
+package org.pendant.project.program.check;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Pattern;
+import org.pendant.controller.installation.Feature;
+import org.pendant.controller.installation.Installation;
+import org.pendant.language.parse.Lexeme;
+import org.pendant.language.parse.LexemeReader;
+import org.pendant.language.signature.Catalogue;
+import org.pendant.language.source.Source;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.ToolChoice;
+import org.pendant.project.program.WaypointPosition;
+
+/** What has been found out about a tree so far, and the questions that many nodes ask about it. */
+final class Findings {
+  private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z_0-9]*");
+
+  private final ProgramTree tree;
+  private final Installation installation;
+  private final Catalogue catalogue;
+  private final List<NodeProblem> problems = new ArrayList<>();
+  private final List<TypedText> expressions = new ArrayList<>();
+  private final Map<String, Optional<String>> nameRefusals = new LinkedHashMap<>();
+  private final Set<String> subPrograms = new HashSet<>();
+
+  /**
+   * An expression that somebody typed.
+   *
+   * @param field of the node with that key
+   */
+  record TypedText(long key, String field, String text) {}
+
+  Findings(ProgramTree tree, Installation installation, Catalogue catalogue) {
+    this.tree = tree;
+    this.installation = installation;
+    this.catalogue = catalogue;
+    for (ProgramNode section : tree.sections()) {
+      if (section.step() instanceof Section.SubProgram(String name, String file)
+          && !section.suppressed()) {
+        subPrograms.add(name);
+      }
+    }
+  }
+
+  ProgramTree tree() {
+    return tree;
+  }
+
+  Installation installation() {
+    return installation;
+  }
+
+  /** What was found, in no particular order. */
+  List<NodeProblem> problems() {
+    return problems;
+  }
+
+  /** All expressions of nodes that run. */
+  List<TypedText> expressions() {
+    return expressions;
+  }
+
+  /** The names of all sub programs that run. */
+  Set<String> subPrograms() {
+    return subPrograms;
+  }
+
+  void problem(ProgramNode node, String field, String message) {
+    problems.add(new NodeProblem(node.key(), field, message));
+  }
+
+  void problem(long key, String field, String message) {
+    problems.add(new NodeProblem(key, field, message));
+  }
+
+  void remark(ProgramNode node, String message) {
+    remark(node.key(), message);
+  }
+
+  void remark(long key, String message) {
+    problems.add(new NodeProblem(key, "", message, false));
+  }
+
+  /** An expression; {@code what} is what it is in the sentence "the ... is missing". */
+  void expression(ProgramNode node, String field, String what, String text) {
+    if (text.isBlank()) {
+      problem(node, field, "the " + what + " is missing, expected an expression");
+    } else {
+      expressions.add(new TypedText(node.key(), field, text));
+    }
+  }
+
+  /** A number in SI within a range, whose ends belong to it. */
+  void range(
+      ProgramNode node,
+      String field,
+      String what,
+      Shown shown,
+      double value,
+      double low,
+      double high) {
+    if (!(value >= low && value <= high)) {
+      String legal = shown.number(low) + " to " + shown.words(high);
+      problem(node, field, what + " is " + shown.words(value) + ", must be " + legal);
+    }
+  }
+
+  /** A number in SI above 0 and at most {@code high}. */
+  void positive(
+      ProgramNode node, String field, String what, Shown shown, double value, double high) {
+    if (!(value > 0 && value <= high)) {
+      String legal = "above 0 and at most " + shown.words(high);
+      problem(node, field, what + " is " + shown.words(value) + ", must be " + legal);
+    }
+  }
+
+  /** A name that becomes a variable or function of the script. */
+  void identifier(ProgramNode node, String field, String what, String name) {
+    if (name.isBlank()) {
+      problem(node, field, "the " + what + " has no name");
+      return;
+    }
+    nameRefusals
+        .computeIfAbsent(name, this::refusal)
+        .ifPresent(reason -> problem(node, field, reason));
+  }
+
+  private Optional<String> refusal(String name) {
+    if (!NAME.matcher(name).matches()) {
+      return Optional.of(
+          "'" + name + "' is no name, expected letters, digits and _, no digit first");
+    }
+    if (LexemeReader.lexemes(Source.of("name", name)).getFirst().kind() != Lexeme.Kind.NAME) {
+      return Optional.of("'" + name + "' is a word of the language, expected another name");
+    }
+    if (catalogue.function(name).isPresent()) {
+      return Optional.of("'" + name + "' is a built-in function, expected another name");
+    }
+    if (subPrograms.contains(name)) {
+      return Optional.of("'" + name + "' is a sub program, expected another name");
+    }
+    return installation.feature(name).isPresent()
+        ? Optional.of("'" + name + "' is a feature of the installation, expected another name")
+        : Optional.empty();
+  }
+
+  /** A place that must have been taught. */
+  Optional<WaypointPosition> taught(ProgramNode node, String field, String name) {
+    if (name.isBlank()) {
+      problem(node, field, "a waypoint has no name");
+      return Optional.empty();
+    }
+    Optional<WaypointPosition> position = Optional.ofNullable(tree.waypoints().get(name));
+    if (position.isEmpty()) {
+      problem(node, field, name + " has not been taught yet");
+    } else {
+      feature(node, field, position.get().feature());
+    }
+    return position;
+  }
+
+  /** Base, tool or a finished feature of the installation. */
+  void feature(ProgramNode node, String field, String name) {
+    if (name.equals(WaypointPosition.BASE) || name.equals(WaypointPosition.TOOL)) {
+      return;
+    }
+    Optional<Feature> feature = installation.feature(name);
+    if (name.isBlank()) {
+      problem(
+          node, field, "the feature is missing, expected Base, Tool or one of the installation");
+    } else if (feature.isEmpty()) {
+      problem(node, field, "the installation has no feature '" + name + "'");
+    } else if (feature.get().points().size() < feature.get().kind().points()) {
+      problem(
+          node, field, "the feature '" + name + "' of the installation is not taught completely");
+    }
+  }
+
+  void tool(ProgramNode node, String field, ToolChoice choice) {
+    switch (choice) {
+      case ToolChoice.Active _ -> {}
+      case ToolChoice.Flange _ -> {}
+      case ToolChoice.Named named -> namedTool(node, field, named.name());
+    }
+  }
+
+  void namedTool(ProgramNode node, String field, String name) {
+    if (installation.tool(name).isEmpty()) {
+      problem(
+          node,
+          field,
+          name.isBlank() ? "the TCP is missing" : "the installation has no TCP '" + name + "'");
+    }
+  }
+}

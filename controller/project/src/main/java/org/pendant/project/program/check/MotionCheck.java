@@ -1,0 +1,256 @@
+package org.pendant.project.program.check;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.pendant.models.pose.Pose;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.Timing;
+import org.pendant.project.program.UntilRule;
+import org.pendant.project.program.WaypointPosition;
+import org.pendant.project.program.WaypointTarget;
+
+/** Checks moves and what belongs to them. */
+final class MotionCheck {
+  private static final double MOST_RAD_PER_S = 2 * Math.PI;
+  private static final double MOST_RAD_PER_S2 = 40;
+  private static final double MOST_M_PER_S = 5;
+  private static final double MOST_M_PER_S2 = 150;
+  private static final double MOST_S = 3600;
+  private static final double MOST_M = 10;
+  private static final int VIA_AND_END = 2;
+
+  private final Findings findings;
+  private final SignalCheck signals;
+
+  MotionCheck(Findings findings, SignalCheck signals) {
+    this.findings = findings;
+    this.signals = signals;
+  }
+
+  /**
+   * Checks one node.
+   *
+   * @param move the closest move above it
+   */
+  void check(ProgramNode node, MotionStep step, Optional<MotionStep.Move> move) {
+    switch (step) {
+      case MotionStep.Move one -> move(node, one);
+      case MotionStep.Waypoint waypoint -> waypoint(node, waypoint, move);
+      case MotionStep.CircleMove circle -> circle(node, circle);
+      case MotionStep.Direction direction -> direction(node, direction);
+      case MotionStep.Until until -> until(node, until.rule());
+      case MotionStep.Home home -> {
+        speeds(
+            node,
+            "speedRadPerS",
+            home.speedRadPerS(),
+            "accelerationRadPerS2",
+            home.accelerationRadPerS2(),
+            MoveKind.JOINT);
+        home.timeS()
+            .ifPresent(
+                time -> findings.positive(node, "timeS", "time", Shown.SECOND, time, MOST_S));
+      }
+    }
+  }
+
+  private void move(ProgramNode node, MotionStep.Move move) {
+    speeds(node, "speed", move.speed(), "acceleration", move.acceleration(), move.kind());
+    findings.tool(node, "tool", move.tool());
+    findings.feature(node, "feature", move.feature());
+    if (move.byJoints() && move.kind() != MoveKind.JOINT) {
+      findings.problem(node, "byJoints", "only a MoveJ can go to joint positions");
+    }
+    blends(running(node));
+  }
+
+  /** Speed and acceleration of joints or the tool. */
+  void speeds(
+      ProgramNode node,
+      String speedField,
+      double speed,
+      String accelerationField,
+      double acceleration,
+      MoveKind kind) {
+    boolean joint = kind == MoveKind.JOINT;
+    findings.positive(
+        node,
+        speedField,
+        "speed",
+        joint ? Shown.DEGREE_PER_S : Shown.MILLIMETRE_PER_S,
+        speed,
+        joint ? MOST_RAD_PER_S : MOST_M_PER_S);
+    findings.positive(
+        node,
+        accelerationField,
+        "acceleration",
+        joint ? Shown.DEGREE_PER_S2 : Shown.MILLIMETRE_PER_S2,
+        acceleration,
+        joint ? MOST_RAD_PER_S2 : MOST_M_PER_S2);
+  }
+
+  private void waypoint(
+      ProgramNode node, MotionStep.Waypoint waypoint, Optional<MotionStep.Move> move) {
+    target(node, waypoint.target());
+    MoveKind kind = move.map(MotionStep.Move::kind).orElse(MoveKind.LINEAR);
+    switch (waypoint.timing()) {
+      case Timing.AsMove _ -> {}
+      case Timing.Own own ->
+          speeds(node, "timing", own.speed(), "timing", own.acceleration(), kind);
+      case Timing.Duration duration -> {
+        findings.positive(node, "timing", "time", Shown.SECOND, duration.timeS(), MOST_S);
+        if (kind == MoveKind.PROCESS) {
+          findings.problem(
+              node, "timing", "a MoveP has a constant speed, a time cannot be given there");
+        }
+      }
+    }
+    blend(node, waypoint.blendRadiusM());
+  }
+
+  private void target(ProgramNode node, WaypointTarget target) {
+    switch (target) {
+      case WaypointTarget.Fixed fixed -> findings.taught(node, "target", fixed.name());
+      case WaypointTarget.Relative relative -> {
+        findings.taught(node, "target", relative.from());
+        findings.taught(node, "target", relative.to());
+      }
+      case WaypointTarget.Variable variable ->
+          findings.expression(node, "target", "variable", variable.expression());
+    }
+  }
+
+  void blend(ProgramNode node, OptionalDouble radiusM) {
+    radiusM.ifPresent(
+        radius ->
+            findings.range(
+                node, "blendRadiusM", "blend radius", Shown.MILLIMETRE, radius, 0, MOST_M));
+  }
+
+  private void circle(ProgramNode node, MotionStep.CircleMove circle) {
+    blend(node, circle.blendRadiusM());
+    long waypoints =
+        running(node).stream().filter(each -> each.step() instanceof MotionStep.Waypoint).count();
+    if (waypoints != VIA_AND_END) {
+      findings.problem(
+          node, "", "a circle has " + waypoints + " waypoints, must have 2: via and end");
+    }
+  }
+
+  private void direction(ProgramNode node, MotionStep.Direction direction) {
+    findings.feature(node, "feature", direction.feature());
+    if (direction.expression().isBlank()) {
+      vector(node, "x", direction.x(), direction.y(), direction.z());
+    } else {
+      findings.expression(node, "expression", "direction", direction.expression());
+    }
+    direction
+        .speedMPerS()
+        .ifPresent(
+            speed ->
+                findings.positive(
+                    node, "speedMPerS", "speed", Shown.MILLIMETRE_PER_S, speed, MOST_M_PER_S));
+    direction
+        .accelerationMPerS2()
+        .ifPresent(
+            acceleration ->
+                findings.positive(
+                    node,
+                    "accelerationMPerS2",
+                    "acceleration",
+                    Shown.MILLIMETRE_PER_S2,
+                    acceleration,
+                    MOST_M_PER_S2));
+    if (running(node).stream().noneMatch(each -> each.step() instanceof MotionStep.Until)) {
+      findings.problem(node, "", "nothing ends the direction, expected an Until below it");
+    }
+  }
+
+  /** A direction that has a length. */
+  void vector(ProgramNode node, String field, double x, double y, double z) {
+    double length = Math.hypot(Math.hypot(x, y), z);
+    if (!(length > 0 && Double.isFinite(length))) {
+      findings.problem(
+          node, field, "the direction has no length, one of x, y and z must be another than 0");
+    }
+  }
+
+  private void until(ProgramNode node, UntilRule rule) {
+    switch (rule) {
+      case UntilRule.Distance distance ->
+          findings.positive(
+              node, "rule", "distance", Shown.MILLIMETRE, distance.distanceM(), MOST_M);
+      case UntilRule.Contact contact -> {
+        findings.range(
+            node, "rule", "retraction", Shown.MILLIMETRE, contact.retractM(), -MOST_M, MOST_M);
+        findings.positive(
+            node,
+            "rule",
+            "deceleration",
+            Shown.MILLIMETRE_PER_S2,
+            contact.stopDecelerationMPerS2(),
+            MOST_M_PER_S2);
+      }
+      case UntilRule.Expression expression ->
+          findings.expression(node, "rule", "condition", expression.condition());
+      case UntilRule.DigitalInput input -> signals.digital(node, "rule", input.signal());
+    }
+  }
+
+  /** Each blend must fit between the waypoints before and after it. */
+  private void blends(List<ProgramNode> waypoints) {
+    for (int i = 0; i < waypoints.size(); i++) {
+      ProgramNode node = waypoints.get(i);
+      if (node.step() instanceof MotionStep.Waypoint waypoint
+          && waypoint.blendRadiusM().orElse(0) > 0) {
+        double radius = waypoint.blendRadiusM().getAsDouble();
+        if (i > 0) {
+          fits(node, radius, waypoints.get(i - 1), "previous");
+        }
+        if (i + 1 < waypoints.size()) {
+          fits(node, radius, waypoints.get(i + 1), "next");
+        }
+      }
+    }
+  }
+
+  private void fits(ProgramNode node, double radiusM, ProgramNode other, String which) {
+    Optional<WaypointPosition> here = position(node);
+    Optional<WaypointPosition> there = position(other);
+    if (here.isEmpty() || there.isEmpty() || !here.get().feature().equals(there.get().feature())) {
+      return;
+    }
+    double distanceM = distance(here.get().tcp(), there.get().tcp());
+    if (radiusM > distanceM) {
+      findings.problem(
+          node,
+          "blendRadiusM",
+          "blend radius is "
+              + Math.round(1000 * radiusM)
+              + " mm, but the "
+              + which
+              + " waypoint is only "
+              + Math.round(1000 * distanceM)
+              + " mm away");
+    }
+  }
+
+  private Optional<WaypointPosition> position(ProgramNode node) {
+    return node.step() instanceof MotionStep.Waypoint waypoint
+            && waypoint.target() instanceof WaypointTarget.Fixed fixed
+        ? Optional.ofNullable(findings.tree().waypoints().get(fixed.name()))
+        : Optional.empty();
+  }
+
+  private static double distance(Pose a, Pose b) {
+    return Math.hypot(Math.hypot(a.x() - b.x(), a.y() - b.y()), a.z() - b.z());
+  }
+
+  /** The nodes below that are not suppressed. */
+  static List<ProgramNode> running(ProgramNode node) {
+    return node.children().stream().filter(each -> !each.suppressed()).toList();
+  }
+}

@@ -1,0 +1,66 @@
+package org.pendant.project.program.check;
+
+import java.util.HashSet;
+import java.util.Set;
+import org.pendant.project.program.NodeKind;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.Section;
+
+/** Checks the nodes at the top of a tree. */
+final class SectionCheck {
+  private final Findings findings;
+  private final Set<NodeKind> single = new HashSet<>();
+  private final Set<String> subPrograms = new HashSet<>();
+  private boolean hasMain;
+
+  SectionCheck(Findings findings) {
+    this.findings = findings;
+  }
+
+  void check(ProgramNode node, Section section) {
+    switch (section) {
+      case Section.InitialValues initial -> {
+        once(node);
+        initial.values().forEach(each -> initialValue(node, each));
+      }
+      case Section.BeforeStart before -> once(node);
+      case Section.MainProgram main -> {
+        once(node);
+        hasMain = true;
+      }
+      case Section.ThreadSection thread -> {
+        if (thread.name().isBlank()) {
+          findings.problem(node, "name", "the thread has no name");
+        }
+      }
+      case Section.Event event ->
+          findings.expression(node, "condition", "condition of the event", event.condition());
+      case Section.SubProgram sub -> subProgram(node, sub.name());
+    }
+  }
+
+  private void once(ProgramNode node) {
+    NodeKind kind = NodeKind.of(node.step());
+    if (!single.add(kind)) {
+      findings.problem(node, "", "a program has only one " + kind.title());
+    }
+  }
+
+  private void initialValue(ProgramNode node, Section.InitialValue value) {
+    findings.identifier(node, "values", "variable", value.variable());
+    findings.expression(node, "values", "initial value of " + value.variable(), value.expression());
+  }
+
+  private void subProgram(ProgramNode node, String name) {
+    if (name.isBlank()) {
+      findings.problem(node, "name", "the sub program has no name");
+    } else if (!subPrograms.add(name)) {
+      findings.problem(node, "name", "there are two sub programs '" + name + "'");
+    }
+  }
+
+  /** Whether a main program that runs has been seen. */
+  boolean hasMain() {
+    return hasMain;
+  }
+}

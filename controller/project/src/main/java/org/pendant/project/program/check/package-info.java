@@ -1,0 +1,5 @@
+/**
+ * What keeps a program tree from running. Open {@link
+ * org.pendant.project.program.check.ProgramCheck} first.
+ */
+package org.pendant.project.program.check;

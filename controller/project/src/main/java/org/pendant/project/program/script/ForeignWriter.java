@@ -1,0 +1,50 @@
+package org.pendant.project.program.script;
+
+import org.pendant.project.program.ExternalControl;
+import org.pendant.project.program.ForeignStep;
+import org.pendant.project.program.ProgramNode;
+
+/** Writes nodes of others: what stands in for them, or a remark. */
+final class ForeignWriter {
+  private final ScriptContext context;
+  private final ScriptLines lines;
+  private final ActiveTool tool;
+
+  ForeignWriter(ScriptContext context, ActiveTool tool) {
+    this.context = context;
+    lines = context.lines();
+    this.tool = tool;
+  }
+
+  /** A node; it has none below it. */
+  void write(ProgramNode node, ForeignStep step) {
+    lines.begin(node);
+    switch (step) {
+      case ForeignStep.Contributed each -> {
+        String who = ScriptText.oneLine(each.source() + ": " + each.type());
+        lines.line("# begin: URCap node " + who);
+        if (ExternalControl.is(each)) {
+          control();
+        }
+        each.stub().forEach(lines::code);
+        lines.line("# end: URCap node " + who);
+      }
+      case ForeignStep.Unknown each ->
+          lines.line("# does nothing: unknown node " + ScriptText.oneLine(each.element()));
+    }
+    tool.forget();
+    lines.end();
+  }
+
+  private void control() {
+    context
+        .control()
+        .ifPresentOrElse(
+            script -> lines.received(script.loop()),
+            () ->
+                lines.line(
+                    "# the script that "
+                        + ScriptText.oneLine(context.installation().controlHost().text())
+                        + " is asked for when the program starts"));
+  }
+}

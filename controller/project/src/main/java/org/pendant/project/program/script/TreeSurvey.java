@@ -1,0 +1,133 @@
+package org.pendant.project.program.script;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.ControlScript;
+import org.pendant.project.program.FlowStep;
+import org.pendant.project.program.ForeignStep;
+import org.pendant.project.program.LoopRule;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.Setting;
+import org.pendant.project.program.Step;
+import org.pendant.project.program.StepCode;
+import org.pendant.project.program.TemplateStep;
+import org.pendant.project.program.ToolChoice;
+import org.pendant.project.program.TreeNames;
+
+/** What the nodes of a tree use that are not suppressed. */
+final class TreeSurvey {
+  private static final Pattern WORD = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*");
+
+  private final Set<String> waypoints = new LinkedHashSet<>();
+  private final Set<String> variables = new LinkedHashSet<>();
+  private final Set<String> timers = new LinkedHashSet<>();
+  private final Set<String> words = new LinkedHashSet<>();
+  private final Map<String, ProgramNode> subPrograms = new HashMap<>();
+  private final List<ProgramNode> unnamedLoops = new ArrayList<>();
+  private final Set<ToolChoice> tools = new LinkedHashSet<>();
+  private boolean setsTool;
+
+  TreeSurvey(ProgramTree tree) {
+    tree.sections().forEach(this::visit);
+  }
+
+  private void visit(ProgramNode node) {
+    if (node.suppressed()) {
+      return;
+    }
+    Step step = node.step();
+    waypoints.addAll(TreeNames.waypoints(step));
+    variables.addAll(TreeNames.variables(step));
+    StepCode.of(step).forEach(this::read);
+    switch (step) {
+      case ActionStep.Timer timer -> timers.add(timer.name());
+      case ActionStep.SetAction set -> setsTool |= set.setting() instanceof Setting.Tcp;
+      case Section.SubProgram sub -> subPrograms.putIfAbsent(sub.name(), node);
+      case MotionStep.Move move -> {
+        // a move of the flange leaves the active TCP as it is
+        if (!(move.tool() instanceof ToolChoice.Flange)) {
+          tools.add(move.tool());
+        }
+      }
+      case TemplateStep.Screwdriving each -> tools.add(each.tool());
+      case FlowStep.Loop loop when loop.rule() instanceof LoopRule.Times times ->
+          unnamedLoops.addAll(times.variable().isBlank() ? List.of(node) : List.of());
+      case MotionStep _, Section _, ActionStep _, FlowStep _, TemplateStep _, ForeignStep _ -> {}
+    }
+    node.children().forEach(this::visit);
+  }
+
+  private void read(String text) {
+    addWords(text, words);
+  }
+
+  private static void addWords(String text, Set<String> words) {
+    for (Matcher word = WORD.matcher(text); word.find(); ) {
+      words.add(word.group());
+    }
+  }
+
+  /** Every word in what a driver has sent. */
+  static Set<String> words(ControlScript control) {
+    Set<String> words = new LinkedHashSet<>();
+    control.header().forEach(each -> addWords(each.text(), words));
+    control.loop().forEach(each -> addWords(each.text(), words));
+    return words;
+  }
+
+  /** Names of waypoints that nodes refer to. */
+  Set<String> waypoints() {
+    return waypoints;
+  }
+
+  /** Variables that nodes assign, as people call them. */
+  Set<String> variables() {
+    return variables;
+  }
+
+  /** Variables of stop watches. */
+  Set<String> timers() {
+    return timers;
+  }
+
+  /** Loops that count their turns in a variable that nobody has named. */
+  List<ProgramNode> unnamedLoops() {
+    return unnamedLoops;
+  }
+
+  /** Every word in expressions and script code. */
+  Set<String> words() {
+    return words;
+  }
+
+  /** The sub programs by name; of several with one name the first. */
+  Map<String, ProgramNode> subPrograms() {
+    return subPrograms;
+  }
+
+  /** Whether calls of a name mean that very section. */
+  boolean isCalled(String name, ProgramNode section) {
+    ProgramNode found = subPrograms.get(name);
+    return found != null && found.key() == section.key();
+  }
+
+  /** The TCPs that moves choose. */
+  Set<ToolChoice> tools() {
+    return tools;
+  }
+
+  /** Whether something else than a move may make another TCP the active one. */
+  boolean setsTool() {
+    return setsTool || words.contains("set_tcp");
+  }
+}

@@ -1,0 +1,5 @@
+/**
+ * The script that a program tree runs as. Open {@link
+ * org.pendant.project.program.script.GeneratedScript} first.
+ */
+package org.pendant.project.program.script;

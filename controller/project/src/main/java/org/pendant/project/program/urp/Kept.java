@@ -1,0 +1,59 @@
+package org.pendant.project.program.urp;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Base64;
+import java.util.List;
+import org.pendant.project.polyscope.xml.XmlElement;
+import org.pendant.project.program.ExternalControl;
+import org.pendant.project.program.ForeignStep;
+
+/** Keeps elements to the letter that nobody understands. */
+final class Kept {
+  /** Begins a comment before a contributed node: the script in its place. */
+  static final String STUB = "pendant-stub ";
+
+  private Kept() {}
+
+  /** A node that is not known. */
+  static ForeignStep.Unknown unknown(XmlElement element, Remarks remarks) {
+    element.seeAll();
+    String kind = SwitchedOff.kind(element);
+    remarks.add(element, kind + " is not understood; it is kept, and does nothing");
+    return new ForeignStep.Unknown(kind, List.of(SwitchedOff.plain(element).split("\n", -1)));
+  }
+
+  /** A node of a URCap. */
+  static ForeignStep.Contributed contributed(XmlElement element, Remarks remarks) {
+    element.seeAll();
+    String source =
+        element
+            .attribute("strategyURCapDeveloper")
+            .or(() -> element.attribute("strategyURCapName"))
+            .or(() -> element.attribute("strategyClass"))
+            .orElse("");
+    String type = element.text("strategyProgramNodeType");
+    List<String> stub = stub(element.comment());
+    ForeignStep.Contributed step =
+        new ForeignStep.Contributed(
+            source, type, List.of(SwitchedOff.plain(element).split("\n", -1)), stub);
+    if (stub.isEmpty() && !ExternalControl.is(step)) {
+      remarks.add(
+          element,
+          "the contributed node \"" + type + "\" is kept, and does nothing without a stub script");
+    }
+    return step;
+  }
+
+  private static List<String> stub(String comment) {
+    if (!comment.startsWith(STUB)) {
+      return List.of();
+    }
+    try {
+      byte[] bytes = Base64.getDecoder().decode(comment.substring(STUB.length()).strip());
+      return List.of(new String(bytes, StandardCharsets.UTF_8).split("\n", -1));
+    } catch (IllegalArgumentException e) {
+      // somebody else's comment
+      return List.of();
+    }
+  }
+}

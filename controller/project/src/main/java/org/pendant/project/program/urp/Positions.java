@@ -1,0 +1,156 @@
+package org.pendant.project.program.urp;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.pendant.controller.installation.Feature;
+import org.pendant.controller.installation.FeatureKind;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
+import org.pendant.project.polyscope.xml.UnreadableFile;
+import org.pendant.project.polyscope.xml.XmlElement;
+import org.pendant.project.program.WaypointPosition;
+
+/** Collects the places that were taught. */
+final class Positions {
+  /** Where we write the pose in full, as files of PolyScope keep the joints alone. */
+  static final String OWN_POSE = "pendantPose";
+
+  /** Where we write the feature of such a pose. */
+  static final String OWN_FEATURE = "pendantFeature";
+
+  private static final double SAME = 1e-6;
+
+  private final Map<String, WaypointPosition> all = new LinkedHashMap<>();
+  private final Map<String, Feature> features = new LinkedHashMap<>();
+  private final Optional<XmlElement> programArm;
+  private final ForwardKinematics usualArm;
+  private final Remarks remarks;
+
+  /**
+   * @param programArm the arm that the program as a whole names
+   * @param usualArm taken where nothing else is known
+   */
+  Positions(Optional<XmlElement> programArm, ForwardKinematics usualArm, Remarks remarks) {
+    this.programArm = programArm;
+    this.usualArm = usualArm;
+    this.remarks = remarks;
+  }
+
+  Map<String, WaypointPosition> all() {
+    return all;
+  }
+
+  /** Where features were when waypoints were taught in them. */
+  List<Feature> features() {
+    return List.copyOf(features.values());
+  }
+
+  /**
+   * Takes the place of a waypoint.
+   *
+   * @param waypoint the element with {@code position} in it
+   */
+  void add(String name, XmlElement waypoint, String feature) throws UnreadableFile {
+    Optional<XmlElement> position = waypoint.child("position");
+    if (position.isPresent()) {
+      add(name, waypoint, position.get(), feature);
+    }
+  }
+
+  /** Takes a place that stands in an element of its own. */
+  void add(String name, XmlElement waypoint, XmlElement position, String feature)
+      throws UnreadableFile {
+    Optional<XmlElement> found = position.resolved();
+    if (found.isEmpty()) {
+      remarks.add(position, "the reference of position leads nowhere; the waypoint is not taught");
+      return;
+    }
+    Optional<WaypointPosition> read = read(waypoint, found.get(), feature);
+    if (read.isEmpty()) {
+      remarks.add(position, "the position has no six joint angles; the waypoint is not taught");
+      return;
+    }
+    WaypointPosition before = all.putIfAbsent(name, read.get());
+    if (before != null && before.jointsRad().maxAbsDifference(read.get().jointsRad()) > SAME) {
+      remarks.add(position, "another waypoint " + name + " is elsewhere; the first one counts");
+    }
+  }
+
+  private Optional<WaypointPosition> read(
+      XmlElement waypoint, XmlElement position, String feature) {
+    double[] joints =
+        Values.numbers(
+            position
+                .child("JointAngles")
+                .map(each -> each.text("angles"))
+                .orElse(position.text("joints")));
+    if (joints.length != Joints.COUNT) {
+      return Optional.empty();
+    }
+    Joints jointsRad = Joints.of(joints);
+    Optional<Pose> baseToFeature =
+        waypoint.child("BaseToFeature").flatMap(each -> pose(each, "pose"));
+    if (!feature.equals(WaypointPosition.BASE) && !feature.equals(WaypointPosition.TOOL)) {
+      baseToFeature.ifPresent(
+          pose ->
+              features.putIfAbsent(
+                  feature, new Feature(feature, FeatureKind.POINT, List.of(pose), false, true)));
+    }
+    Pose tool = position.child("TCPOffset").flatMap(each -> pose(each, "pose")).orElse(Pose.ZERO);
+    Optional<Pose> own = pose(position, OWN_POSE);
+    if (own.isPresent()) {
+      return Optional.of(
+          new WaypointPosition(
+              own.get(), position.attribute(OWN_FEATURE).orElse(feature), jointsRad, tool));
+    }
+    return Optional.of(computed(waypoint, position, feature, baseToFeature, jointsRad, tool));
+  }
+
+  private WaypointPosition computed(
+      XmlElement waypoint,
+      XmlElement position,
+      String feature,
+      Optional<Pose> baseToFeature,
+      Joints jointsRad,
+      Pose tool) {
+    waypoint.child("outputFlangePose").ifPresent(XmlElement::seeAll);
+    Optional<Pose> inFeature =
+        waypoint.child("poseInFeatureCoordinates").flatMap(each -> pose(each, "pose"));
+    Pose inBase = pose(position, "pose").orElseGet(() -> arm(position).tcpPose(jointsRad, tool));
+    // What is taught while the tool's own frame is chosen is a place all the same.
+    String frame = feature.equals(WaypointPosition.TOOL) ? WaypointPosition.BASE : feature;
+    if (frame.equals(WaypointPosition.BASE)) {
+      return new WaypointPosition(inBase, frame, jointsRad, tool);
+    }
+    if (inFeature.isPresent()) {
+      return new WaypointPosition(inFeature.get(), frame, jointsRad, tool);
+    }
+    if (baseToFeature.isPresent()) {
+      Pose relative = Poses.trans(Poses.inverse(baseToFeature.get()), inBase);
+      return new WaypointPosition(relative, frame, jointsRad, tool);
+    }
+    remarks.add(position, "nothing says where " + frame + " was; the position is kept in the base");
+    return new WaypointPosition(inBase, WaypointPosition.BASE, jointsRad, tool);
+  }
+
+  private ForwardKinematics arm(XmlElement position) {
+    return position
+        .child("Kinematics")
+        .flatMap(Arms::described)
+        .or(() -> programArm.flatMap(Arms::described))
+        .orElseGet(
+            () -> {
+              remarks.add(position, "the file does not describe the arm; a UR5e is taken");
+              return usualArm;
+            });
+  }
+
+  private static Optional<Pose> pose(XmlElement element, String attribute) {
+    double[] numbers = Values.numbers(element.text(attribute));
+    return numbers.length == Pose.SIZE ? Optional.of(Pose.of(numbers)) : Optional.empty();
+  }
+}

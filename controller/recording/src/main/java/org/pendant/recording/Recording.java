@@ -1,0 +1,231 @@
+package org.pendant.recording;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.motion.FrameTime;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.models.arm.ArmDescription;
+
+/**
+ * A stretch of what one controller did: of its {@link RecordingRing} at one moment, or of a file.
+ * Immutable; any thread.
+ *
+ * <p>Times are robot time, s since the controller was switched on; a time between two frames means
+ * the frame before it, one outside of the stretch its first or last frame. From memory {@link #at}
+ * is cheap enough for each movement of a mouse. A recording of a file reads the file again where it
+ * is asked; all methods then throw {@link UncheckedIOException} when that has gone.
+ */
+public final class Recording {
+  /** Part of a frame that counts as rounding in a time. */
+  private static final double ROUNDING = 1e-6;
+
+  private final List<? extends SegmentRef> stretches;
+  private final int lastCount;
+  private final long lastFrame;
+  private final ProgramTexts texts;
+  private final Snapshots snapshots;
+
+  /** What was found when somebody asked for marks; empty before, or if there are none. */
+  private volatile List<RecordingMark> marks = List.of();
+
+  /**
+   * A recording.
+   *
+   * @param stretches at least one, in the order of time
+   * @param lastCount how many entries of the last one belong to it
+   * @param lastFrame the last frame, whether it changed something or not
+   */
+  Recording(
+      List<? extends SegmentRef> stretches,
+      int lastCount,
+      long lastFrame,
+      ProgramTexts texts,
+      Snapshots snapshots) {
+    this.stretches = stretches;
+    this.lastCount = lastCount;
+    this.texts = texts;
+    this.snapshots = snapshots;
+    this.lastFrame = Math.max(lastFrame, stretches.getLast().firstFrame());
+  }
+
+  /** The arm that moves in it. */
+  public ArmDescription arm() {
+    return snapshots.arm();
+  }
+
+  /** Number of its first frame. */
+  public long firstFrame() {
+    return stretches.getFirst().firstFrame();
+  }
+
+  /** Number of its last frame. */
+  public long lastFrame() {
+    return lastFrame;
+  }
+
+  /** How many frames it has. */
+  public long frames() {
+    return lastFrame() - firstFrame() + 1;
+  }
+
+  /** Time of its first frame, s. */
+  public double firstS() {
+    return timeS(firstFrame());
+  }
+
+  /** Time of its last frame, s. */
+  public double lastS() {
+    return timeS(lastFrame());
+  }
+
+  static double timeS(long frame) {
+    return frame / (double) FrameTime.FRAMES_PER_SECOND;
+  }
+
+  /** The frame that {@link #at(double)} shows. */
+  public long frameAt(double timeS) {
+    double frame = Math.floor(timeS * FrameTime.FRAMES_PER_SECOND + ROUNDING);
+    return inside((long) frame);
+  }
+
+  private long inside(long frame) {
+    return Math.clamp(frame, firstFrame(), lastFrame());
+  }
+
+  /** What the controller published at a time. */
+  public ControllerState at(double timeS) {
+    return atFrame(frameAt(timeS));
+  }
+
+  /** What the controller published in a frame: the last of it, where a debugger held the frame. */
+  public ControllerState atFrame(long frame) {
+    long wanted = inside(frame);
+    int index = stretchOf(wanted);
+    Segment segment = stretches.get(index).segment();
+    int count = count(index, segment);
+    SegmentCursor cursor = new SegmentCursor(segment, count);
+    return snapshots.of(cursor.to(segment.entryAt(wanted, count)), wanted);
+  }
+
+  /** The stretch that a frame of this recording is in. */
+  private int stretchOf(long frame) {
+    int low = 0;
+    int high = stretches.size() - 1;
+    while (low < high) {
+      int middle = (low + high + 1) >>> 1;
+      if (stretches.get(middle).firstFrame() <= frame) {
+        low = middle;
+      } else {
+        high = middle - 1;
+      }
+    }
+    return low;
+  }
+
+  private int count(int index, Segment segment) {
+    return index == stretches.size() - 1 ? lastCount : segment.published();
+  }
+
+  /** Looks at entries. */
+  interface Visitor {
+    /** The next entry. */
+    void visit(SegmentCursor entry) throws IOException;
+  }
+
+  /**
+   * Shows the entries from the one that holds in frame {@code from} to the last of frame {@code
+   * to}; those at the beginning of a segment, which are whole, included.
+   */
+  void visit(long from, long to, Visitor visitor) throws IOException {
+    long last = inside(to);
+    for (int i = stretchOf(inside(from)); i < stretches.size(); i++) {
+      if (stretches.get(i).firstFrame() > last) {
+        return;
+      }
+      Segment segment = stretches.get(i).segment();
+      int count = count(i, segment);
+      int first = segment.entryAt(inside(from), count);
+      SegmentCursor cursor = new SegmentCursor(segment, count).to(first);
+      do {
+        if (cursor.frame() > last) {
+          return;
+        }
+        visitor.visit(cursor);
+      } while (cursor.next());
+    }
+  }
+
+  /** As {@link #visit}, for visitors that do no input and output. */
+  void look(long from, long to, Visitor visitor) {
+    try {
+      visit(from, to, visitor);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  Snapshots snapshots() {
+    return snapshots;
+  }
+
+  ProgramTexts texts() {
+    return texts;
+  }
+
+  /** Log lines of the frames from {@code fromS} to {@code toS}, oldest first. */
+  public List<LogEntry> log(double fromS, double toS) {
+    long from = frameAt(fromS);
+    List<LogEntry> entries = new ArrayList<>();
+    look(
+        from,
+        frameAt(toS),
+        entry -> {
+          if (entry.frame() >= from && entry.changed(Part.NEWS)) {
+            entries.addAll(((FrameDelta) entry.part(Part.NEWS)).entries());
+          }
+        });
+    return entries;
+  }
+
+  /** The texts of the programs that ran, in the order of their starts. */
+  public List<ProgramText> programs() {
+    return texts.all();
+  }
+
+  /** The text of the program that ran at a time, or ran last; empty before the first. */
+  public Optional<ProgramText> programAt(double timeS) {
+    long frame = frameAt(timeS);
+    return texts.all().reversed().stream().filter(each -> each.frame() <= frame).findFirst();
+  }
+
+  /**
+   * Starts and ends of programs, labels, stops: what a timeline marks, in the order of time. The
+   * first call goes through all of the recording, which takes as long as {@link #scan}; later ones
+   * answer the same list. There are 10,000 marks at most, the newest.
+   */
+  public List<RecordingMark> marks() {
+    List<RecordingMark> known = marks;
+    if (known.isEmpty()) {
+      known = new MarkSearch(this).marks();
+      marks = known;
+    }
+    return known;
+  }
+
+  /**
+   * How a number went, for drawing. Goes through all changes between both times: quick in memory,
+   * but a file is read again for it, so it is not for the dispatch thread then.
+   *
+   * @param column which number
+   * @param fromS begin of the first bucket, s
+   * @param toS end of the last one, s
+   * @param buckets how many equal stretches of time, such as one a pixel, at least 1
+   */
+  public ColumnTrace scan(Column column, double fromS, double toS, int buckets) {
+    return ColumnScan.of(this, column, fromS, toS, buckets);
+  }
+}

@@ -1,0 +1,12 @@
+package org.pendant.recording;
+
+import java.io.IOException;
+
+/** A file that is no recording, of another version, or damaged; the message says which. */
+public final class RecordingException extends IOException {
+  private static final long serialVersionUID = 1L;
+
+  RecordingException(String message) {
+    super(message);
+  }
+}

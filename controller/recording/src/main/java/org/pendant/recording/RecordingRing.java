@@ -1,0 +1,110 @@
+package org.pendant.recording;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.language.source.Source;
+
+/**
+ * The last stretch of robot time of one controller, within a bound of memory: the oldest frames are
+ * dropped. The thread that drives the controller writes, with {@link #take} after each frame; every
+ * thread may read, with {@link #recording}. Nobody waits for anybody.
+ *
+ * <p>Frames are kept at 500 Hz with every bit. A frame that changed nothing takes nothing; while
+ * nothing else changes, temperatures, energies and execution times are kept once a second only.
+ */
+public final class RecordingRing {
+  /** A bound that holds four minutes of an arm that never rests, and days of one that does. */
+  public static final long STANDARD_BYTES = 96L << 20;
+
+  private final Supplier<Optional<Source>> programSource;
+  private final long mostBytes;
+  private final Snapshots snapshots;
+  private final SnapshotEncoder snapshotEncoder;
+
+  /** Bytes of all segments but the one that is being filled. */
+  private long fullBytes;
+
+  private volatile Segment[] segments = new Segment[0];
+  private volatile ProgramTexts texts = ProgramTexts.NONE;
+  private volatile long lastFrame;
+
+  /**
+   * Begins with a snapshot, such as the one before the first frame.
+   *
+   * @param programSource the text of the running or last program, asked in the frame in which one
+   *     starts, such as {@code controller::programSource}
+   */
+  public RecordingRing(ControllerState start, Supplier<Optional<Source>> programSource) {
+    this(start, programSource, STANDARD_BYTES);
+  }
+
+  /**
+   * As {@link #RecordingRing(ControllerState, Supplier)}.
+   *
+   * @param mostBytes about how much memory the ring takes; at least that of two of its segments,
+   *     about a megabyte
+   */
+  public RecordingRing(
+      ControllerState start, Supplier<Optional<Source>> programSource, long mostBytes) {
+    this.programSource = programSource;
+    this.mostBytes = mostBytes;
+    snapshots = Snapshots.like(start);
+    lastFrame = start.frame();
+    snapshotEncoder =
+        new SnapshotEncoder(start, this::begun, this::full, SnapshotEncoder.AMBIENT_FRAMES);
+  }
+
+  /** Takes a frame that has ended. For the thread that drives the controller. */
+  public void take(ControllerState state) {
+    snapshotEncoder.take(state);
+    lastFrame = state.frame();
+    if (!state.newProgramEvents().isEmpty()) {
+      ProgramText.startedIn(state, programSource).ifPresent(this::note);
+    }
+  }
+
+  void note(ProgramText text) {
+    texts = texts.with(text);
+  }
+
+  /** What is kept now; it stays as it is while the ring goes on. Any thread, at next to no cost. */
+  public Recording recording() {
+    // in this order: what is read later may be newer, and then holds more than was asked for
+    long last = lastFrame;
+    ProgramTexts then = texts;
+    Segment[] now = segments;
+    int count = now[now.length - 1].published();
+    return new Recording(Arrays.asList(now), count, last, then, snapshots);
+  }
+
+  /** About how much memory is taken, bytes. For the thread that drives the controller. */
+  long bytes() {
+    return fullBytes + snapshotEncoder.segment().bytes() + texts.bytes();
+  }
+
+  private void full(Segment done) {
+    Segment trimmed = done.trimmed();
+    fullBytes += trimmed.bytes();
+    Segment[] changed = segments.clone();
+    changed[changed.length - 1] = trimmed;
+    segments = changed;
+  }
+
+  private void begun(Segment next) {
+    Segment[] now = segments;
+    int dropped = 0;
+    long limit = mostBytes - next.bytes() - texts.bytes();
+    while (dropped < now.length - 1 && fullBytes > limit) {
+      fullBytes -= now[dropped].bytes();
+      dropped++;
+    }
+    Segment[] changed = Arrays.copyOfRange(now, dropped, now.length + 1);
+    changed[changed.length - 1] = next;
+    segments = changed;
+    if (dropped > 0) {
+      texts = texts.from(changed[0].firstFrame());
+    }
+  }
+}

@@ -1,0 +1,14 @@
+package org.pendant.recording;
+
+/** Reference to a segment, which is in memory or in a file. */
+interface SegmentRef {
+  /** Its first frame. */
+  long firstFrame();
+
+  /**
+   * The segment.
+   *
+   * @throws java.io.UncheckedIOException if it is in a file that cannot be read any more
+   */
+  Segment segment();
+}

@@ -1,0 +1,148 @@
+package org.pendant.recording;
+
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.box.Mounting;
+import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.debug.DebugState;
+import org.pendant.controller.eip.AssemblyImage;
+import org.pendant.controller.encoder.Encoders;
+import org.pendant.controller.freedrive.FreedriveState;
+import org.pendant.controller.io.DigitalLevels;
+import org.pendant.controller.io.SignalState;
+import org.pendant.controller.message.LogLines;
+import org.pendant.controller.message.Popup;
+import org.pendant.controller.message.Question;
+import org.pendant.controller.modbus.ModbusSignalState;
+import org.pendant.controller.motion.FrameTime;
+import org.pendant.controller.motion.MotionFailure;
+import org.pendant.controller.state.ArmGeometry;
+import org.pendant.controller.state.ArmReadings;
+import org.pendant.controller.state.ArmState;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.ProgramStatus;
+import org.pendant.controller.state.SafetyStatus;
+import org.pendant.controller.variables.TracedVariables;
+import org.pendant.controller.variables.VariableSamples;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.pose.Wrench;
+
+/**
+ * Makes snapshots again of what was kept of them.
+ *
+ * @param arm the arm of the recording, which never changes
+ * @param kinematics its kinematics
+ */
+@SuppressWarnings("unchecked") // each part is what the getter of its Part answers
+record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
+  /** Those of the same arm as {@code state}. */
+  static Snapshots like(ControllerState state) {
+    return new Snapshots(state.arm().description(), state.arm().kinematics());
+  }
+
+  /** The snapshot of frame {@code frame}, of which {@code at} stands at the last change. */
+  ControllerState of(SegmentCursor at, long frame) {
+    ArmState armState = armState(at);
+    ArmReadings readings = readings(at);
+    FrameDelta frameDelta = (FrameDelta) at.part(Part.NEWS);
+    if (at.frame() != frame || !at.changed(Part.NEWS)) {
+      frameDelta = frameDelta.old();
+    }
+    return new ControllerState(
+        frame,
+        frame / (double) FrameTime.FRAMES_PER_SECOND,
+        at.number(NumberGroup.AMBIENT, 10),
+        0,
+        armState,
+        readings,
+        new ArmGeometry(armState, readings),
+        (SafetyStatus) at.part(Part.SAFETY),
+        (ProgramStatus) at.part(Part.PROGRAM),
+        (DebugState) at.part(Part.DEBUG),
+        (DigitalLevels) at.part(Part.IO),
+        (SignalState) at.part(Part.SIGNALS),
+        (List<ModbusSignalState>) at.part(Part.MODBUS),
+        (AssemblyImage) at.part(Part.ASSEMBLIES),
+        (Encoders.Counts) at.part(Part.ENCODERS),
+        (FreedriveState) at.part(Part.FREEDRIVE),
+        (VariableSamples) at.part(Part.VARIABLES),
+        (TracedVariables) at.part(Part.TRACED),
+        (List<Popup>) at.part(Part.POPUPS),
+        (List<Question>) at.part(Part.QUESTIONS),
+        frameDelta.entries().isEmpty() ? LogLines.NONE : new LogLines.Listed(frameDelta.entries()),
+        frameDelta.popups(),
+        frameDelta.questions(),
+        frameDelta.events(),
+        frameDelta.newestEntry());
+  }
+
+  private ArmState armState(SegmentCursor at) {
+    Control control = (Control) at.part(Part.CONTROL);
+    return new ArmState(
+        joints(at, NumberGroup.TARGET_Q),
+        joints(at, NumberGroup.TARGET_QD),
+        joints(at, NumberGroup.TARGET_QDD),
+        joints(at, NumberGroup.ACTUAL_Q),
+        joints(at, NumberGroup.ACTUAL_QD),
+        (ToolCentre) at.part(Part.TOOL),
+        arm,
+        kinematics,
+        control.mode(),
+        control.moving(),
+        control.steady(),
+        at.number(NumberGroup.SPEED, 0),
+        at.number(NumberGroup.SPEED, 1),
+        (Optional<MotionFailure>) at.part(Part.FAULT));
+  }
+
+  private static ArmReadings readings(SegmentCursor at) {
+    return new ArmReadings(
+        joints(at, NumberGroup.ACCELERATION),
+        joints(at, NumberGroup.TORQUE),
+        joints(at, NumberGroup.EXTERNAL_TORQUE),
+        joints(at, NumberGroup.TARGET_TORQUE),
+        joints(at, NumberGroup.CURRENT),
+        joints(at, NumberGroup.TARGET_CURRENT),
+        joints(at, NumberGroup.AMBIENT),
+        at.number(NumberGroup.AMBIENT, 6),
+        at.number(NumberGroup.AMBIENT, 7),
+        at.number(NumberGroup.LOAD, 0),
+        new ArmReadings.Acceleration(
+            at.number(NumberGroup.TOOL_ACCELERATION, 0),
+            at.number(NumberGroup.TOOL_ACCELERATION, 1),
+            at.number(NumberGroup.TOOL_ACCELERATION, 2)),
+        wrench(at, NumberGroup.FLANGE_WRENCH),
+        wrench(at, NumberGroup.RAW_WRENCH),
+        (Payload) at.part(Part.PAYLOAD),
+        (Mounting) at.part(Part.MOUNTING),
+        at.number(NumberGroup.LOAD, 1),
+        at.number(NumberGroup.AMBIENT, 8),
+        at.number(NumberGroup.AMBIENT, 9),
+        at.number(NumberGroup.LOAD, 2),
+        at.number(NumberGroup.LOAD, 3),
+        at.number(NumberGroup.LOAD, 4));
+  }
+
+  private static Joints joints(SegmentCursor at, NumberGroup group) {
+    return new Joints(
+        at.number(group, 0),
+        at.number(group, 1),
+        at.number(group, 2),
+        at.number(group, 3),
+        at.number(group, 4),
+        at.number(group, 5));
+  }
+
+  private static Wrench wrench(SegmentCursor at, NumberGroup group) {
+    return new Wrench(
+        at.number(group, 0),
+        at.number(group, 1),
+        at.number(group, 2),
+        at.number(group, 3),
+        at.number(group, 4),
+        at.number(group, 5));
+  }
+}

@@ -1,0 +1,171 @@
+package org.pendant.recording.replay;
+
+import java.util.LinkedHashSet;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.Set;
+import org.pendant.controller.Command;
+import org.pendant.controller.CommandJournal;
+import org.pendant.controller.Controller;
+import org.pendant.controller.box.Determinism;
+import org.pendant.controller.motion.FrameTime;
+
+/**
+ * Every command that has changed a controller since it was switched on, with the place in its run
+ * where it did. With it and the controller's options, {@link Rerun} makes another controller that
+ * stands at any frame.
+ *
+ * <p>It is bounded, and it is never thinned out: when it is full, the frames from then on cannot be
+ * repeated any more, those before can. The thread that drives the controller writes it; any thread
+ * may ask. A frame without commands costs nothing.
+ */
+public final class Journal {
+  private static final int CHUNK = 1024;
+
+  private final Controller controller;
+  private final JournalLimits limits;
+  private final Entry[][] chunks;
+  private long bytes;
+  private volatile int size;
+  private volatile OptionalLong fullFrame = OptionalLong.empty();
+
+  /**
+   * A command at its place.
+   *
+   * @param frame that had begun
+   * @param turn as in {@link CommandJournal#note}
+   * @param before fingerprint of the last snapshot before it
+   */
+  record Entry(long frame, long turn, Command command, long before) {}
+
+  private Journal(Controller controller, JournalLimits limits) {
+    this.controller = controller;
+    this.limits = limits;
+    chunks = new Entry[Math.ceilDiv(limits.mostCommands(), CHUNK)][];
+  }
+
+  /** As {@link #of(Controller, JournalLimits)}, with the standard limits. */
+  public static Journal of(Controller controller) {
+    return of(controller, JournalLimits.STANDARD);
+  }
+
+  /**
+   * Begins to keep the commands of a controller, which must not have run a frame yet. Only for the
+   * thread that will drive it.
+   *
+   * @throws IllegalArgumentException if it has
+   */
+  public static Journal of(Controller controller, JournalLimits limits) {
+    long frame = controller.state().frame();
+    if (frame != 0) {
+      throw new IllegalArgumentException(
+          "the controller is in frame " + frame + ", must not have run yet");
+    }
+    Journal journal = new Journal(controller, limits);
+    controller.noteCommandsIn(journal::note);
+    return journal;
+  }
+
+  /** Whose commands these are. */
+  public Controller controller() {
+    return controller;
+  }
+
+  JournalLimits limits() {
+    return limits;
+  }
+
+  private void note(long frame, long turn, Command command) {
+    if (fullFrame.isPresent()) {
+      return;
+    }
+    Optional<KeptCommand> kept = KeptCommand.of(command);
+    if (kept.isEmpty()) {
+      return;
+    }
+    int count = size;
+    if (count == limits.mostCommands() || bytes + kept.get().bytes() > limits.mostBytes()) {
+      fullFrame = OptionalLong.of(frame);
+      return;
+    }
+    bytes += kept.get().bytes();
+    int place = count % CHUNK;
+    if (place == 0) {
+      chunks[count / CHUNK] = new Entry[CHUNK];
+    }
+    chunks[count / CHUNK][place] =
+        new Entry(frame, turn, kept.get().command(), Fingerprint.of(controller.state()));
+    // last, so that whoever sees the number sees the command
+    size = count + 1;
+  }
+
+  /** How many commands it has. */
+  public int size() {
+    return size;
+  }
+
+  /** Command {@code index} of those that {@link #size} has counted. */
+  Entry entry(int index) {
+    return chunks[index / CHUNK][index % CHUNK];
+  }
+
+  /**
+   * Why the run cannot be repeated up to the end of a frame; empty if it can.
+   *
+   * @param frame 0 for a controller that was just switched on
+   */
+  public Optional<String> refusal(long frame) {
+    long newest = controller.state().frame();
+    if (frame < 0 || frame > newest) {
+      return Optional.of("frame is " + frame + ", must be 0 to " + newest);
+    }
+    Optional<Determinism.Loss> loss = controller.determinism().loss();
+    if (loss.isPresent() && loss.get().frame() <= frame) {
+      return Optional.of(
+          refused(
+              loss.get().frame(),
+              loss.get().reason() + ", which may come out otherwise the next time"));
+    }
+    OptionalLong full = fullFrame;
+    if (full.isPresent() && full.getAsLong() <= frame) {
+      return Optional.of(
+          refused(
+              full.getAsLong(),
+              "there were more commands than are kept, "
+                  + limits.mostCommands()
+                  + " or "
+                  + (limits.mostBytes() >> 20)
+                  + " MB"));
+    }
+    return Optional.empty();
+  }
+
+  private static String refused(long since, String why) {
+    return String.format(
+        Locale.ROOT,
+        "only what was before %.3f s can be run again: then %s",
+        since * FrameTime.FRAME_S,
+        why);
+  }
+
+  /**
+   * Those who have taken signals by the commands up to here and have not given them back. After a
+   * rerun nobody is behind these names: who goes on may want to release them.
+   */
+  public Set<String> owners() {
+    Set<String> owners = new LinkedHashSet<>();
+    int count = size;
+    for (int i = 0; i < count; i++) {
+      switch (entry(i).command()) {
+        case Command.ClaimInputs claim -> owners.add(claim.owner());
+        case Command.ClaimSignal claim -> owners.add(claim.owner());
+        case Command.ReleaseSignals release -> owners.remove(release.owner());
+        default -> {
+          // has nothing to do with it
+        }
+      }
+    }
+    return owners;
+  }
+}

@@ -1,0 +1,13 @@
+package org.pendant.recording.replay;
+
+/**
+ * A run cannot be repeated up to the frame that was asked for; the message says why, for people.
+ */
+public final class RerunRefused extends Exception {
+  private static final long serialVersionUID = 1;
+
+  /** Refused for a reason. */
+  public RerunRefused(String message) {
+    super(message);
+  }
+}

@@ -1,0 +1,120 @@
+package org.pendant.recording.replay;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.state.ArmState;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.variables.VariableSample;
+import org.pendant.controller.vm.LoadResult;
+import org.pendant.controller.vm.Program;
+import org.pendant.language.source.Source;
+
+/** A controller, what somebody does to it in which frame, and what comes of it in each. */
+final class Play {
+  final ControllerOptions options;
+  final Journal journal;
+  private final Map<Long, List<Command>> scheduled = new TreeMap<>();
+
+  /** What each frame brought, that of frame 1 first. */
+  final List<List<Object>> frames = new ArrayList<>();
+
+  Play(ControllerOptions options) {
+    this(options, JournalLimits.STANDARD);
+  }
+
+  Play(ControllerOptions options, JournalLimits limits) {
+    this.options = options;
+    journal = Journal.of(new Controller(options), limits);
+  }
+
+  Controller controller() {
+    return journal.controller();
+  }
+
+  Program program(String text) {
+    LoadResult loadResult =
+        controller().load(Source.of("play.script", text.getBytes(StandardCharsets.ISO_8859_1)));
+    assertTrue(loadResult.program().isPresent(), () -> loadResult.diagnostics().toString());
+    return loadResult.program().get();
+  }
+
+  /** Has a command left right before a frame. */
+  Play at(long frame, Command command) {
+    scheduled.computeIfAbsent(frame, each -> new ArrayList<>()).add(command);
+    return this;
+  }
+
+  Play start(String text) {
+    return at(1, new Command.StartProgram(program(text)));
+  }
+
+  /** Runs up to the end of a frame. */
+  Play until(long frame) {
+    follow(controller(), frame).forEach(frames::add);
+    return this;
+  }
+
+  /** Does the same to another controller from where it stands; answers what each frame brought. */
+  List<List<Object>> follow(Controller other, long last) {
+    List<List<Object>> brought = new ArrayList<>();
+    while (other.state().frame() < last) {
+      for (Command each : scheduled.getOrDefault(other.state().frame() + 1, List.of())) {
+        var _ = other.submit(each);
+      }
+      other.advance();
+      brought.add(facts(other.state()));
+    }
+    return brought;
+  }
+
+  /** Everything in a snapshot that is a number, a text or made of such. */
+  static List<Object> facts(ControllerState state) {
+    ArmState arm = state.arm();
+    List<Object> facts = new ArrayList<>();
+    facts.addAll(
+        List.of(
+            state.frame(),
+            state.timeS(),
+            arm.targetPositionRad(),
+            arm.targetSpeedRadPerS(),
+            arm.targetAccelerationRadPerS2(),
+            arm.actualPositionRad(),
+            arm.actualSpeedRadPerS(),
+            arm.tool(),
+            arm.controlMode(),
+            arm.moving(),
+            arm.steady(),
+            arm.speedFraction(),
+            arm.speedScaling(),
+            state.readings()));
+    facts.addAll(
+        List.of(
+            state.safety(),
+            state.program(),
+            state.debug().held(),
+            state.io(),
+            state.signals(),
+            state.encoders(),
+            state.freedrive(),
+            state.openPopups(),
+            state.openQuestions(),
+            state.newEntries(),
+            state.newPopups(),
+            state.newQuestions()));
+    facts.add(state.newProgramEvents());
+    facts.add(state.newestEntry());
+    for (VariableSample each : state.variables().globals()) {
+      facts.add(each.name() + each.length());
+      facts.add(each.value());
+    }
+    return facts;
+  }
+}

@@ -1,6 +1,0 @@
-/**
- * The form of the files that PolyScope saves: XML, mostly compressed, in which an element can stand
- * for another one by a reference. Open {@link org.pendant.controller.polyscope.xml.PackedXml}
- * first.
- */
-package org.pendant.controller.polyscope.xml;

@@ -1,6 +1,0 @@
-/**
- * Programs as trees of nodes, as they are made on a screen rather than typed. Open {@link
- * org.pendant.controller.program.ProgramTree} and {@link org.pendant.controller.program.Step}
- * first. A tree runs as the script that is generated from it.
- */
-package org.pendant.controller.program;

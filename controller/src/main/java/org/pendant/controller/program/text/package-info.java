@@ -1,5 +1,0 @@
-/**
- * Program trees as text, one node a line; docs/program-files.md describes it. Open {@link
- * org.pendant.controller.program.text.ProgramText} first.
- */
-package org.pendant.controller.program.text;
