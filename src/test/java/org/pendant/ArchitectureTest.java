@@ -37,6 +37,10 @@ final class ArchitectureTest {
           .definedBy("org.pendant.language..")
           .layer("models")
           .definedBy("org.pendant.models..")
+          .layer("script")
+          .definedBy("org.pendant.script..")
+          .layer("motion")
+          .definedBy("org.pendant.motion..")
           .layer("core")
           .definedBy("org.pendant.controller..")
           .layer("recording")
@@ -57,10 +61,15 @@ final class ArchitectureTest {
           .mayOnlyBeAccessedByLayers("protocols", "gui")
           .whereLayer("core")
           .mayOnlyBeAccessedByLayers("recording", "project", "protocols", "gui")
+          .whereLayer("script")
+          .mayOnlyBeAccessedByLayers("core", "recording", "project", "protocols", "gui")
+          .whereLayer("motion")
+          .mayOnlyBeAccessedByLayers("core", "recording", "project", "protocols", "gui")
           .whereLayer("language")
-          .mayOnlyBeAccessedByLayers("core", "recording", "project", "protocols", "gui")
+          .mayOnlyBeAccessedByLayers("script", "core", "recording", "project", "protocols", "gui")
           .whereLayer("models")
-          .mayOnlyBeAccessedByLayers("core", "recording", "project", "protocols", "gui")
+          .mayOnlyBeAccessedByLayers(
+              "script", "motion", "core", "recording", "project", "protocols", "gui")
           .ensureAllClassesAreContainedInArchitecture();
 
   /** What docs/glossary.md has better words for. */
@@ -136,6 +145,8 @@ final class ArchitectureTest {
           .resideInAnyPackage(
               "org.pendant.language..",
               "org.pendant.models..",
+              "org.pendant.script..",
+              "org.pendant.motion..",
               "org.pendant.controller..",
               "org.pendant.recording..",
               "org.pendant.project..")

@@ -15,8 +15,6 @@ import org.openjdk.jmh.annotations.Warmup;
 import org.pendant.controller.arm.ArmCommand;
 import org.pendant.controller.arm.ArmSensors;
 import org.pendant.controller.arm.DynamicArm;
-import org.pendant.controller.arm.FrictionShare;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
@@ -24,6 +22,8 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.motion.FrameTime;
+import org.pendant.motion.servo.FrictionShare;
 
 /** One frame of the simulated UR5e with a payload: swaying to and fro, held at rest, and free. */
 @State(Scope.Benchmark)

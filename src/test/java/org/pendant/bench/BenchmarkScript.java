@@ -7,11 +7,11 @@ import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.script.value.Value;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * One {@code bench_*.script} on a controller of its own, run as {@code pendant run} does it.

@@ -15,8 +15,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.pendant.controller.Controller;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * Frames of a program whose moves are so short that every few frames one starts and blends: the

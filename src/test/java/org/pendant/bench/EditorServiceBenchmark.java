@@ -13,7 +13,6 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.function.Builtins;
 import org.pendant.language.service.Completion;
 import org.pendant.language.service.FormatOptions;
 import org.pendant.language.service.FormatResult;
@@ -22,6 +21,7 @@ import org.pendant.language.service.Highlighting;
 import org.pendant.language.service.RenameResult;
 import org.pendant.language.service.ScriptAnalysis;
 import org.pendant.language.source.Source;
+import org.pendant.script.function.Builtins;
 
 /** What an editor asks while somebody types in a program of 5,000 lines. */
 @State(Scope.Benchmark)
@@ -33,7 +33,7 @@ import org.pendant.language.source.Source;
 public class EditorServiceBenchmark {
   private static final int LINES = 5_000;
 
-  private Builtins builtins;
+  private Builtins<?> builtins;
   private Source source;
   private Source broken;
   private ScriptAnalysis analysis;

@@ -15,7 +15,7 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 import org.pendant.controller.Controller;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * One frame of the controller while one script thread waits: for a joint move, for a straight move,

@@ -13,15 +13,15 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.ProgramLoader;
 import org.pendant.language.check.Checker;
 import org.pendant.language.check.ProgramForm;
 import org.pendant.language.parse.ParseResult;
 import org.pendant.language.parse.ScriptParser;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramLoader;
 
 /** From the text of a program of 1 MB to its diagnostics, and to a program that can start. */
 @State(Scope.Benchmark)
@@ -32,7 +32,7 @@ import org.pendant.language.source.Source;
 @Measurement(iterations = 3, time = 1)
 public class LanguageBenchmark {
   private Source source;
-  private Builtins builtins;
+  private Builtins<?> builtins;
 
   /** Writes the program. */
   @Setup

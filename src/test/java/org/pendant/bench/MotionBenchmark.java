@@ -14,13 +14,6 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.motion.MotionControl;
-import org.pendant.controller.motion.MotionTicket;
-import org.pendant.controller.motion.Move;
-import org.pendant.controller.motion.MoveLimits;
-import org.pendant.controller.motion.Routes;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
@@ -28,6 +21,13 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.motion.FrameTime;
+import org.pendant.motion.MotionControl;
+import org.pendant.motion.MotionTicket;
+import org.pendant.motion.Move;
+import org.pendant.motion.MoveLimits;
+import org.pendant.motion.PlanningException;
+import org.pendant.motion.Routes;
 
 /**
  * Planning moves of a UR5e and following them, without an arm behind the target: a zigzag of 24
@@ -60,7 +60,7 @@ public class MotionBenchmark {
 
   /** Makes the moves and starts the first. */
   @Setup
-  public void make() throws ScriptError {
+  public void make() throws PlanningException {
     InverseKinematics inverse = new InverseKinematics(arm);
     Pose home = forward.tcpPose(READY, TCP);
     Joints near = READY;
@@ -88,7 +88,7 @@ public class MotionBenchmark {
             jerkRampS);
   }
 
-  private void go() throws ScriptError {
+  private void go() throws PlanningException {
     ticket = control.start(moves.get(next)).orElseThrow();
     ticket.outlook(moves.subList(next + 1, moves.size()));
     next = (next + 1) % WAYPOINTS;
@@ -96,14 +96,14 @@ public class MotionBenchmark {
 
   /** Plans a move from rest of which nothing is known that follows. */
   @Benchmark
-  public MotionTicket plan() throws ScriptError {
+  public MotionTicket plan() throws PlanningException {
     control.adopt(READY);
     return control.start(moves.getFirst()).orElseThrow();
   }
 
   /** Plans a move from rest, and again when 23 more are known. */
   @Benchmark
-  public MotionTicket planWithOutlook() throws ScriptError {
+  public MotionTicket planWithOutlook() throws PlanningException {
     control.adopt(READY);
     MotionTicket planned = control.start(moves.getFirst()).orElseThrow();
     planned.outlook(moves.subList(1, moves.size()));
@@ -112,7 +112,7 @@ public class MotionBenchmark {
 
   /** A frame of a chain; one in about sixty plans a blended move with an outlook. */
   @Benchmark
-  public double frame() throws ScriptError {
+  public double frame() throws PlanningException {
     control.step();
     if (ticket.finished()) {
       go();

@@ -12,7 +12,7 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.motion.PlanningException;
 
 /** A frame of every motion, in which nothing is planned; {@link SteadyMotion} says which. */
 @State(Scope.Benchmark)
@@ -28,13 +28,13 @@ public class MotionFrameBenchmark {
 
   /** Begins the motion. */
   @Setup
-  public void begin() throws ScriptError {
+  public void begin() throws PlanningException {
     motion = new SteadyMotion(kind);
   }
 
   /** A frame. */
   @Benchmark
-  public double frame() throws ScriptError {
+  public double frame() throws PlanningException {
     motion.frame();
     return motion.seen();
   }

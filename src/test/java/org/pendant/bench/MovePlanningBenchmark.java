@@ -13,20 +13,20 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
-import org.pendant.controller.motion.ArcRoute;
-import org.pendant.controller.motion.MotionControl;
-import org.pendant.controller.motion.MotionTicket;
-import org.pendant.controller.motion.Move;
-import org.pendant.controller.motion.MoveLimits;
-import org.pendant.controller.motion.PathLimits;
-import org.pendant.controller.motion.Routes;
-import org.pendant.controller.motion.TorquePathLimits;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.ArcRoute;
+import org.pendant.motion.MotionControl;
+import org.pendant.motion.MotionTicket;
+import org.pendant.motion.Move;
+import org.pendant.motion.MoveLimits;
+import org.pendant.motion.PathLimits;
+import org.pendant.motion.PlanningException;
+import org.pendant.motion.Routes;
+import org.pendant.motion.TorquePathLimits;
 
 /**
  * Planning moves of the UR5e: circles, process moves, and those that look at what the arm can do on
@@ -100,19 +100,19 @@ public class MovePlanningBenchmark {
         Move.Kind.PROCESS);
   }
 
-  private Optional<MotionTicket> planned(Move move) throws ScriptError {
+  private Optional<MotionTicket> planned(Move move) throws PlanningException {
     return new MotionControl(arm, READY).start(move);
   }
 
   /** A movec. */
   @Benchmark
-  public Optional<MotionTicket> circle() throws ScriptError {
+  public Optional<MotionTicket> circle() throws PlanningException {
     return planned(circle);
   }
 
   /** A movep that knows its next corner. */
   @Benchmark
-  public MotionTicket processMove() throws ScriptError {
+  public MotionTicket processMove() throws PlanningException {
     MotionTicket ticket = planned(corner).orElseThrow();
     ticket.outlook(List.of(afterCorner));
     return ticket;
@@ -120,19 +120,19 @@ public class MovePlanningBenchmark {
 
   /** An optimovej. */
   @Benchmark
-  public Optional<MotionTicket> optimalJoints() throws ScriptError {
+  public Optional<MotionTicket> optimalJoints() throws PlanningException {
     return planned(optimalJoints);
   }
 
   /** An optimovel. */
   @Benchmark
-  public Optional<MotionTicket> optimalLine() throws ScriptError {
+  public Optional<MotionTicket> optimalLine() throws PlanningException {
     return planned(optimalLine);
   }
 
   /** A frame of a movec; it begins anew when it is done, which counts. */
   @Benchmark
-  public double frameOfCircle() throws ScriptError {
+  public double frameOfCircle() throws PlanningException {
     if (!running.moving()) {
       running = new MotionControl(arm, READY);
       running.start(circle);

@@ -15,13 +15,13 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.pendant.controller.encoder.Encoders;
 import org.pendant.controller.io.DigitalIo;
-import org.pendant.controller.motion.MotionControl;
-import org.pendant.controller.motion.offset.ConveyorTracking;
-import org.pendant.controller.motion.offset.OffsetType;
-import org.pendant.controller.motion.offset.PathOffsetting;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.MotionControl;
+import org.pendant.motion.offset.ConveyorTracking;
+import org.pendant.motion.offset.OffsetType;
+import org.pendant.motion.offset.PathOffsetting;
 
 /** The target of one frame of a UR5e that a conveyor or a path offset carries to and fro. */
 @State(Scope.Benchmark)

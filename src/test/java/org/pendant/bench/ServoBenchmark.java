@@ -13,18 +13,18 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
-import org.pendant.controller.arm.FrictionShare;
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.motion.MotionControl;
-import org.pendant.controller.motion.MotionPlan;
-import org.pendant.controller.motion.MotionTicket;
-import org.pendant.controller.motion.servo.Servoing;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.FrameTime;
+import org.pendant.motion.MotionControl;
+import org.pendant.motion.MotionPlan;
+import org.pendant.motion.MotionTicket;
+import org.pendant.motion.PlanningException;
+import org.pendant.motion.servo.FrictionShare;
+import org.pendant.motion.servo.Servoing;
 
 /**
  * One frame of a stream: the motion that was asked for with a time of one frame, planned and
@@ -54,7 +54,7 @@ public class ServoBenchmark {
 
   /** Begins the stream. */
   @Setup
-  public void begin() throws ScriptError {
+  public void begin() throws PlanningException {
     control = new MotionControl(arm, READY);
     servoing = new Servoing(arm, control);
     start = new ForwardKinematics(arm.dh()).tcpPose(READY, TCP);
@@ -90,7 +90,7 @@ public class ServoBenchmark {
 
   /** One frame. */
   @Benchmark
-  public double frame() throws ScriptError {
+  public double frame() throws PlanningException {
     frame++;
     if (does.equals("torque")) {
       servoing.giveTorque(READY, FrictionShare.MOST);

@@ -7,33 +7,33 @@ import java.util.OptionalDouble;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.ToolCentre;
-import org.pendant.controller.motion.ArcRoute;
-import org.pendant.controller.motion.MotionControl;
-import org.pendant.controller.motion.MotionPlan;
-import org.pendant.controller.motion.MotionTicket;
-import org.pendant.controller.motion.Move;
-import org.pendant.controller.motion.MoveLimits;
-import org.pendant.controller.motion.PathLimiter;
-import org.pendant.controller.motion.PathLimits;
-import org.pendant.controller.motion.Routes;
-import org.pendant.controller.motion.StopJ;
-import org.pendant.controller.motion.StopL;
-import org.pendant.controller.motion.force.ForceAxis;
-import org.pendant.controller.motion.force.ForceMode;
-import org.pendant.controller.motion.force.ForceTask;
-import org.pendant.controller.motion.force.FrameKind;
-import org.pendant.controller.motion.offset.OffsetType;
 import org.pendant.controller.safety.SpeedCaps;
-import org.pendant.controller.toolpath.RunPlan;
-import org.pendant.controller.toolpath.ToolConfiguration;
-import org.pendant.controller.toolpath.Toolpaths;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.models.pose.Wrench;
+import org.pendant.motion.ArcRoute;
+import org.pendant.motion.MotionControl;
+import org.pendant.motion.MotionPlan;
+import org.pendant.motion.MotionTicket;
+import org.pendant.motion.Move;
+import org.pendant.motion.MoveLimits;
+import org.pendant.motion.PathLimiter;
+import org.pendant.motion.PathLimits;
+import org.pendant.motion.PlanningException;
+import org.pendant.motion.Routes;
+import org.pendant.motion.StopJ;
+import org.pendant.motion.StopL;
+import org.pendant.motion.force.ForceAxis;
+import org.pendant.motion.force.ForceMode;
+import org.pendant.motion.force.ForceTask;
+import org.pendant.motion.force.FrameKind;
+import org.pendant.motion.offset.OffsetType;
+import org.pendant.motion.toolpath.RunPlan;
+import org.pendant.motion.toolpath.ToolConfiguration;
+import org.pendant.motion.toolpath.Toolpaths;
 
 /**
  * A motion of a UR5e that goes on for a hundred thousand frames and more without anything being
@@ -121,7 +121,7 @@ public final class SteadyMotion {
   private Wrench felt = PUSH;
   private int frame;
 
-  SteadyMotion(Kind kind) throws ScriptError {
+  SteadyMotion(Kind kind) throws PlanningException {
     this.kind = kind;
     arm = box.armDescription();
     forward = box.forward();
@@ -148,7 +148,7 @@ public final class SteadyMotion {
   }
 
   /** One frame. */
-  void frame() throws ScriptError {
+  void frame() throws PlanningException {
     if (++frame == LONGEST) {
       begin();
     }
@@ -168,7 +168,7 @@ public final class SteadyMotion {
   }
 
   /** What others give in each frame. */
-  private void prepare() throws ScriptError {
+  private void prepare() throws PlanningException {
     boolean turns = frame % SWAY == 0;
     switch (kind) {
       case DIRECT_TORQUE -> motion.giveTorque();
@@ -187,7 +187,7 @@ public final class SteadyMotion {
     }
   }
 
-  private void begin() throws ScriptError {
+  private void begin() throws PlanningException {
     frame = 0;
     motion.adopt(READY);
     switch (kind) {
@@ -280,21 +280,21 @@ public final class SteadyMotion {
   }
 
   /** So that there is something to stop. */
-  private void moveALittle() throws ScriptError {
+  private void moveALittle() throws PlanningException {
     goOn(box.servoing().speedJ(new Joints(1e-3, 0, 2e-3, 0, 0, 1e-3), 1, OptionalDouble.of(0.002)));
     motion.step();
   }
 
-  private void start(Move move) throws ScriptError {
+  private void start(Move move) throws PlanningException {
     MotionTicket _ = motion.start(move).orElseThrow();
   }
 
-  private void goOn(MotionPlan plan) throws ScriptError {
+  private void goOn(MotionPlan plan) throws PlanningException {
     motion.goOn(plan);
   }
 
   /** Goes on until the first move is handed over, so that the blend is what comes. */
-  private void blend(Move first, Move second) throws ScriptError {
+  private void blend(Move first, Move second) throws PlanningException {
     MotionTicket ticket = motion.start(first).orElseThrow();
     ticket.outlook(List.of(second));
     while (!ticket.finished()) {
@@ -303,11 +303,11 @@ public final class SteadyMotion {
     start(second);
   }
 
-  private void line() throws ScriptError {
+  private void line() throws PlanningException {
     line(SLOWLY);
   }
 
-  private void line(MoveLimits limits) throws ScriptError {
+  private void line(MoveLimits limits) throws PlanningException {
     Pose goal = beside(0.1, 0.2, 0.1);
     start(
         new Move(
@@ -349,7 +349,7 @@ public final class SteadyMotion {
   }
 
   /** Is pushed by turns this way and that, while a conveyor moves the path to and fro. */
-  private void press(FrameKind frame) throws ScriptError {
+  private void press(FrameKind frame) throws PlanningException {
     box.conveyor().trackLinear(new Pose(0, 1, 0, 0, 0, 0), 100_000, box.encoders().get(0));
     List<ForceAxis> axes = new ArrayList<>();
     for (int i = 0; i < ForceTask.AXES; i++) {
@@ -359,7 +359,7 @@ public final class SteadyMotion {
     line(new MoveLimits(1, 1e-5, 0));
   }
 
-  private RunPlan toolpath() throws ScriptError {
+  private RunPlan toolpath() throws PlanningException {
     boolean remote = kind == Kind.TOOLPATH_REMOTE;
     boolean free = kind == Kind.TOOLPATH_FREE;
     Pose flange = forward.flangePose(READY);

@@ -6,7 +6,7 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.motion.PlanningException;
 
 final class SteadyMotionTest {
   private static final int FRAMES = 2000;
@@ -21,7 +21,7 @@ final class SteadyMotionTest {
 
   @ParameterizedTest
   @EnumSource
-  void frameOfEveryMotionAllocatesNothing(SteadyMotion.Kind kind) throws ScriptError {
+  void frameOfEveryMotionAllocatesNothing(SteadyMotion.Kind kind) throws PlanningException {
     SteadyMotion motion = new SteadyMotion(kind);
     long least = Long.MAX_VALUE;
     for (int round = 0; round < ROUNDS && least > SPARE; round++) {
@@ -36,7 +36,7 @@ final class SteadyMotionTest {
         bytes <= SPARE, () -> kind + " allocates " + bytes + " bytes in " + FRAMES + " frames");
   }
 
-  private static void run(SteadyMotion motion) throws ScriptError {
+  private static void run(SteadyMotion motion) throws PlanningException {
     for (int i = 0; i < FRAMES; i++) {
       motion.frame();
     }

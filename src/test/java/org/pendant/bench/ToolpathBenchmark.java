@@ -13,18 +13,18 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
-import org.pendant.controller.motion.MotionControl;
-import org.pendant.controller.motion.MotionTicket;
-import org.pendant.controller.toolpath.RunPlan;
-import org.pendant.controller.toolpath.ToolConfiguration;
-import org.pendant.controller.toolpath.Toolpaths;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.motion.MotionControl;
+import org.pendant.motion.MotionTicket;
+import org.pendant.motion.PlanningException;
+import org.pendant.motion.toolpath.RunPlan;
+import org.pendant.motion.toolpath.ToolConfiguration;
+import org.pendant.motion.toolpath.Toolpaths;
 
 /** A run of a thousand lines of 2 mm by a UR5e: one frame of it, and its planning. */
 @State(Scope.Benchmark)
@@ -48,7 +48,7 @@ public class ToolpathBenchmark {
 
   /** Queues the lines: circles in the plane of the tool. */
   @Setup(Level.Trial)
-  public void prepare() throws ScriptError {
+  public void prepare() throws PlanningException {
     Pose flange = new ForwardKinematics(arm.dh()).flangePose(START_RAD);
     boolean remote = kind.equals("remote");
     Pose tool = new Pose(0, 0, 0.1, 0, 0, 0);
@@ -70,14 +70,14 @@ public class ToolpathBenchmark {
     begin();
   }
 
-  private void begin() throws ScriptError {
+  private void begin() throws PlanningException {
     motion = new MotionControl(arm, START_RAD);
     ticket = motion.start((from, speed) -> plan.begin(from));
   }
 
   /** One frame. */
   @Benchmark
-  public double frame() throws ScriptError {
+  public double frame() throws PlanningException {
     if (ticket.finished()) {
       begin();
     }
@@ -87,7 +87,7 @@ public class ToolpathBenchmark {
 
   /** All of the planning. */
   @Benchmark
-  public RunPlan plan() throws ScriptError {
+  public RunPlan plan() throws PlanningException {
     toolpaths.ended();
     return toolpaths.plan(LINES - 1, START_RAD, Pose.ZERO).result();
   }

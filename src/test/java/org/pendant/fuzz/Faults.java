@@ -6,12 +6,13 @@ import java.util.Optional;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.function.Builtins;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.vm.LoadResult;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.DiagnosticFormat;
 import org.pendant.language.source.Source;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.vm.LoadResult;
 
 /** Runs one program and tells a fault of ours from one of the program. */
 final class Faults {
@@ -20,7 +21,7 @@ final class Faults {
   private Faults() {}
 
   /** What went wrong inside, if anything did; that a program fails is none. */
-  static Optional<String> ofRun(Source source, Builtins builtins) {
+  static Optional<String> ofRun(Source source, Builtins<ControlBox> builtins) {
     Controller controller = new Controller(ControllerOptions.headless(), builtins);
     LoadResult loadResult = controller.load(source);
     if (loadResult.program().isEmpty()) {

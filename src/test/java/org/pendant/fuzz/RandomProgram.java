@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
-import org.pendant.controller.function.Builtins;
 import org.pendant.language.signature.Parameter;
 import org.pendant.language.signature.Signature;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
 
 /**
  * A program that compiles: functions, a thread, loops and calls of every built-in function, with
@@ -44,7 +44,7 @@ final class RandomProgram {
   private final List<Signature> functions;
   private final StringBuilder text = new StringBuilder();
 
-  RandomProgram(SplittableRandom random, Builtins builtins) {
+  RandomProgram(SplittableRandom random, Builtins<?> builtins) {
     this.random = random;
     functions =
         builtins.all().stream()

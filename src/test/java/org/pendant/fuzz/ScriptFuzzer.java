@@ -6,15 +6,16 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.LongStream;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.ProgramLoader;
 import org.pendant.language.service.FormatOptions;
 import org.pendant.language.service.ScriptAnalysis;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.DiagnosticFormat;
 import org.pendant.language.source.Source;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramLoader;
 
 /**
  * Reads, checks and compiles random texts, and runs the right ones of another kind. Each text and
@@ -29,7 +30,7 @@ final class ScriptFuzzer {
   /** One text of so many is handed to the editor's questions too, which read it again and again. */
   private static final int TEXTS_PER_EDITED_ONE = 20;
 
-  private final Builtins builtins = StandardBuiltins.create();
+  private final Builtins<ControlBox> builtins = StandardBuiltins.create();
   private final AtomicInteger compiled = new AtomicInteger();
 
   /**

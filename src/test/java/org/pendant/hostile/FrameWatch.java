@@ -12,12 +12,12 @@ import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Reply;
-import org.pendant.controller.value.IntValue;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.script.value.IntValue;
+import org.pendant.script.value.Value;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * Runs hostile programs one after the other, frame by frame, and writes down how much processor

@@ -10,10 +10,10 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.VirtualClock;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.egress.AllowedHosts;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramState;
 
 /** Runs programs that reach for the outside, in virtual time, and keeps what they say. */
 public final class ScriptRun implements AutoCloseable {

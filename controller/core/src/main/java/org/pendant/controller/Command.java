@@ -6,7 +6,6 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.ToolCentre;
-import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.eip.AssemblyData;
 import org.pendant.controller.eip.AssemblyPair;
 import org.pendant.controller.file.ProgramsFolder;
@@ -23,14 +22,15 @@ import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.rtde.InputRecipe;
 import org.pendant.controller.rtde.InputUpdate;
 import org.pendant.controller.safety.SafetyInput;
-import org.pendant.controller.variables.VariablePath;
-import org.pendant.controller.variables.VariableTracer;
-import org.pendant.controller.vm.InterpretedLine;
-import org.pendant.controller.vm.Program;
 import org.pendant.controller.world.HandGrip;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.variables.VariablePath;
+import org.pendant.script.variables.VariableTracer;
+import org.pendant.script.vm.InterpretedLine;
+import org.pendant.script.vm.Program;
 
 /** What somebody outside asks of a controller; carried out at the begin of the next frame. */
 public sealed interface Command {

@@ -14,7 +14,7 @@ public interface CommandJournal {
    * @param turn 0 when it has just begun; while a debugger holds the frame, how many times it has
    *     been gone on with
    * @param command a {@link Command.Debug} stands for one {@link
-   *     org.pendant.controller.debug.DebugRequest}; there is none for what only looks
+   *     org.pendant.script.debug.DebugRequest}; there is none for what only looks
    */
   void note(long frame, long turn, Command command);
 }

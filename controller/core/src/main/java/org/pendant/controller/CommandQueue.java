@@ -10,25 +10,25 @@ import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.stream.Collectors;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationCheck;
 import org.pendant.controller.installation.InstallationProblem;
 import org.pendant.controller.io.InputOwners;
 import org.pendant.controller.io.SignalWrite;
-import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.rtde.InputField;
 import org.pendant.controller.rtde.InputRecipe;
 import org.pendant.controller.rtde.InputUpdate;
-import org.pendant.controller.variables.VariableTracer;
-import org.pendant.controller.vm.Interpreter;
-import org.pendant.controller.vm.Machine;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
-import org.pendant.controller.vm.ScriptFailure;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.function.ScriptPlace;
+import org.pendant.script.variables.VariableTracer;
+import org.pendant.script.vm.Interpreter;
+import org.pendant.script.vm.Machine;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
+import org.pendant.script.vm.ScriptFailure;
 
 /**
  * Command queue: takes commands from any thread and executes them in the frame loop. Secondary
@@ -483,7 +483,7 @@ final class CommandQueue {
                         + why.line()
                         + ": "
                         + why.message(),
-                    new LogEntry.Place(
+                    new ScriptPlace(
                         program.source().name(), Debugger.MAIN, program.name(), why.line())));
     return failure.map(why -> (Reply) new Reply.Failed(why.message())).orElse(DONE);
   }

@@ -9,20 +9,20 @@ import java.util.function.BooleanSupplier;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Determinism;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.function.Builtins;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.variables.VariableTracer;
-import org.pendant.controller.vm.InterpreterJournal;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.Machine;
-import org.pendant.controller.vm.ProgramLoader;
 import org.pendant.language.source.Source;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.value.Value;
+import org.pendant.script.variables.VariableTracer;
+import org.pendant.script.vm.InterpreterJournal;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Machine;
+import org.pendant.script.vm.ProgramLoader;
 
 /**
  * One robot controller with its arm. Any number of them live in a process.
@@ -31,7 +31,7 @@ import org.pendant.language.source.Source;
  * whoever created it. Everybody else reads {@link #state} and submits commands, from any thread.
  */
 public final class Controller {
-  private final Builtins builtins;
+  private final Builtins<ControlBox> builtins;
   private final ControlBox box;
   private final Machine machine;
   private final CommandQueue commandQueue;
@@ -49,7 +49,7 @@ public final class Controller {
   }
 
   /** As {@link #Controller(ControllerOptions)}, with a catalogue that may be shared. */
-  public Controller(ControllerOptions options, Builtins builtins) {
+  public Controller(ControllerOptions options, Builtins<ControlBox> builtins) {
     this.builtins = builtins;
     box = new ControlBox(options.boxSetup());
     machine = new Machine(builtins, box, options.memoryBytes());
@@ -88,7 +88,7 @@ public final class Controller {
   }
 
   /** The functions that programs may call. */
-  public Builtins builtins() {
+  public Builtins<ControlBox> builtins() {
     return builtins;
   }
 

@@ -95,7 +95,7 @@ public final class ControllerOptions {
    * With another limit on the memory of programs.
    *
    * @param bytes what the values of one program may take together, above 0; see {@link
-   *     org.pendant.controller.value.Value#sizeBytes}
+   *     org.pendant.script.value.Value#sizeBytes}
    */
   public ControllerOptions withMemory(long bytes) {
     return changed(copy -> copy.memoryBytes = bytes);

@@ -3,12 +3,9 @@ package org.pendant.controller;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.eip.AssemblyWatchdog;
 import org.pendant.controller.io.InputWatchdogs;
 import org.pendant.controller.message.Popup;
-import org.pendant.controller.motion.MotionControl;
-import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.rtde.PublishedState;
 import org.pendant.controller.safety.FrameFacts;
 import org.pendant.controller.safety.SafetyAction;
@@ -21,15 +18,18 @@ import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.RuntimeState;
 import org.pendant.controller.state.SafetyStatus;
 import org.pendant.controller.state.StateStream;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.variables.VariableSampler;
-import org.pendant.controller.variables.VariableTracer;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.Machine;
-import org.pendant.controller.vm.ProgramState;
-import org.pendant.controller.vm.ScriptFailure;
 import org.pendant.language.source.SourceRange;
 import org.pendant.models.arm.Joints;
+import org.pendant.motion.MotionControl;
+import org.pendant.motion.MotionFailure;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.value.Value;
+import org.pendant.script.variables.VariableSampler;
+import org.pendant.script.variables.VariableTracer;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.Machine;
+import org.pendant.script.vm.ProgramState;
+import org.pendant.script.vm.ScriptFailure;
 
 /** What happens in one frame of 2 ms, in its order. One thread at a time calls {@link #advance}. */
 final class Frame {

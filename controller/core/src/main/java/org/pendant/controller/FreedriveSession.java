@@ -9,8 +9,8 @@ import org.pendant.controller.freedrive.FreedriveHolder;
 import org.pendant.controller.freedrive.FreedriveMode;
 import org.pendant.controller.freedrive.FreedriveStart;
 import org.pendant.controller.jog.Jogging;
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.value.Value;
+import org.pendant.motion.FrameTime;
+import org.pendant.script.value.Value;
 
 /**
  * Freedrive session of an operator: lasts as long as a screen renews it or an input is high. A

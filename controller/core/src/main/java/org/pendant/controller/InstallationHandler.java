@@ -22,11 +22,11 @@ import org.pendant.controller.io.WatchdogAction;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.vm.Machine;
 import org.pendant.controller.world.Vector3;
 import org.pendant.language.source.ByteText;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.vm.Machine;
 
 /**
  * Installation handler: applies an installation to the control box, and runs what it does at

@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.installation.VariableLiteral;
 import org.pendant.controller.message.MessageLog;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.Value;
 
 /** Takes over what a program has left in variables of the installation. */
 final class InstalledVariables {

@@ -8,12 +8,12 @@ import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.jog.Jogging;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.vm.Machine;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
+import org.pendant.script.value.Value;
+import org.pendant.script.vm.Machine;
 
 /**
  * Manual control: jogging, freedrive and other commands of an operator; refused while a program has

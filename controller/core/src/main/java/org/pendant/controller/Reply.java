@@ -1,7 +1,7 @@
 package org.pendant.controller;
 
-import org.pendant.controller.vm.Interpreter;
-import org.pendant.controller.vm.InterpreterStatus;
+import org.pendant.script.vm.Interpreter;
+import org.pendant.script.vm.InterpreterStatus;
 
 /** The answer to a {@link Command}, given at the end of the frame that carried it out. */
 public sealed interface Reply {

@@ -1,7 +1,7 @@
 package org.pendant.controller;
 
 import org.pendant.controller.state.RuntimeState;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 /** Runtime state tracker: derives the runtime state from program and arm, frame by frame. */
 final class RuntimeStateTracker {

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.eip.AssemblyData;
 import org.pendant.controller.eip.AssemblyPair;
 import org.pendant.controller.safety.SafetyMode;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 class AssemblyProgramTest {
   private static final int FROM_PLC = 111;

@@ -16,12 +16,12 @@ import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
 
 final class ControllerTest {
   private static final long LONG = 100_000;

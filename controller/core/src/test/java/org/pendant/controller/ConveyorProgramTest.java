@@ -11,11 +11,11 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ArmState;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ProgramState;
 
 /** Programs that move along with conveyors, from outside. */
 final class ConveyorProgramTest {

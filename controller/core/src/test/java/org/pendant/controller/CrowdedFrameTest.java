@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.debug.Breakpoint;
 import org.pendant.language.source.Source;
+import org.pendant.script.debug.Breakpoint;
 
 /** What clients may have done in a single frame, and what they are told beyond that. */
 final class CrowdedFrameTest {

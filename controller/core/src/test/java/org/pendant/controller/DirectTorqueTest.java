@@ -9,11 +9,11 @@ import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ArmState;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
+import org.pendant.script.vm.ProgramState;
 
 /** Programs that drive the arm by torques (manual 15.2). */
 final class DirectTorqueTest {

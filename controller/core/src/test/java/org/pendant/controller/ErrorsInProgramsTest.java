@@ -6,13 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.function.Builtins;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.ProgramState;
-import org.pendant.controller.vm.ScriptFailure;
 import org.pendant.language.source.Source;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ProgramState;
+import org.pendant.script.vm.ScriptFailure;
 
 /** What a program meets that Java calls an error ends the program, and nothing else. */
 final class ErrorsInProgramsTest {
@@ -20,7 +21,7 @@ final class ErrorsInProgramsTest {
 
   /** Runs a program that meets {@code error} in its second line. */
   private ScriptFailure failing(Error error) {
-    Builtins builtins = StandardBuiltins.create();
+    Builtins<ControlBox> builtins = StandardBuiltins.create();
     builtins
         .declare("meet_error")
         .manual("test", "1")

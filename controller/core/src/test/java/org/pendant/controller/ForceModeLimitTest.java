@@ -10,12 +10,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.safety.SafetyMode;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.pose.Wrench;
+import org.pendant.script.vm.ProgramState;
 
 /** How far force mode lets the arm be pushed aside where it does not give way (manual 15.12). */
 final class ForceModeLimitTest {

@@ -8,11 +8,11 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.safety.SafetyMode;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.models.pose.Wrench;
+import org.pendant.script.vm.ProgramState;
 
 /** Programs in force mode, mostly with nothing to press on. */
 final class ForceModeProgramTest {

@@ -16,12 +16,12 @@ import org.pendant.controller.freedrive.FreedriveHolder;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
-import org.pendant.controller.vm.Program;
 import org.pendant.controller.world.Vector3;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
+import org.pendant.script.vm.Program;
 
 /** Somebody at the screen guides the arm. */
 final class FreedriveByHandTest {

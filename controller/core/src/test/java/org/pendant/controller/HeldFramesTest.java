@@ -12,11 +12,11 @@ import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.debug.Breakpoint;
-import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.vm.ProgramState;
 
 /** A debugger that holds the frame, through the controller's commands and snapshots. */
 final class HeldFramesTest {

@@ -11,14 +11,14 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.Popup;
-import org.pendant.controller.vm.Interpreter;
-import org.pendant.controller.vm.InterpreterEvent;
-import org.pendant.controller.vm.InterpreterEvent.Accepted;
-import org.pendant.controller.vm.InterpreterJournal;
-import org.pendant.controller.vm.InterpreterStatus;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.Interpreter;
+import org.pendant.script.vm.InterpreterEvent;
+import org.pendant.script.vm.InterpreterEvent.Accepted;
+import org.pendant.script.vm.InterpreterJournal;
+import org.pendant.script.vm.InterpreterStatus;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
 
 /** Interpreter mode as those outside use it (manual 13). */
 final class InterpreterCommandsTest {

@@ -25,14 +25,14 @@ import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.controller.state.ArmState;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.Program;
 import org.pendant.controller.world.Vector3;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.Program;
 
 /** The arm moves by hand while somebody repeats the command, and rests otherwise. */
 final class JoggingTest {

@@ -8,9 +8,9 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.LogEntry.Origin;
-import org.pendant.controller.message.LogEntry.Place;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.language.source.Source;
+import org.pendant.script.function.ScriptPlace;
 
 /** What lines of the log say about where they come from. */
 final class LogPlacesTest {
@@ -32,8 +32,8 @@ final class LogPlacesTest {
     controller.advance();
   }
 
-  private static Optional<Place> at(int thread, String name, int line) {
-    return Optional.of(new Place("p.script", thread, name, line));
+  private static Optional<ScriptPlace> at(int thread, String name, int line) {
+    return Optional.of(new ScriptPlace("p.script", thread, name, line));
   }
 
   @Test
@@ -122,8 +122,8 @@ final class LogPlacesTest {
                     .orElseThrow()));
     controller.advance();
     List<LogEntry> log = controller.logSince(0);
-    assertEquals(Optional.of(new Place("s.script", 0, "s", 2)), log.get(0).place());
-    assertEquals(Optional.of(new Place("s.script", 0, "s", 3)), log.get(1).place());
+    assertEquals(Optional.of(new ScriptPlace("s.script", 0, "s", 2)), log.get(0).place());
+    assertEquals(Optional.of(new ScriptPlace("s.script", 0, "s", 3)), log.get(1).place());
   }
 
   @Test

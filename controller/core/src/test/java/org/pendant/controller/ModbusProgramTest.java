@@ -16,7 +16,7 @@ import org.pendant.controller.external.ModbusErrors;
 import org.pendant.controller.external.ModbusExchange;
 import org.pendant.controller.external.ModbusKind;
 import org.pendant.controller.modbus.ModbusSignalState;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 class ModbusProgramTest {
   private final FakeModbus devices = new FakeModbus();

@@ -8,14 +8,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Effect;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.signature.Type;
 import org.pendant.language.source.Source;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Effect;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ProgramState;
 
 /** What goes wrong while moves are looked for ahead is told, and the program goes on. */
 class MoveLookAheadFaultTest {
@@ -25,7 +26,7 @@ class MoveLookAheadFaultTest {
 
   @Test
   void faultWhileLookingAheadIsToldOnceAndTheProgramGoesOn() {
-    Builtins builtins = StandardBuiltins.create();
+    Builtins<ControlBox> builtins = StandardBuiltins.create();
     builtins
         .declare("height")
         .manual("internals", "16.1")

@@ -9,13 +9,13 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.pendant.controller.debug.Breakpoint;
-import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.io.SignalBank;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.vm.ProgramState;
 
 /** The controller looks along a program for the next moves, and that is all it does there. */
 final class MoveLookAheadProgramTest {

@@ -19,10 +19,10 @@ import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.PreparedAnswer;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.message.Question.Kind;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramState;
 
 /** Programs that ask the operator (manual 18.73 to 18.76), and the popups that they show. */
 final class OperatorInputTest {

@@ -11,7 +11,6 @@ import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
@@ -20,6 +19,7 @@ import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.script.vm.ProgramState;
 
 /** Moves with all that the arm can do, by an arm that has mass and drives. */
 final class OptimoveProgramTest {

@@ -8,8 +8,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.ScriptFailure;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ScriptFailure;
 
 /** The values of a program have a limit together; what it has dropped does not count. */
 class ProgramMemoryTest {

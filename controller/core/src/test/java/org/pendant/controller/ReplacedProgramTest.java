@@ -10,13 +10,13 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.RuntimeState;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.ProgramEvent;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.arm.Joints;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ProgramEvent;
+import org.pendant.script.vm.ProgramState;
 
 /** A program that somebody sends takes the place of the one that runs. */
 final class ReplacedProgramTest {

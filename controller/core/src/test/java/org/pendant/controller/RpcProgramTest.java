@@ -8,8 +8,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.external.FakeServer;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 class RpcProgramTest {
   private final FakeServer server = new FakeServer();

@@ -11,10 +11,10 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.rtde.InputFields;
 import org.pendant.controller.rtde.InputRecipe;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.script.vm.ProgramState;
 
 /** Programs and the RTDE clients that write for them. */
 final class RtdeInputProgramTest {

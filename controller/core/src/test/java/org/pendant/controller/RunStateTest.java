@@ -8,7 +8,7 @@ import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 /** Outputs 0 to 7 follow the program by the choices 0 to 7 (manual 19.9). */
 class RunStateTest {

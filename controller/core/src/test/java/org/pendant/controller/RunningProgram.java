@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
 
 /** A controller whose arm has mass, with a program on it and all that the log said. */
 public final class RunningProgram {

@@ -11,9 +11,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.arm.Joints;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ProgramState;
 
 /** Programs that stop the arm, pause themselves or switch everything off. */
 final class SafetyProgramTest {

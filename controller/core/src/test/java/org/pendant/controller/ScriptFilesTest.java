@@ -17,18 +17,19 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import org.pendant.controller.ScriptCase.Kind;
 import org.pendant.controller.ScriptCase.Mark;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.function.Builtins;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.SafetyStatus;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
-import org.pendant.controller.vm.ScriptFailure;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
+import org.pendant.script.vm.ScriptFailure;
 
 /**
  * Runs every program in {@code src/test/resources/scripts} and compares it with the expectations
@@ -38,7 +39,7 @@ final class ScriptFilesTest {
   /** Robot time after which a program hangs, in frames: two minutes. */
   private static final int MOST_FRAMES = 60_000;
 
-  private static final Builtins BUILTINS = StandardBuiltins.create();
+  private static final Builtins<ControlBox> BUILTINS = StandardBuiltins.create();
 
   @TestFactory
   Stream<DynamicContainer> scripts() throws IOException, URISyntaxException {

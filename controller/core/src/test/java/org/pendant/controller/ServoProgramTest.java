@@ -12,8 +12,8 @@ import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ArmState;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.arm.Joints;
+import org.pendant.script.vm.ProgramState;
 
 /** Pauses and stops while a program steers the arm. */
 final class ServoProgramTest {

@@ -12,9 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.external.ExternalSocket;
 import org.pendant.controller.external.FakeSocket;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramState;
 
 class SocketProgramTest {
   private final List<FakeSocket> sockets = new ArrayList<>();

@@ -19,9 +19,6 @@ import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.SafetyStatus;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
@@ -30,6 +27,9 @@ import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
 
 /** Power, brakes and everything that stops the arm, as commands and snapshots show it. */
 final class StopsTest {

@@ -15,7 +15,7 @@ import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.io.ToolCommunication.Parity;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 /** Programs that set up the serial line of the tool connector. */
 class ToolCommunicationTest {

@@ -15,14 +15,14 @@ import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Origin;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.models.pose.Wrench;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramState;
 
 /** Programs that run toolpaths, from outside, on an arm with mass. */
 final class ToolpathProgramTest {

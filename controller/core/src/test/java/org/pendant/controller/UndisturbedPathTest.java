@@ -12,8 +12,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.models.arm.Joints;
+import org.pendant.script.vm.ProgramState;
 
 /** Whatever holds a program up or slows it down changes no point of the path of its arm. */
 final class UndisturbedPathTest {

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 /** Everything is passed by value, whatever copies share behind the scenes. */
 class ValueSemanticsTest {

@@ -9,11 +9,11 @@ import org.pendant.controller.freedrive.FreedriveHolder;
 import org.pendant.controller.freedrive.FreedriveMode;
 import org.pendant.controller.freedrive.FreedriveState;
 import org.pendant.controller.freedrive.SingularityDistance;
-import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.state.ControlMode;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.MotionFailure;
 
 /** Forms of what belongs to the arm. */
 final class ArmForms {

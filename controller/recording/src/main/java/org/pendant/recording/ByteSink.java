@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.pendant.controller.variables.VariableSamples;
+import org.pendant.script.variables.VariableSamples;
 
 /** Bytes of one block as they are written; numbers are little-endian, whole ones of any length. */
 final class ByteSink {

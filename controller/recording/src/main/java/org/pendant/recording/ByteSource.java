@@ -5,8 +5,8 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.controller.variables.TracedVariables;
-import org.pendant.controller.variables.VariableSamples;
+import org.pendant.script.variables.TracedVariables;
+import org.pendant.script.variables.VariableSamples;
 
 /**
  * Reads what {@link ByteSink} wrote. Nothing is believed: every count is compared with what is left

@@ -6,16 +6,16 @@ import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
-import org.pendant.controller.value.BoolValue;
-import org.pendant.controller.value.FloatValue;
-import org.pendant.controller.value.IntValue;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.variables.TracedVariables;
-import org.pendant.controller.variables.VariablePath;
-import org.pendant.controller.variables.VariableSample;
-import org.pendant.controller.variables.VariableSamples;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.script.value.BoolValue;
+import org.pendant.script.value.FloatValue;
+import org.pendant.script.value.IntValue;
+import org.pendant.script.value.Value;
+import org.pendant.script.variables.TracedVariables;
+import org.pendant.script.variables.VariablePath;
+import org.pendant.script.variables.VariableSample;
+import org.pendant.script.variables.VariableSamples;
 
 /** A number that {@link Recording#scan} follows through a recording. */
 public final class Column {

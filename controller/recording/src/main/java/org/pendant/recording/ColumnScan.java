@@ -1,7 +1,7 @@
 package org.pendant.recording;
 
 import java.util.Arrays;
-import org.pendant.controller.motion.FrameTime;
+import org.pendant.motion.FrameTime;
 
 /** Follows one number through a recording. */
 final class ColumnScan {

@@ -2,8 +2,8 @@ package org.pendant.recording;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.motion.FrameTime;
 
 /** What the file of a recording begins with, and what is in it; docs/recording.md describes it. */
 final class FileFormat {

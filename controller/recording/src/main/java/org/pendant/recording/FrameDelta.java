@@ -6,7 +6,7 @@ import org.pendant.controller.message.LogLines;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramEvent;
+import org.pendant.script.vm.ProgramEvent;
 
 /** Frame delta: what is new in one frame, as in {@link ControllerState}. */
 record FrameDelta(

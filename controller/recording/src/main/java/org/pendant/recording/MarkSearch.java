@@ -10,10 +10,11 @@ import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.SafetyStatus;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.ProgramEvent;
-import org.pendant.controller.vm.ProgramLabel;
 import org.pendant.recording.RecordingMark.Kind;
+import org.pendant.script.function.ScriptPlace;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ProgramEvent;
+import org.pendant.script.vm.ProgramLabel;
 
 /** Finds what is worth a mark. */
 final class MarkSearch {
@@ -88,7 +89,7 @@ final class MarkSearch {
       if (each.level() == LogEntry.Level.ERROR
           && each.origin() != LogEntry.Origin.ENDING
           && each.origin() != LogEntry.Origin.SAFETY) {
-        add(Kind.ERROR, frame, each.text(), each.place().map(LogEntry.Place::line).orElse(line));
+        add(Kind.ERROR, frame, each.text(), each.place().map(ScriptPlace::line).orElse(line));
       }
     }
   }

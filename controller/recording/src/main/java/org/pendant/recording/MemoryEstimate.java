@@ -1,7 +1,6 @@
 package org.pendant.recording;
 
 import java.util.List;
-import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.eip.AssemblyData;
 import org.pendant.controller.eip.AssemblyImage;
 import org.pendant.controller.io.SignalState;
@@ -9,10 +8,11 @@ import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.modbus.ModbusSignalState;
-import org.pendant.controller.variables.TracedVariables;
-import org.pendant.controller.variables.VariableSample;
-import org.pendant.controller.variables.VariableSamples;
-import org.pendant.controller.vm.ThreadSnapshot;
+import org.pendant.script.debug.DebugState;
+import org.pendant.script.variables.TracedVariables;
+import org.pendant.script.variables.VariableSample;
+import org.pendant.script.variables.VariableSamples;
+import org.pendant.script.vm.ThreadSnapshot;
 
 /**
  * Memory estimate of a recorded object; rather too high than too low. Parts shared with the

@@ -5,13 +5,14 @@ import java.util.Optional;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
+import org.pendant.script.function.ScriptPlace;
 
 /** Forms of what is said to people. */
 final class MessageForms {
-  private static final Form<Optional<LogEntry.Place>> PLACE =
-      new Form<LogEntry.Place>() {
+  private static final Form<Optional<ScriptPlace>> PLACE =
+      new Form<ScriptPlace>() {
         @Override
-        void write(LogEntry.Place value, ByteSink out) {
+        void write(ScriptPlace value, ByteSink out) {
           out.text(value.source());
           out.whole(value.thread());
           out.text(value.threadName());
@@ -19,8 +20,8 @@ final class MessageForms {
         }
 
         @Override
-        LogEntry.Place read(ByteSource in) throws MalformedBytes {
-          return new LogEntry.Place(in.text(), in.integer(), in.text(), in.integer());
+        ScriptPlace read(ByteSource in) throws MalformedBytes {
+          return new ScriptPlace(in.text(), in.integer(), in.text(), in.integer());
         }
       }.optional();
 

@@ -2,17 +2,17 @@ package org.pendant.recording;
 
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.debug.DebugState;
-import org.pendant.controller.debug.StopReason;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.RuntimeState;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.ProgramEvent;
-import org.pendant.controller.vm.ProgramLabel;
-import org.pendant.controller.vm.ProgramState;
-import org.pendant.controller.vm.ScriptFailure;
-import org.pendant.controller.vm.ThreadSnapshot;
 import org.pendant.language.source.SourceRange;
+import org.pendant.script.debug.DebugState;
+import org.pendant.script.debug.StopReason;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ProgramEvent;
+import org.pendant.script.vm.ProgramLabel;
+import org.pendant.script.vm.ProgramState;
+import org.pendant.script.vm.ScriptFailure;
+import org.pendant.script.vm.ThreadSnapshot;
 
 /** Forms of what programs do. */
 final class ProgramForms {

@@ -2,10 +2,10 @@ package org.pendant.recording;
 
 import java.util.Optional;
 import java.util.function.Supplier;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramEvent;
 import org.pendant.language.source.Source;
+import org.pendant.motion.FrameTime;
+import org.pendant.script.vm.ProgramEvent;
 
 /**
  * The text of a program that ran, as it was then: the file may have changed since.

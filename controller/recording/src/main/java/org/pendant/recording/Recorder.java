@@ -10,9 +10,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.variables.VariablePath;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.script.variables.VariablePath;
 
 /**
  * Writes snapshots as comma-separated values: a header, then one row a frame with time (s), target

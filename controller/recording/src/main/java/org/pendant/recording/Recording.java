@@ -6,9 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.motion.FrameTime;
 
 /**
  * A stretch of what one controller did: of its {@link RecordingRing} at one moment, or of a file.

@@ -7,8 +7,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.pendant.controller.disk.AtomicFile;
-import org.pendant.controller.variables.TracedVariables;
-import org.pendant.controller.variables.VariablePath;
+import org.pendant.script.variables.TracedVariables;
+import org.pendant.script.variables.VariablePath;
 
 /** Writes a stretch of a recording to a file. It takes a while: not for the dispatch thread. */
 public final class RecordingExport {

@@ -14,11 +14,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.motion.FrameTime;
 
 /**
  * Opens {@code .rec} files. All of a file is read and checked once, which takes a while: not for

@@ -11,8 +11,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.motion.FrameTime;
 
 /**
  * Writes a {@code .rec} file frame by frame, at any length with the same memory. Equal frames make

@@ -3,8 +3,8 @@ package org.pendant.recording;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.motion.FrameTime;
 
 /**
  * Snapshot encoder: turns snapshots into segments of a recording. One thread feeds it; it allocates

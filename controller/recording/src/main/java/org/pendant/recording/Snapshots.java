@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.box.Mounting;
 import org.pendant.controller.box.ToolCentre;
-import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.eip.AssemblyImage;
 import org.pendant.controller.encoder.Encoders;
 import org.pendant.controller.freedrive.FreedriveState;
@@ -14,21 +13,22 @@ import org.pendant.controller.message.LogLines;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.modbus.ModbusSignalState;
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.state.ArmGeometry;
 import org.pendant.controller.state.ArmReadings;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.SafetyStatus;
-import org.pendant.controller.variables.TracedVariables;
-import org.pendant.controller.variables.VariableSamples;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Wrench;
+import org.pendant.motion.FrameTime;
+import org.pendant.motion.MotionFailure;
+import org.pendant.script.debug.DebugState;
+import org.pendant.script.variables.TracedVariables;
+import org.pendant.script.variables.VariableSamples;
 
 /**
  * Makes snapshots again of what was kept of them.

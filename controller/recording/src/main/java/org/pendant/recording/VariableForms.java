@@ -3,10 +3,10 @@ package org.pendant.recording;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.variables.TracedVariables;
-import org.pendant.controller.variables.VariableSample;
-import org.pendant.controller.variables.VariableSamples;
+import org.pendant.script.value.Value;
+import org.pendant.script.variables.TracedVariables;
+import org.pendant.script.variables.VariableSample;
+import org.pendant.script.variables.VariableSamples;
 
 /** Forms of variables. What has not changed since the last sample of a block is not repeated. */
 final class VariableForms {

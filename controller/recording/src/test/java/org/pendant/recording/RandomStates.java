@@ -11,8 +11,6 @@ import java.util.stream.IntStream;
 import org.pendant.controller.box.BaseLight;
 import org.pendant.controller.box.Mounting;
 import org.pendant.controller.box.ToolCentre;
-import org.pendant.controller.debug.DebugState;
-import org.pendant.controller.debug.StopReason;
 import org.pendant.controller.eip.AssemblyData;
 import org.pendant.controller.eip.AssemblyImage;
 import org.pendant.controller.eip.AssemblyPair;
@@ -43,7 +41,6 @@ import org.pendant.controller.message.LogLines;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.modbus.ModbusSignalState;
-import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyMode;
@@ -58,24 +55,6 @@ import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.RuntimeState;
 import org.pendant.controller.state.SafetyStatus;
 import org.pendant.controller.state.StopPlace;
-import org.pendant.controller.value.HandleValue;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.MatrixValue;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ObjectList;
-import org.pendant.controller.value.PoseValue;
-import org.pendant.controller.value.StructValue;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.variables.TracedVariables;
-import org.pendant.controller.variables.VariableSample;
-import org.pendant.controller.variables.VariableSamples;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.ProgramEvent;
-import org.pendant.controller.vm.ProgramLabel;
-import org.pendant.controller.vm.ProgramState;
-import org.pendant.controller.vm.ScriptFailure;
-import org.pendant.controller.vm.ThreadSnapshot;
 import org.pendant.language.signature.Type;
 import org.pendant.language.source.SourceRange;
 import org.pendant.models.arm.ArmDescription;
@@ -85,6 +64,28 @@ import org.pendant.models.dynamics.Payload;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
+import org.pendant.motion.MotionFailure;
+import org.pendant.script.debug.DebugState;
+import org.pendant.script.debug.StopReason;
+import org.pendant.script.function.ScriptPlace;
+import org.pendant.script.value.HandleValue;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.MatrixValue;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ObjectList;
+import org.pendant.script.value.PoseValue;
+import org.pendant.script.value.StructValue;
+import org.pendant.script.value.Value;
+import org.pendant.script.variables.TracedVariables;
+import org.pendant.script.variables.VariableSample;
+import org.pendant.script.variables.VariableSamples;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ProgramEvent;
+import org.pendant.script.vm.ProgramLabel;
+import org.pendant.script.vm.ProgramState;
+import org.pendant.script.vm.ScriptFailure;
+import org.pendant.script.vm.ThreadSnapshot;
 
 /** Snapshots in which anything can stand, each with some parts of the one before. */
 final class RandomStates {
@@ -459,7 +460,7 @@ final class RandomStates {
         of(LogEntry.Origin.class),
         text(),
         text(),
-        maybe(() -> new LogEntry.Place(text(), random.nextInt(), text(), random.nextInt())));
+        maybe(() -> new ScriptPlace(text(), random.nextInt(), text(), random.nextInt())));
   }
 
   private Popup popup() {

@@ -15,13 +15,13 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.debug.Breakpoint;
-import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.message.LogLines;
 import org.pendant.controller.state.ArmReadings;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.vm.Program;
 
 final class RecordingRingTest {
   private static final String BUSY =

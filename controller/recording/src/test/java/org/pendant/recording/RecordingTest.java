@@ -14,9 +14,9 @@ import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.variables.VariablePath;
 import org.pendant.language.source.Source;
 import org.pendant.recording.RecordingMark.Kind;
+import org.pendant.script.variables.VariablePath;
 
 /** What can be asked of a recording. */
 final class RecordingTest {

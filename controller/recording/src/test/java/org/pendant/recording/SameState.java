@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Set;
 import org.pendant.controller.message.LogLines;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.variables.TracedVariables;
-import org.pendant.controller.variables.VariableSample;
-import org.pendant.controller.variables.VariableSamples;
+import org.pendant.script.variables.TracedVariables;
+import org.pendant.script.variables.VariableSample;
+import org.pendant.script.variables.VariableSamples;
 
 /** Whether two snapshots say the same, with every bit. */
 final class SameState {

@@ -2,11 +2,11 @@ package org.pendant.gui.command;
 
 import java.util.List;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.ProgramLoader;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramLoader;
 
 /** {@code pendant check FILE...}: finds mistakes without running anything. */
 final class CheckCommand implements Subcommand {
@@ -37,7 +37,7 @@ final class CheckCommand implements Subcommand {
       throw new UsageException("no file given");
     }
     List<RunnableFile> files = RunnableFile.read(arguments);
-    Builtins builtins = StandardBuiltins.create();
+    Builtins<?> builtins = StandardBuiltins.create();
     ExitCode code = ExitCode.DONE;
     for (RunnableFile file : files) {
       file.tell(console);
@@ -48,7 +48,7 @@ final class CheckCommand implements Subcommand {
     return code;
   }
 
-  private static boolean compiles(RunnableFile file, Builtins builtins, Console console) {
+  private static boolean compiles(RunnableFile file, Builtins<?> builtins, Console console) {
     if (file.waits()) {
       // what shows of it without the part that a driver sends has been told
       return true;

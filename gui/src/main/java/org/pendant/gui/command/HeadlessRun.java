@@ -11,15 +11,15 @@ import org.pendant.controller.VirtualClock;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
-import org.pendant.controller.motion.MotionFailure;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StopPlace;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
+import org.pendant.motion.MotionFailure;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
 
 /** One program on one controller, from its start until the arm is at rest after its end. */
 final class HeadlessRun {

@@ -12,6 +12,7 @@ import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.ByteText;
+import org.pendant.script.function.ScriptPlace;
 
 /**
  * Prints what a served controller says, in a thread of its own: nobody waits for a reader that is
@@ -24,7 +25,7 @@ final class LogPrinter implements AutoCloseable {
   private final Controller controller;
   private final Console console;
   private final String prefix;
-  private final Function<LogEntry.Place, Optional<String>> origin;
+  private final Function<ScriptPlace, Optional<String>> origin;
   private final Queue<String> prompts = new ConcurrentLinkedQueue<>();
   private final AtomicInteger waiting = new AtomicInteger();
   private final Thread thread;
@@ -42,7 +43,7 @@ final class LogPrinter implements AutoCloseable {
       Controller controller,
       Console console,
       String prefix,
-      Function<LogEntry.Place, Optional<String>> origin) {
+      Function<ScriptPlace, Optional<String>> origin) {
     this.origin = origin;
     this.controller = controller;
     this.console = console;

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.Command;
-import org.pendant.controller.variables.VariablePath;
-import org.pendant.controller.variables.VariableTracer;
-import org.pendant.controller.vm.Program;
 import org.pendant.language.check.Nearest;
+import org.pendant.script.variables.VariablePath;
+import org.pendant.script.variables.VariableTracer;
+import org.pendant.script.vm.Program;
 
 /**
  * The script variables that a record gets columns for.

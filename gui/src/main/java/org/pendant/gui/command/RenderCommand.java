@@ -5,8 +5,6 @@ import java.util.List;
 import javax.imageio.ImageIO;
 import org.pendant.controller.Controller;
 import org.pendant.controller.state.ArmState;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.Program;
 import org.pendant.controller.world.Scene;
 import org.pendant.gui.scene.Camera;
 import org.pendant.gui.scene.Outline;
@@ -18,6 +16,8 @@ import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.externalcontrol.NoScript;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Program;
 
 /** {@code pendant render FILE}: runs a program and draws the arm at one moment. */
 final class RenderCommand implements Subcommand {

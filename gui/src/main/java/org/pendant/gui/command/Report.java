@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
-import org.pendant.controller.vm.ScriptFailure;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.DiagnosticFormat;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.ScriptFailure;
 
 /** How things that are not messages of the script read on standard error. */
 final class Report {

@@ -5,17 +5,18 @@ import java.net.InetAddress;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.Controller;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.external.Connectors;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.externalcontrol.NoScript;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.protocols.toolserial.ToolSerialServer;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Program;
 
 /** {@code pendant run FILE...}: runs programs, each in a controller of its own. */
 final class RunCommand implements Subcommand {
@@ -62,7 +63,7 @@ final class RunCommand implements Subcommand {
     }
     List<RunnableFile> files = RunnableFile.read(arguments);
     Recorded recorded = new Recorded(OutputFile.of(RunOptions.RECORD, arguments), columns);
-    Builtins builtins = StandardBuiltins.create();
+    Builtins<ControlBox> builtins = StandardBuiltins.create();
     ExitCode code = ExitCode.DONE;
     try (Interruption interruption = Interruption.listen("the run")) {
       for (RunnableFile file : files) {
@@ -92,7 +93,7 @@ final class RunCommand implements Subcommand {
       RunnableFile file,
       RunOptions options,
       Recorded recorded,
-      Builtins builtins,
+      Builtins<ControlBox> builtins,
       Interruption interruption,
       WallLimit wall,
       Console console)

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
-import org.pendant.controller.debug.Breakpoint;
+import org.pendant.script.debug.Breakpoint;
 
 /** The breakpoints of one program, one a line. */
 final class BreakpointList {

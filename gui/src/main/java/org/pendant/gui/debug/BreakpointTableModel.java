@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import javax.swing.table.AbstractTableModel;
-import org.pendant.controller.debug.Breakpoint;
-import org.pendant.controller.debug.BreakpointState;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.BreakpointState;
 
 /** The breakpoints of the program in front as a table. */
 @SuppressWarnings("serial") // never written to a stream

@@ -18,12 +18,12 @@ import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.TableCellEditor;
-import org.pendant.controller.debug.Breakpoint;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.editor.WorkerThread;
 import org.pendant.gui.layout.WrappingRow;
 import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
+import org.pendant.script.debug.Breakpoint;
 
 /** The breakpoints of the program in front; conditions and counts are changed in place. */
 public final class BreakpointsView implements View {

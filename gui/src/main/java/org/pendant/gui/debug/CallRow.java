@@ -3,7 +3,7 @@ package org.pendant.gui.debug;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntUnaryOperator;
-import org.pendant.controller.vm.ThreadSnapshot;
+import org.pendant.script.vm.ThreadSnapshot;
 
 /**
  * A line of the list of threads and calls.

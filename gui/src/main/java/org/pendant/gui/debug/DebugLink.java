@@ -1,8 +1,8 @@
 package org.pendant.gui.debug;
 
 import java.util.function.Consumer;
-import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.value.ScriptError;
 
 /** The way to the debugger in the frame loop. */
 public interface DebugLink {

@@ -4,14 +4,14 @@ import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.debug.DebugState;
-import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
-import org.pendant.controller.vm.ThreadSnapshot;
 import org.pendant.gui.editor.Execution;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.workbench.Workbench;
+import org.pendant.script.debug.DebugState;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.vm.ProgramState;
+import org.pendant.script.vm.ThreadSnapshot;
 
 /**
  * Where the program is held, which call of it is looked at, and how it goes on. It has no Swing;

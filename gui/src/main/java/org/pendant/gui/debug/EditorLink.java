@@ -5,8 +5,6 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.pendant.controller.debug.Breakpoint;
-import org.pendant.controller.debug.BreakpointState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.editor.BreakpointListener;
 import org.pendant.gui.editor.BreakpointMark;
@@ -14,6 +12,8 @@ import org.pendant.gui.editor.Execution;
 import org.pendant.gui.editor.ScriptEditor;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.BreakpointState;
 
 /** Keeps what the editor shows beside its lines and what the debugger knows the same. */
 public final class EditorLink implements BreakpointListener {

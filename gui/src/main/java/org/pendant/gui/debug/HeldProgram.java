@@ -2,15 +2,15 @@ package org.pendant.gui.debug;
 
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.debug.DebugState;
-import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.debug.StopReason;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.ThreadSnapshot;
 import org.pendant.gui.editor.Execution;
 import org.pendant.language.source.ByteText;
+import org.pendant.script.debug.DebugState;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.debug.StopReason;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ThreadSnapshot;
 
 /**
  * Where a program is held, and which of its calls is looked at; lines are those of its text now.

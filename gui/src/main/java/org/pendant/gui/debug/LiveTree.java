@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.LongSupplier;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.variables.VariableSamples;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.variables.VariableSamples;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * Fills a tree from samples while no program is held, about ten times a second. It has no Swing;

@@ -3,9 +3,9 @@ package org.pendant.gui.debug;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.variables.VariableSample;
-import org.pendant.controller.variables.VariableSamples;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.variables.VariableSample;
+import org.pendant.script.variables.VariableSamples;
 
 /** Makes groups of values out of the samples of a program that is not held. */
 final class LiveValues {

@@ -12,12 +12,12 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.WeakHashMap;
 import java.util.function.Consumer;
-import org.pendant.controller.debug.Breakpoint;
-import org.pendant.controller.debug.BreakpointState;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.BreakpointState;
 
 /** Open breakpoints: the breakpoints of the open programs, and their state in the debugger. */
 public final class OpenBreakpoints {

@@ -1,6 +1,6 @@
 package org.pendant.gui.debug;
 
-import org.pendant.controller.debug.Debugger;
+import org.pendant.script.debug.Debugger;
 
 /**
  * A call in which names mean something.

@@ -6,8 +6,8 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.pendant.controller.Command;
 import org.pendant.controller.Reply;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.source.ByteText;
+import org.pendant.script.value.ScriptError;
 
 /** Reaches the debugger by commands. */
 final class SessionLink implements DebugLink {

@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
-import org.pendant.controller.debug.DebugState;
-import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.debug.StopReason;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.debug.DebugState;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.debug.StopReason;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * How a program is held and goes on: steps belong to the thread that is looked at. It has no Swing;

@@ -1,9 +1,9 @@
 package org.pendant.gui.debug;
 
 import java.util.function.IntUnaryOperator;
-import org.pendant.controller.debug.DebugState;
-import org.pendant.controller.debug.StopReason;
 import org.pendant.language.source.ByteText;
+import org.pendant.script.debug.DebugState;
+import org.pendant.script.debug.StopReason;
 
 /** Why a program is held, as people read it. */
 final class StopText {

@@ -2,9 +2,9 @@ package org.pendant.gui.debug;
 
 import java.util.List;
 import java.util.function.LongSupplier;
-import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.vm.ProgramState;
-import org.pendant.controller.vm.ThreadSnapshot;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.vm.ProgramState;
+import org.pendant.script.vm.ThreadSnapshot;
 
 /**
  * Looks at the threads of a program that is not held, twice a second. It has no Swing; one thread

@@ -1,7 +1,7 @@
 package org.pendant.gui.debug;
 
 import java.util.List;
-import org.pendant.controller.debug.Variable;
+import org.pendant.script.debug.Variable;
 
 /**
  * A value and those of its parts that were asked for.

@@ -3,10 +3,10 @@ package org.pendant.gui.debug;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.debug.Variable;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.source.ByteText;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.debug.Variable;
+import org.pendant.script.value.ScriptError;
 
 /**
  * Reads values and those of their parts that are unfolded, in the frame loop.

@@ -2,9 +2,9 @@ package org.pendant.gui.debug;
 
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.debug.Variable;
-import org.pendant.controller.value.Kind;
 import org.pendant.language.source.ByteText;
+import org.pendant.script.debug.Variable;
+import org.pendant.script.value.Kind;
 
 /** A line of a table of values. */
 sealed interface ValueRow {

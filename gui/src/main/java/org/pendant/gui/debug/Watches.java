@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.debug.Variable;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.variables.VariablePath;
-import org.pendant.controller.variables.VariableSamples;
 import org.pendant.gui.workbench.Settings;
 import org.pendant.language.source.ByteText;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.debug.Variable;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.variables.VariablePath;
+import org.pendant.script.variables.VariableSamples;
 
 /** Expressions that are computed at every stop; they are kept in the settings. */
 final class Watches {

@@ -8,13 +8,13 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.Command;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.layout.Card;
 import org.pendant.gui.layout.WrappingRow;
 import org.pendant.gui.move.Remark;
 import org.pendant.gui.session.ActiveInstallation;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.gui.workbench.Workbench;
+import org.pendant.script.vm.ProgramState;
 
 /** Which installation it is, what can be done with it, and what it waits for. */
 final class InstallationBar {

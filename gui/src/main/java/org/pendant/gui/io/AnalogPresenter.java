@@ -5,7 +5,7 @@ import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.io.AnalogSignal;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 /** What the screen shows of one analog signal, and what it does. */
 final class AnalogPresenter {

@@ -14,7 +14,7 @@ import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 /** What the screen of signals shows and does. One thread uses it, the one behind its executor. */
 final class IoPresenter {

@@ -13,8 +13,8 @@ import org.pendant.controller.io.ToolConnector;
 import org.pendant.controller.io.ToolOutputMode;
 import org.pendant.controller.io.ToolPinMode;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.layout.Card;
+import org.pendant.script.vm.ProgramState;
 
 /** How the connector at the tool flange is set up, and what it takes. */
 final class ToolCard {

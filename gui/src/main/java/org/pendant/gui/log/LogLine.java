@@ -9,6 +9,7 @@ import java.util.OptionalInt;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.language.source.ByteText;
+import org.pendant.script.function.ScriptPlace;
 
 /**
  * A message as people read it.
@@ -28,7 +29,7 @@ record LogLine(
     LogSource source,
     String code,
     String text,
-    Optional<LogEntry.Place> place) {
+    Optional<ScriptPlace> place) {
   /** The name of the text that interpreter mode is fed with: no line of a file. */
   private static final String INTERPRETER = "interpreter";
 

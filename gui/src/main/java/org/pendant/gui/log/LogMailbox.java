@@ -5,10 +5,10 @@ import java.time.InstantSource;
 import java.util.List;
 import java.util.function.LongFunction;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.message.RecentEntries;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.session.FrameListener;
 import org.pendant.language.source.ByteText;
+import org.pendant.script.vm.RecentEntries;
 
 /**
  * Keeps the newest messages of every frame, and what the window tells, until the screen asks for

@@ -5,8 +5,8 @@ import org.pendant.controller.Command;
 import org.pendant.controller.Pace;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.session.Readiness;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * Why the arm cannot be moved by hand now, and what helps.

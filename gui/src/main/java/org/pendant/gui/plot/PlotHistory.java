@@ -3,8 +3,8 @@ package org.pendant.gui.plot;
 import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.variables.TracedVariables;
 import org.pendant.gui.session.FrameListener;
+import org.pendant.script.variables.TracedVariables;
 
 /**
  * The last two minutes, whether anybody looks or not: a snapshot every 8 ms of robot time, and the

@@ -5,11 +5,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.variables.VariablePath;
-import org.pendant.controller.variables.VariableSample;
-import org.pendant.controller.variables.VariableSamples;
 import org.pendant.language.source.ByteText;
+import org.pendant.script.value.Kind;
+import org.pendant.script.variables.VariablePath;
+import org.pendant.script.variables.VariableSample;
+import org.pendant.script.variables.VariableSamples;
 
 /**
  * The script variables that can be drawn: numbers and booleans, and those among the elements and

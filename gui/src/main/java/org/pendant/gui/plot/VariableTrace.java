@@ -9,8 +9,8 @@ import java.util.function.Function;
 import org.pendant.controller.Command;
 import org.pendant.controller.Reply;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.variables.VariablePath;
 import org.pendant.gui.session.FrameListener;
+import org.pendant.script.variables.VariablePath;
 
 /**
  * Has the controller read the variables that are drawn in every frame, also one that is switched on

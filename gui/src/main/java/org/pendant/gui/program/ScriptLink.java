@@ -13,9 +13,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.pendant.controller.debug.Breakpoint;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ThreadSnapshot;
 import org.pendant.gui.debug.DebugPresenter;
 import org.pendant.gui.editor.Execution;
 import org.pendant.gui.editor.LineIcon;
@@ -24,6 +22,8 @@ import org.pendant.gui.session.ProgramDocument;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.script.GeneratedScript;
 import org.pendant.project.program.script.GeneratedScript.Place;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.vm.ThreadSnapshot;
 
 /**
  * Keeps the tree of a program and the script that it generates together: breakpoints, the place

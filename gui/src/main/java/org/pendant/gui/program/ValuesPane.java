@@ -16,11 +16,11 @@ import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.table.AbstractTableModel;
 import org.pendant.controller.installation.InstallationVariable;
-import org.pendant.controller.variables.VariableSamples;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.language.source.ByteText;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.TreeNames;
+import org.pendant.script.variables.VariableSamples;
 
 /** The variables that the program and the installation have, with their values while it runs. */
 @SuppressWarnings("serial") // never written to a stream

@@ -11,7 +11,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.installation.StartEdge;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * Keeps the session's controller set up as the desktop's installation says, and takes over what

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * What may be done with the program now. A reason is empty where the thing may be done.

@@ -6,7 +6,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
 import org.pendant.controller.Reply;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramEvent;
+import org.pendant.script.vm.ProgramEvent;
 
 /** Tells the programs that the session has started from those that others have sent. */
 final class ProgramOrigin implements FrameListener {

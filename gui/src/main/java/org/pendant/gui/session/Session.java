@@ -13,14 +13,14 @@ import org.pendant.controller.Reply;
 import org.pendant.controller.WallClock.Lateness;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.Program;
 import org.pendant.gui.fault.Faults;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.recording.Recording;
 import org.pendant.recording.replay.Rerun;
 import org.pendant.recording.replay.RerunRefused;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Program;
 
 /**
  * The controller that the desktop works with, and the thread that drives it at the chosen pace. Any

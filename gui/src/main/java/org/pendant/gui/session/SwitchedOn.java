@@ -3,8 +3,8 @@ package org.pendant.gui.session;
 import java.util.concurrent.CancellationException;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.function.Builtins;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.toolserial.ToolSerialLine;
@@ -12,6 +12,7 @@ import org.pendant.recording.RecordingRing;
 import org.pendant.recording.replay.Journal;
 import org.pendant.recording.replay.Rerun;
 import org.pendant.recording.replay.RerunRefused;
+import org.pendant.script.function.Builtins;
 
 /**
  * A controller that nobody drives yet.
@@ -55,13 +56,13 @@ record SwitchedOn(
    * @throws RerunRefused if the run came out otherwise
    * @throws CancellationException if the rerun was cancelled
    */
-  static SwitchedOn again(ControllerOptions options, Builtins builtins, Rerun rerun)
+  static SwitchedOn again(ControllerOptions options, Builtins<ControlBox> builtins, Rerun rerun)
       throws RerunRefused {
     return with(options, builtins, (controller, ring) -> rerun.run(controller, ring::take));
   }
 
-  private static SwitchedOn with(ControllerOptions options, Builtins builtins, Begin begin)
-      throws RerunRefused {
+  private static SwitchedOn with(
+      ControllerOptions options, Builtins<ControlBox> builtins, Begin begin) throws RerunRefused {
     ScriptConnectors scriptConnectors = new ScriptConnectors(AllowedHosts.ANY);
     ToolSerialLine tool = new ToolSerialLine();
     boolean made = false;

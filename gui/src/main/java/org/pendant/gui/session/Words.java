@@ -3,7 +3,7 @@ package org.pendant.gui.session;
 import java.util.Locale;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 /** Modes and states as people read them. */
 public final class Words {

@@ -8,10 +8,6 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.pendant.controller.Command;
 import org.pendant.controller.Reply;
-import org.pendant.controller.debug.DebugState;
-import org.pendant.controller.debug.Debugger;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.debug.RunPlan;
 import org.pendant.gui.debug.RunScript;
 import org.pendant.gui.session.ProgramDocument;
@@ -25,6 +21,10 @@ import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.externalcontrol.Drivers;
 import org.pendant.protocols.externalcontrol.NoScript;
 import org.pendant.protocols.externalcontrol.ScriptRequest;
+import org.pendant.script.debug.DebugState;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramState;
 
 /** Runs the current program, and has the controller do things; refusals are told. */
 final class ProgramRunner {

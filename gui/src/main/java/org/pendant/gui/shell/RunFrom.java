@@ -2,13 +2,13 @@ package org.pendant.gui.shell;
 
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.program.TreeRuns;
 import org.pendant.gui.session.ProgramControls;
 import org.pendant.gui.session.Session;
 import org.pendant.gui.shell.start.StartChoice;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
+import org.pendant.script.vm.ProgramState;
 
 /** The actions for starting programs that are trees. */
 final class RunFrom {

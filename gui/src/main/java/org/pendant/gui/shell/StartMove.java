@@ -9,15 +9,15 @@ import org.pendant.controller.Command;
 import org.pendant.controller.Reply;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.move.JogHold;
 import org.pendant.gui.session.Session;
 import org.pendant.gui.shell.start.StartArm;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * Moves the arm to where a program starts: by a small program of its own, so that speed, pause and

@@ -7,12 +7,12 @@ import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.debug.DebugPresenter;
 import org.pendant.gui.program.RunNode;
 import org.pendant.gui.program.TreeRuns;
 import org.pendant.gui.session.ActiveInstallation;
 import org.pendant.gui.shell.run.RunProgram;
+import org.pendant.script.vm.ProgramState;
 
 /** The program that was started last, for the Run screen. */
 final class StartedRun implements RunProgram {

@@ -3,10 +3,10 @@ package org.pendant.gui.timeline;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.session.Branching;
 import org.pendant.gui.session.Branching.Outcome;
+import org.pendant.motion.FrameTime;
 import org.pendant.recording.replay.RerunRefused;
 
 /**

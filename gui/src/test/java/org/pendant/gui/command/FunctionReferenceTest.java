@@ -6,15 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.function.Builtins;
 import org.pendant.language.signature.Signature;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
+import org.pendant.script.function.Builtins;
 
 final class FunctionReferenceTest {
 
-  private static Builtins twoFunctionsAndAMethod() {
-    Builtins builtins = new Builtins();
+  private static Builtins<?> twoFunctionsAndAMethod() {
+    Builtins<?> builtins = new Builtins<>();
     builtins
         .declare("wait_for")
         .manual("internals", "16.54")
@@ -89,7 +89,7 @@ final class FunctionReferenceTest {
 
   @Test
   void pageHasAHeadingForEveryFunctionOfTheCatalogue() {
-    Builtins builtins = StandardBuiltins.create();
+    Builtins<?> builtins = StandardBuiltins.create();
 
     String page = new FunctionReference(builtins).markdown();
 

@@ -8,13 +8,13 @@ import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Reply;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.editor.Execution;
 import org.pendant.gui.preview.PreviewWorkbench;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.workbench.Settings;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.ProgramState;
 
 /** A program, a controller that the test drives, and the presenter between them. */
 final class DebugFixture {

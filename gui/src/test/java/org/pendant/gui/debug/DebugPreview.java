@@ -10,14 +10,14 @@ import javax.swing.JPanel;
 import javax.swing.Timer;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.debug.Breakpoint;
-import org.pendant.controller.vm.Program;
 import org.pendant.gui.preview.PreviewLook;
 import org.pendant.gui.preview.PreviewWorkbench;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.Session;
 import org.pendant.gui.workbench.View;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.vm.Program;
 
 /** Shows the panels of the debugger: {@code DebugPreview light|dark WIDTH HEIGHT held|idle}. */
 public final class DebugPreview {

@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.OptionalInt;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.debug.Breakpoint;
+import org.pendant.script.debug.Breakpoint;
 
 final class OpenBreakpointsTest {
   private final DebugFixture fixture =

@@ -6,9 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.vm.ProgramState;
-import org.pendant.controller.vm.ThreadSnapshot;
 import org.pendant.language.source.SourceRange;
+import org.pendant.script.vm.ProgramState;
+import org.pendant.script.vm.ThreadSnapshot;
 
 final class ThreadWatchTest {
   private static final List<ThreadSnapshot> THREADS =

@@ -14,8 +14,8 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
-import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.Program;
 
 final class AnalogPresenterTest {
   private static final double TOLERANCE = 1e-9;

@@ -17,9 +17,9 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.io.Direction;
 import org.pendant.controller.io.RegisterKind;
-import org.pendant.controller.vm.Program;
 import org.pendant.gui.workbench.Settings;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.Program;
 
 final class MemoryListTest {
   private final Controller controller = new Controller(ControllerOptions.headless());

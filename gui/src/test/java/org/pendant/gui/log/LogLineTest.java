@@ -10,12 +10,13 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.LogEntry.Origin;
-import org.pendant.controller.message.LogEntry.Place;
+import org.pendant.script.function.ScriptPlace;
 
 final class LogLineTest {
   private static final Instant WALL = Instant.parse("2026-01-02T03:04:05Z");
 
-  private static LogLine line(Origin origin, String code, String text, Optional<Place> place) {
+  private static LogLine line(
+      Origin origin, String code, String text, Optional<ScriptPlace> place) {
     LogEntry entry = new LogEntry(1, 12.3456, Level.ERROR, origin, code, text, place);
     return LogLine.of(1, WALL, LogSource.of(origin), entry);
   }
@@ -24,8 +25,8 @@ final class LogLineTest {
     return line(Origin.SCRIPT, "", text, Optional.empty());
   }
 
-  private static Optional<Place> at(String source, int thread) {
-    return Optional.of(new Place(source, thread, "watch", 12));
+  private static Optional<ScriptPlace> at(String source, int thread) {
+    return Optional.of(new ScriptPlace(source, thread, "watch", 12));
   }
 
   @Test

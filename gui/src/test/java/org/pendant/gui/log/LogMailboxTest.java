@@ -10,8 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.ProgramState;
 
 final class LogMailboxTest {
   private static final String THREE_MESSAGES =

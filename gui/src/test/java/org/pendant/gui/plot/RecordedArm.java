@@ -5,8 +5,8 @@ import java.util.stream.Stream;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.variables.VariablePath;
 import org.pendant.language.source.Source;
+import org.pendant.script.variables.VariablePath;
 
 /** A controller whose frames go on a tape. */
 final class RecordedArm {

@@ -25,8 +25,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.session.Session;
+import org.pendant.script.vm.ProgramState;
 
 @Timeout(60)
 final class DesktopPortsTest {

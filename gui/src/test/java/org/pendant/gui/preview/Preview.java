@@ -9,7 +9,6 @@ import javax.swing.JFrame;
 import javax.swing.Timer;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.vm.LoadResult;
 import org.pendant.gui.io.IoView;
 import org.pendant.gui.io.SignalLabels;
 import org.pendant.gui.log.LogView;
@@ -18,6 +17,7 @@ import org.pendant.gui.session.Session;
 import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.LoadResult;
 
 /** Shows one view: {@code Preview log|io|plot light|dark WIDTH HEIGHT [FILE.script]}. */
 public final class Preview {

@@ -28,7 +28,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.vm.Program;
 import org.pendant.gui.io.IoView;
 import org.pendant.gui.io.SignalLabels;
 import org.pendant.gui.log.LogView;
@@ -37,6 +36,7 @@ import org.pendant.gui.session.Session;
 import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.Program;
 
 /** The screens in a real window, as far as there is a display. */
 final class ViewsTest {

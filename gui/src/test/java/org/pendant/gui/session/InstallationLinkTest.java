@@ -19,9 +19,9 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
 import org.pendant.controller.Reply;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
 import org.pendant.project.installation.text.InstallationText;
+import org.pendant.script.vm.Program;
 
 @Timeout(60)
 final class InstallationLinkTest {

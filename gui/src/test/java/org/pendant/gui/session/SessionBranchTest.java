@@ -21,14 +21,14 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
 import org.pendant.controller.Reply;
-import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.recording.replay.RerunRefused;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
 
 /** Going back to a frame and on from there, as people at a screen do. */
 @Timeout(60)

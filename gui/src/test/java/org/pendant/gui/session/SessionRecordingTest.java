@@ -10,10 +10,10 @@ import org.junit.jupiter.api.Timeout;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.recording.Recording;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
 
 @Timeout(60)
 final class SessionRecordingTest {

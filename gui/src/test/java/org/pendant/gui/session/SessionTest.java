@@ -15,10 +15,10 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
 import org.pendant.controller.Reply;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
 
 @Timeout(60)
 final class SessionTest {

@@ -15,7 +15,6 @@ import org.junit.jupiter.api.Timeout;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.debug.RunPlan;
 import org.pendant.gui.debug.RunScript;
 import org.pendant.gui.session.FakeDriver;
@@ -24,6 +23,7 @@ import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.Session;
 import org.pendant.language.source.Source;
 import org.pendant.project.program.ControlScript;
+import org.pendant.script.vm.ProgramState;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 final class ProgramRunnerTest {

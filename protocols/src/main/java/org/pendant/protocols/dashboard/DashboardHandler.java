@@ -9,13 +9,13 @@ import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.SoftwareVersion;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.server.RemoteControl;
 import org.pendant.protocols.teachpendant.LoadTrouble;
 import org.pendant.protocols.teachpendant.LoadedProgram;
 import org.pendant.protocols.teachpendant.OperationalMode;
 import org.pendant.protocols.teachpendant.RemotePendant;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * Dashboard handler: executes a request and answers in the words of the real box. Details that an

@@ -6,9 +6,9 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.InterpreterJournal;
 import org.pendant.protocols.net.FaultGuard;
 import org.pendant.protocols.server.ServerContext;
+import org.pendant.script.vm.InterpreterJournal;
 
 /** Keeps the log files up to date, in a thread of its own. */
 final class InterpreterLog implements AutoCloseable {

@@ -7,13 +7,13 @@ import java.util.concurrent.Semaphore;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.Reply;
-import org.pendant.controller.vm.InterpretedLine;
-import org.pendant.controller.vm.Interpreter;
-import org.pendant.controller.vm.InterpreterStatus;
 import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.net.LineCutter;
 import org.pendant.protocols.net.ProtocolException;
 import org.pendant.protocols.net.Session;
+import org.pendant.script.vm.InterpretedLine;
+import org.pendant.script.vm.Interpreter;
+import org.pendant.script.vm.InterpreterStatus;
 
 /**
  * One client of interpreter mode. Lines are answered when the controller has dealt with them;

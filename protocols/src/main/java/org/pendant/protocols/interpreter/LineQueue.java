@@ -8,7 +8,7 @@ import java.util.function.BiConsumer;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.Reply;
-import org.pendant.controller.vm.InterpretedLine;
+import org.pendant.script.vm.InterpretedLine;
 
 /** The statements of one client on their way to the controller, a few at a time. */
 final class LineQueue {

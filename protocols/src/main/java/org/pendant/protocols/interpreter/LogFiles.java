@@ -8,8 +8,8 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
-import org.pendant.controller.vm.InterpreterEvent;
 import org.pendant.protocols.teachpendant.InterpreterFiles;
+import org.pendant.script.vm.InterpreterEvent;
 
 /**
  * The three log files of interpreter mode (manual 13.8): what is interpreted now, what was cleared

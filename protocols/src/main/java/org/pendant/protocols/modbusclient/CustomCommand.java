@@ -3,9 +3,9 @@ package org.pendant.protocols.modbusclient;
 import java.util.Optional;
 import org.pendant.controller.external.ModbusErrors;
 import org.pendant.controller.external.Pending;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** A request that a script has made itself (manual 18.22); what is answered does not matter. */
 final class CustomCommand implements Pending, Asker {

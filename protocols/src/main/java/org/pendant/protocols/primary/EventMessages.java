@@ -11,11 +11,11 @@ import org.pendant.controller.message.Question;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.RobotBits;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.ProgramEvent;
-import org.pendant.controller.vm.ScriptFailure;
 import org.pendant.language.source.ByteText;
 import org.pendant.protocols.script.ScriptTrouble;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ProgramEvent;
+import org.pendant.script.vm.ScriptFailure;
 
 /** Which messages tell what has happened. */
 final class EventMessages {

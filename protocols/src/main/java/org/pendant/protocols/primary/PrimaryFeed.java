@@ -7,11 +7,11 @@ import java.util.Optional;
 import org.pendant.controller.Controller;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.variables.VariableSamples;
-import org.pendant.controller.vm.ProgramEvent;
-import org.pendant.controller.vm.ProgramLabel;
 import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.script.ScriptTrouble;
+import org.pendant.script.variables.VariableSamples;
+import org.pendant.script.vm.ProgramEvent;
+import org.pendant.script.vm.ProgramLabel;
 
 /**
  * Sends the same to all clients of a kind: the state every 50 frames and when a mode changes,

@@ -10,7 +10,6 @@ import org.pendant.controller.io.ToolOutputMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.RobotBits;
 import org.pendant.controller.state.SupplyReadings;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.DhLengths;
@@ -18,6 +17,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.Singularity;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * The robot state as bytes, big-endian: {@code i32 size, u8 16}, then parts of {@code u32 size, u8

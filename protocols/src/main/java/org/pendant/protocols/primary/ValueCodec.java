@@ -2,21 +2,21 @@ package org.pendant.protocols.primary;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import org.pendant.controller.value.BoolValue;
-import org.pendant.controller.value.FloatValue;
-import org.pendant.controller.value.HandleValue;
-import org.pendant.controller.value.IntValue;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.ListValue;
-import org.pendant.controller.value.MatrixValue;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ObjectList;
-import org.pendant.controller.value.PoseValue;
-import org.pendant.controller.value.StringValue;
-import org.pendant.controller.value.StructValue;
-import org.pendant.controller.value.Value;
 import org.pendant.models.pose.Pose;
+import org.pendant.script.value.BoolValue;
+import org.pendant.script.value.FloatValue;
+import org.pendant.script.value.HandleValue;
+import org.pendant.script.value.IntValue;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.ListValue;
+import org.pendant.script.value.MatrixValue;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ObjectList;
+import org.pendant.script.value.PoseValue;
+import org.pendant.script.value.StringValue;
+import org.pendant.script.value.StructValue;
+import org.pendant.script.value.Value;
 
 /**
  * Script values as bytes, as since version 5.9: a type, then the value. Structs and handles have no

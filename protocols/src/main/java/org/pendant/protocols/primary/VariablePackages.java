@@ -5,8 +5,8 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.variables.VariableSample;
+import org.pendant.script.value.Value;
+import org.pendant.script.variables.VariableSample;
 
 /**
  * Global variables as bytes, big-endian: {@code i32 size, u8 25, u64 time, i8 part, u16 first

@@ -20,7 +20,6 @@ import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.SafetyStatus;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.ByteText;
 import org.pendant.protocols.http.HttpReply;
 import org.pendant.protocols.http.HttpStatus;
@@ -29,6 +28,7 @@ import org.pendant.protocols.teachpendant.LoadTrouble;
 import org.pendant.protocols.teachpendant.OperationalMode;
 import org.pendant.protocols.teachpendant.ProgramFile;
 import org.pendant.protocols.teachpendant.RemotePendant;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * Robot API handler: executes operations. An action is answered when it has taken effect, since

@@ -6,8 +6,8 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
-import org.pendant.controller.vm.LoadResult;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.LoadResult;
 
 /**
  * Compiles what clients send, in the order in which it came. Long texts have a lane of their own,

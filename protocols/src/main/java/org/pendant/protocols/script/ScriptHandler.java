@@ -13,8 +13,6 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.Reply;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.Question;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.Program;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
@@ -22,6 +20,8 @@ import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.Session;
 import org.pendant.protocols.server.ServerContext;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Program;
 
 /**
  * Script handler: runs the scripts that clients send. The scripts of one client run one after the

@@ -1,9 +1,9 @@
 package org.pendant.protocols.teachpendant;
 
 import java.util.Optional;
-import org.pendant.controller.vm.Program;
 import org.pendant.project.program.file.TreeFile;
 import org.pendant.project.program.script.GeneratedScript;
+import org.pendant.script.vm.Program;
 
 /**
  * A program for one run, with what a driver has sent.

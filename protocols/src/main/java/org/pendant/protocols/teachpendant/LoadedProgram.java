@@ -2,8 +2,8 @@ package org.pendant.protocols.teachpendant;
 
 import java.util.Optional;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.vm.Program;
 import org.pendant.project.program.file.TreeFile;
+import org.pendant.script.vm.Program;
 
 /**
  * A program that waits to be played.

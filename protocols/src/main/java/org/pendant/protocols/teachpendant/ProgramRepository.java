@@ -16,9 +16,6 @@ import java.util.stream.Stream;
 import org.pendant.controller.Controller;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.Program;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.DiagnosticFormat;
@@ -30,6 +27,9 @@ import org.pendant.project.program.ControlScript;
 import org.pendant.project.program.file.BrokenTree;
 import org.pendant.project.program.file.TreeFile;
 import org.pendant.project.program.script.GeneratedScript;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Program;
 
 /** Program repository: the programs and installations of the programs folder. Any thread. */
 final class ProgramRepository {

@@ -10,11 +10,11 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.source.ByteText;
 import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.program.urp.UrpxPrograms;
 import org.pendant.protocols.teachpendant.StoreTrouble.Kind;
+import org.pendant.script.value.ScriptError;
 
 /**
  * Programs of PolyScope X that clients put into the programs folder itself and take out of it, by

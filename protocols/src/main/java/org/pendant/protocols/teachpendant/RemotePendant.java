@@ -17,12 +17,12 @@ import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.ByteText;
 import org.pendant.project.installation.file.LoadedInstallation;
 import org.pendant.project.program.file.TreeFile;
 import org.pendant.protocols.externalcontrol.NoScript;
 import org.pendant.protocols.externalcontrol.ScriptRequest;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * Remote pendant: the teach pendant of one control box without a screen. Any thread may use it that

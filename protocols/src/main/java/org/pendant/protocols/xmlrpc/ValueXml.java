@@ -4,21 +4,21 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.pendant.controller.value.BoolValue;
-import org.pendant.controller.value.FloatValue;
-import org.pendant.controller.value.HandleValue;
-import org.pendant.controller.value.IntValue;
-import org.pendant.controller.value.ListValue;
-import org.pendant.controller.value.MatrixValue;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.Operators;
-import org.pendant.controller.value.PoseValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.StringValue;
-import org.pendant.controller.value.StructValue;
-import org.pendant.controller.value.Value;
 import org.pendant.language.source.ByteText;
 import org.pendant.models.pose.Pose;
+import org.pendant.script.value.BoolValue;
+import org.pendant.script.value.FloatValue;
+import org.pendant.script.value.HandleValue;
+import org.pendant.script.value.IntValue;
+import org.pendant.script.value.ListValue;
+import org.pendant.script.value.MatrixValue;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.Operators;
+import org.pendant.script.value.PoseValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.StringValue;
+import org.pendant.script.value.StructValue;
+import org.pendant.script.value.Value;
 
 /**
  * Values of scripts as the types of XML-RPC and back: lists and matrices are arrays, and a pose is

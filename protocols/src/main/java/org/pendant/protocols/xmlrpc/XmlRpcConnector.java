@@ -8,8 +8,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.pendant.controller.external.RpcConnector;
 import org.pendant.controller.external.RpcLink;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.protocols.egress.HostPolicy;
+import org.pendant.script.value.ScriptError;
 
 /** Connector to XML-RPC servers for the scripts of one controller. */
 public final class XmlRpcConnector implements RpcConnector, AutoCloseable {

@@ -14,9 +14,9 @@ import org.apache.xmlrpc.client.XmlRpcClient;
 import org.apache.xmlrpc.client.XmlRpcClientConfigImpl;
 import org.pendant.controller.external.Pending;
 import org.pendant.controller.external.RpcLink;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /**
  * One handle of a script. Its calls take turns, each in a thread of its own: a server that serves

@@ -30,13 +30,13 @@ import org.pendant.controller.safety.PowerTimes;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
-import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.script.RunningBox;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.RemoteControl;
 import org.pendant.protocols.teachpendant.PendantSetup;
 import org.pendant.protocols.teachpendant.RemotePendant;
+import org.pendant.script.vm.Program;
 
 class DashboardServerTest {
   private static final String LOCAL =

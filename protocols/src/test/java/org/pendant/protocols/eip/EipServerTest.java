@@ -25,13 +25,13 @@ import org.pendant.controller.eip.AssemblyPair;
 import org.pendant.controller.io.Direction;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.state.StateStream;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.project.installation.text.InstallationText;
 import org.pendant.protocols.script.RunningBox;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.RemoteControl;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
 
 class EipServerTest {
   private static final int RPI_US = 20_000;

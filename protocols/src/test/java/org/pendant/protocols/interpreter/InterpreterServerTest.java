@@ -21,12 +21,12 @@ import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.StateStream;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.script.RunningBox;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.RemoteControl;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
 
 class InterpreterServerTest {
   @TempDir Path folder;

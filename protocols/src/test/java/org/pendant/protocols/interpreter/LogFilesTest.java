@@ -11,7 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.vm.InterpreterEvent;
+import org.pendant.script.vm.InterpreterEvent;
 
 class LogFilesTest {
   @TempDir Path folder;

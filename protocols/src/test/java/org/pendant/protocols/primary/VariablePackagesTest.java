@@ -13,11 +13,11 @@ import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Reply;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.variables.VariableSample;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.script.value.Value;
+import org.pendant.script.variables.VariableSample;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
 
 class VariablePackagesTest {
   private static final long TIME_US = 12_345_678_000L;

@@ -25,13 +25,13 @@ import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.PowerTimes;
 import org.pendant.controller.safety.SafetyInput;
-import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.script.RunningBox;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.RemoteControl;
 import org.pendant.protocols.teachpendant.PendantSetup;
 import org.pendant.protocols.teachpendant.RemotePendant;
+import org.pendant.script.vm.Program;
 
 class RobotApiServerTest {
   private static final String WAITING = "def waits():\n  while True:\n    sleep(1)\n  end\nend\n";

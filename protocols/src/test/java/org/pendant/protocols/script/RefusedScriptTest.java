@@ -12,12 +12,12 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.debug.Breakpoint;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.StateBroadcaster;
 import org.pendant.protocols.server.RemoteControl;
 import org.pendant.protocols.server.ServerContext;
+import org.pendant.script.debug.Breakpoint;
 
 /** Whatever a secondary program is refused for, its client is told. */
 class RefusedScriptTest {

@@ -21,7 +21,6 @@ import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.StateStream;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.protocols.dashboard.DashboardServer;
 import org.pendant.protocols.dashboard.DashboardTalk;
 import org.pendant.protocols.egress.AllowedHosts;
@@ -30,6 +29,8 @@ import org.pendant.protocols.externalcontrol.FakeDriver;
 import org.pendant.protocols.script.RunningBox;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.RemoteControl;
+import org.pendant.script.function.ScriptPlace;
+import org.pendant.script.vm.ProgramState;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class RemotePendantExternalControlTest {
@@ -217,7 +218,7 @@ class RemotePendantExternalControlTest {
       remotePendant.load("drive.urp");
       assertEquals(Optional.empty(), remotePendant.play());
       awaitEnd();
-      LogEntry.Place place =
+      ScriptPlace place =
           box.controller().logSince(0).stream()
               .filter(each -> each.origin() == LogEntry.Origin.ENDING)
               .flatMap(each -> each.place().stream())

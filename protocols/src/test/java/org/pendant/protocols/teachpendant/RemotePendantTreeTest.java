@@ -13,9 +13,9 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.StateStream;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.protocols.script.RunningBox;
 import org.pendant.protocols.server.RemoteControl;
+import org.pendant.script.vm.ProgramState;
 
 @Timeout(60)
 class RemotePendantTreeTest {

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.pendant.controller.external.Pending;
 import org.pendant.controller.external.RpcLink;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.value.ScriptError;
 
 /** Whatever a server answers, it is a value or an error of the script. */
 @Timeout(120)

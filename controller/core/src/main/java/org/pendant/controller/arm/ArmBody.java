@@ -1,8 +1,8 @@
 package org.pendant.controller.arm;
 
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
+import org.pendant.motion.FrameTime;
 
 /**
  * The moving masses of the true arm: where the joints are, how fast they turn, and how both change

@@ -1,6 +1,8 @@
 package org.pendant.controller.arm;
 
 import org.pendant.models.arm.Joints;
+import org.pendant.motion.servo.FrictionShare;
+import org.pendant.motion.servo.TorqueSetpoint;
 
 /** What the controller asks of the arm in one frame. */
 public sealed interface ArmCommand {
@@ -25,10 +27,14 @@ public sealed interface ArmCommand {
    * The motors hold the arm's own weight and that of the declared payload, and add torques; nothing
    * holds the position.
    *
-   * @param torqueNm added at each joint, Nm
-   * @param friction how much of their friction the motors overcome
+   * @param setpoint the torques, and how much of their friction the motors overcome
    */
-  record Torque(Joints torqueNm, FrictionShare friction) implements ArmCommand {}
+  record Torque(TorqueSetpoint setpoint) implements ArmCommand {
+    /** Torques of {@code torqueNm} at each joint, Nm, with a share of the friction overcome. */
+    public Torque(Joints torqueNm, FrictionShare friction) {
+      this(new TorqueSetpoint(torqueNm, friction));
+    }
+  }
 
   /**
    * The arm is guided by hand: the motors hold the arm's own weight and that of the declared

@@ -1,10 +1,10 @@
 package org.pendant.controller.arm;
 
 import java.util.List;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
+import org.pendant.motion.FrameTime;
 
 /**
  * What the arm takes from its 48 V supply: the electronics of a powered arm, the work of its motors

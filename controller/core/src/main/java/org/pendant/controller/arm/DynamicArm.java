@@ -2,7 +2,6 @@ package org.pendant.controller.arm;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
@@ -11,6 +10,7 @@ import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
+import org.pendant.motion.FrameTime;
 
 /**
  * An arm with masses, friction, drives with limited torque, brakes, and a tool that touches things.

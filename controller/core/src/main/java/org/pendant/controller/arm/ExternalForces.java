@@ -1,6 +1,5 @@
 package org.pendant.controller.arm;
 
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
@@ -9,6 +8,7 @@ import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
+import org.pendant.motion.FrameTime;
 
 /**
  * External forces on the tool: the wrench at the flange and the torques that it causes at the

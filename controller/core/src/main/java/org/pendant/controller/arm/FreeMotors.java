@@ -5,6 +5,7 @@ import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
+import org.pendant.motion.servo.FrictionShare;
 
 /**
  * Motors that hold the weight of arm and declared payload by the controller's model and add the
@@ -28,9 +29,9 @@ final class FreeMotors implements Drives {
 
   /** Takes the torques of a frame. */
   void add(ArmCommand.Torque command) {
-    torqueNm = command.torqueNm();
+    torqueNm = command.setpoint().torqueNm();
     dampingNmSPerRad = Joints.ZERO;
-    friction = command.friction();
+    friction = command.setpoint().friction();
   }
 
   /** Takes torques and resistance of a frame. */

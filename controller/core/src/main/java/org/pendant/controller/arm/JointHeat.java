@@ -1,8 +1,8 @@
 package org.pendant.controller.arm;
 
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
+import org.pendant.motion.FrameTime;
 
 /**
  * Temperatures of the joints and of the electronics in the tool flange: each comes nearer to what

@@ -3,12 +3,12 @@ package org.pendant.controller.arm;
 import java.util.Arrays;
 import java.util.List;
 import org.ejml.data.DMatrixRMaj;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.motion.FrameTime;
 
 /**
  * Servos that follow a target. The torque that the target motion needs by the controller's model is

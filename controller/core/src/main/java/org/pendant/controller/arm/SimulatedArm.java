@@ -4,9 +4,10 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
+import org.pendant.motion.force.MeasuredArm;
 
 /** An arm that is told something once a frame, and what its sensors say then. */
-public interface SimulatedArm {
+public interface SimulatedArm extends MeasuredArm {
 
   /** Advances by one frame. */
   void step(ArmCommand command);
@@ -30,12 +31,10 @@ public interface SimulatedArm {
    */
   Wrench weightOf(Payload payload);
 
-  /**
-   * Where the flange truly is in the base frame.
-   *
-   * @param flange12 overwritten, as {@link org.pendant.models.pose.Transforms} has it
-   */
-  void copyFlangeInBase(double[] flange12);
+  @Override
+  default void copyPositionRad(double[] q) {
+    sensors().copyPositionRad(q);
+  }
 
   /** What truly hangs on the flange, whatever the controller has been told. */
   void setLoad(Payload load);

@@ -3,22 +3,24 @@ package org.pendant.controller.box;
 import java.util.Optional;
 import org.pendant.controller.arm.ArmCommand;
 import org.pendant.controller.arm.ArmSupply;
-import org.pendant.controller.arm.FrictionShare;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.freedrive.Freedrive;
 import org.pendant.controller.message.MessageLog;
-import org.pendant.controller.motion.MotionControl;
-import org.pendant.controller.motion.force.ContactWatch;
-import org.pendant.controller.motion.force.ForceMode;
-import org.pendant.controller.motion.offset.ConveyorTracking;
-import org.pendant.controller.motion.offset.PathOffsetting;
-import org.pendant.controller.motion.servo.Servoing;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetySystem;
-import org.pendant.controller.safety.TaskDeviation;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.models.arm.Joints;
+import org.pendant.motion.MotionControl;
+import org.pendant.motion.PlanningException;
+import org.pendant.motion.force.ContactWatch;
+import org.pendant.motion.force.ForceMode;
+import org.pendant.motion.force.TaskDeviation;
+import org.pendant.motion.offset.ConveyorTracking;
+import org.pendant.motion.offset.PathOffsetting;
+import org.pendant.motion.servo.FrictionShare;
+import org.pendant.motion.servo.Servoing;
+import org.pendant.motion.servo.TorqueSetpoint;
+import org.pendant.script.value.ScriptError;
 
 /**
  * Has the arm follow what commands it, frame by frame, and lets the motion's target and the arm
@@ -36,6 +38,7 @@ public final class ArmDrive {
   private final SafetySystem safety;
   private final MotionControl motion;
   private final Freedrive freedrive;
+  private ArmCommand.Torque torque = new ArmCommand.Torque(TorqueSetpoint.ZERO);
   private final DriveTarget driveTarget = new DriveTarget();
   private final PositionHistory history;
   private Joints actualRad;
@@ -139,6 +142,14 @@ public final class ArmDrive {
     flange.endTransition();
   }
 
+  /** The command for a setpoint; the same one again while the setpoint stays. */
+  private ArmCommand torque(TorqueSetpoint setpoint) {
+    if (!torque.setpoint().equals(setpoint)) {
+      torque = new ArmCommand.Torque(setpoint);
+    }
+    return torque;
+  }
+
   private ArmCommand command() {
     return switch (safety.robotMode()) {
       case RUNNING -> {
@@ -148,7 +159,7 @@ public final class ArmDrive {
         }
         if (motion.torqueDriven()) {
           driveTarget.forget();
-          yield setup.servoing().torque();
+          yield torque(setup.servoing().torque());
         }
         if (driveTarget.beside() && safety.stop().isEmpty()) {
           driveTarget.stepBack();
@@ -203,9 +214,9 @@ public final class ArmDrive {
   /**
    * Puts the simulated arm elsewhere, at rest (manual 15.46).
    *
-   * @throws ScriptError while it moves
+   * @throws PlanningException while it moves
    */
-  public void jumpTo(Joints positionRad) throws ScriptError {
+  public void jumpTo(Joints positionRad) throws PlanningException {
     motion.jumpTo(positionRad);
     arm.jumpTo(positionRad);
     safety.jumped();

@@ -1,7 +1,9 @@
 package org.pendant.controller.box;
 
 import java.util.Locale;
+import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import org.pendant.controller.arm.ArmSupply;
 import org.pendant.controller.arm.DynamicArm;
@@ -17,17 +19,8 @@ import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.message.OpenPopups;
 import org.pendant.controller.message.PromptNumbers;
 import org.pendant.controller.message.PromptQueue;
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.motion.MotionControl;
-import org.pendant.controller.motion.TorquePathLimits;
-import org.pendant.controller.motion.force.ContactWatch;
-import org.pendant.controller.motion.force.ForceMode;
-import org.pendant.controller.motion.offset.ConveyorTracking;
-import org.pendant.controller.motion.offset.PathOffsetting;
-import org.pendant.controller.motion.servo.Servoing;
 import org.pendant.controller.safety.SafetySystem;
 import org.pendant.controller.safety.SpeedCaps;
-import org.pendant.controller.toolpath.Toolpaths;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
@@ -36,12 +29,23 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.FrameTime;
+import org.pendant.motion.MotionControl;
+import org.pendant.motion.TorquePathLimits;
+import org.pendant.motion.force.ContactWatch;
+import org.pendant.motion.force.ForceMode;
+import org.pendant.motion.offset.ConveyorTracking;
+import org.pendant.motion.offset.PathOffsetting;
+import org.pendant.motion.servo.Servoing;
+import org.pendant.motion.toolpath.Toolpaths;
+import org.pendant.script.function.Host;
+import org.pendant.script.function.ScriptPlace;
 
 /**
  * The mutable parts of a controller that built-in functions work on. The frame loop owns all of it;
  * no other thread may touch it.
  */
-public final class ControlBox {
+public final class ControlBox implements Host {
   /** Length of a frame, s. */
   public static final double FRAME_S = FrameTime.FRAME_S;
 
@@ -472,5 +476,50 @@ public final class ControlBox {
     log.programStarted();
     toolpaths.clear();
     popups.closeBlocking();
+  }
+
+  @Override
+  public void warn(String message) {
+    log.warning(message);
+  }
+
+  @Override
+  public void internalError(Throwable fault) {
+    log.internalError(fault);
+  }
+
+  @Override
+  public void placeMessagesBy(Supplier<Optional<ScriptPlace>> place) {
+    log.placeBy(place);
+  }
+
+  @Override
+  public void programEnded() {
+    links.outside().programEnded();
+  }
+
+  @Override
+  public void pauseMotion() {
+    motion.pause();
+  }
+
+  @Override
+  public void resumeMotion() {
+    motion.resume();
+  }
+
+  @Override
+  public boolean arriving() {
+    return motion.arriving();
+  }
+
+  @Override
+  public boolean handsOverBeforeRest() {
+    return motion.handsOverBeforeRest();
+  }
+
+  @Override
+  public boolean wantsLookAhead() {
+    return motion.wantsOutlook();
   }
 }

@@ -11,7 +11,7 @@ import org.pendant.controller.external.Pending;
 import org.pendant.controller.external.RpcLink;
 import org.pendant.controller.external.ToolSerialConnector;
 import org.pendant.controller.io.ToolCommunication;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.value.ScriptError;
 
 /**
  * Determinism guard: connectors that mark the run as not reproducible as soon as one of them is

@@ -1,9 +1,9 @@
 package org.pendant.controller.box;
 
 import org.pendant.controller.arm.ArmCommand;
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.motion.MotionControl;
 import org.pendant.models.arm.Joints;
+import org.pendant.motion.FrameTime;
+import org.pendant.motion.MotionControl;
 
 /**
  * What the servos follow: the motion's target, or beside it, where a protective stop has left the

@@ -3,7 +3,7 @@ package org.pendant.controller.box;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.Value;
 
 /** What the controller told the world at the end of the frame before, for programs to read. */
 public interface Published {

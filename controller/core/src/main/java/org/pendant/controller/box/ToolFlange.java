@@ -5,13 +5,13 @@ import org.pendant.controller.arm.ExternalForceSensor;
 import org.pendant.controller.arm.ForceSensor;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.freedrive.Freedrive;
-import org.pendant.controller.motion.MotionControl;
-import org.pendant.controller.motion.force.ContactWatch;
-import org.pendant.controller.motion.force.ForceMode;
 import org.pendant.controller.safety.SpeedCaps;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
+import org.pendant.motion.MotionControl;
+import org.pendant.motion.force.ContactWatch;
+import org.pendant.motion.force.ForceMode;
 
 /**
  * What hangs on the tool flange, what programs say of it, and what is felt there. A change of one

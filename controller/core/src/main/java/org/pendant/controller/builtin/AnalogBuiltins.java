@@ -1,14 +1,15 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Declaration;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Declaration;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /**
  * Analog signals (manual 18.3, 18.4, 18.11, 18.12, 18.15, 18.42, 18.43, 18.47, 19.2, 19.11, 19.13).
@@ -23,14 +24,14 @@ final class AnalogBuiltins {
 
   private AnalogBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareReading(builtins);
     declareWriting(builtins);
     declareDomains(builtins);
     declareDeprecated(builtins);
   }
 
-  private static void declareReading(Builtins builtins) {
+  private static void declareReading(Builtins<ControlBox> builtins) {
     read(builtins, "get_standard_analog_in", "18.11")
         .doc("What a standard analog input, 0 or 1, reads: A or V, as its domain is.")
         .does(call -> get(call, AnalogBank.STANDARD_IN));
@@ -42,7 +43,7 @@ final class AnalogBuiltins {
         .does(call -> get(call, AnalogBank.TOOL_IN));
   }
 
-  private static void declareWriting(Builtins builtins) {
+  private static void declareWriting(Builtins<ControlBox> builtins) {
     builtins
         .declare("set_standard_analog_out")
         .manual(INTERFACES, "18.47")
@@ -55,7 +56,7 @@ final class AnalogBuiltins {
         .does(AnalogBuiltins::setOutput);
   }
 
-  private static void declareDomains(Builtins builtins) {
+  private static void declareDomains(Builtins<ControlBox> builtins) {
     domain(builtins, "set_analog_outputdomain", "19.2")
         .doc("Makes a standard analog output, 0 or 1, a current (0) or a voltage (1).")
         .does(call -> setDomain(call, AnalogBank.STANDARD_OUT));
@@ -67,7 +68,7 @@ final class AnalogBuiltins {
         .does(call -> setDomain(call, AnalogBank.TOOL_IN));
   }
 
-  private static void declareDeprecated(Builtins builtins) {
+  private static void declareDeprecated(Builtins<ControlBox> builtins) {
     read(builtins, "get_analog_in", "18.3")
         .doc("What an analog input reads: 0 and 1 are standard ones, 2 and 3 the tool's.")
         .deprecated("get_standard_analog_in")
@@ -97,7 +98,8 @@ final class AnalogBuiltins {
         .does(AnalogBuiltins::setOutput);
   }
 
-  private static Declaration read(Builtins builtins, String name, String section) {
+  private static Declaration<ControlBox> read(
+      Builtins<ControlBox> builtins, String name, String section) {
     return builtins
         .declare(name)
         .manual(INTERFACES, section)
@@ -106,7 +108,8 @@ final class AnalogBuiltins {
         .effect(Effect.ASKS);
   }
 
-  private static Declaration domain(Builtins builtins, String name, String section) {
+  private static Declaration<ControlBox> domain(
+      Builtins<ControlBox> builtins, String name, String section) {
     return builtins
         .declare(name)
         .manual(CONFIGURATION, section)
@@ -114,37 +117,37 @@ final class AnalogBuiltins {
         .needs("domain", Type.INT);
   }
 
-  private static Outcome get(Call call, AnalogBank bank) throws ScriptError {
-    return call.answer(call.box().signals().analog().value(bank, call.integer(0, 0, LAST)));
+  private static Outcome get(Call<ControlBox> call, AnalogBank bank) throws ScriptError {
+    return call.answer(call.host().signals().analog().value(bank, call.integer(0, 0, LAST)));
   }
 
-  private static Outcome getOld(Call call) throws ScriptError {
+  private static Outcome getOld(Call<ControlBox> call) throws ScriptError {
     int n = call.integer(0, 0, LAST_OLD);
-    return call.answer(call.box().signals().analog().value(oldBank(n), n % AnalogBank.SIZE));
+    return call.answer(call.host().signals().analog().value(oldBank(n), n % AnalogBank.SIZE));
   }
 
   private static AnalogBank oldBank(int n) {
     return n < AnalogBank.SIZE ? AnalogBank.STANDARD_IN : AnalogBank.TOOL_IN;
   }
 
-  private static Outcome setOutput(Call call) throws ScriptError {
+  private static Outcome setOutput(Call<ControlBox> call) throws ScriptError {
     int n = call.integer(0, 0, LAST);
     double ratio = call.number(1);
     if (!(ratio >= 0 && ratio <= 1)) {
       throw call.refuse(1, "must be 0 to 1");
     }
-    call.box().signals().analog().setOutput(n, ratio);
+    call.host().signals().analog().setOutput(n, ratio);
     return call.answer();
   }
 
-  private static Outcome setDomain(Call call, AnalogBank bank) throws ScriptError {
+  private static Outcome setDomain(Call<ControlBox> call, AnalogBank bank) throws ScriptError {
     int port = call.integer(0, 0, LAST);
     AnalogDomain domain = AnalogDomain.of(call.integer(1, 0, 1));
-    call.box().signals().analog().setDomain(bank, port, domain);
+    call.host().signals().analog().setDomain(bank, port, domain);
     return call.answer();
   }
 
-  private static Outcome setOldRange(Call call) throws ScriptError {
+  private static Outcome setOldRange(Call<ControlBox> call) throws ScriptError {
     int port = call.integer(0, 0, LAST_OLD);
     AnalogBank bank = oldBank(port);
     int range = call.integer(1);
@@ -153,18 +156,18 @@ final class AnalogBuiltins {
           case STANDARD_IN, STANDARD_OUT -> standardRange(call, range);
           case TOOL_IN -> toolRange(call, range);
         };
-    call.box().signals().analog().setDomain(bank, port % AnalogBank.SIZE, domain);
+    call.host().signals().analog().setDomain(bank, port % AnalogBank.SIZE, domain);
     return call.answer();
   }
 
-  private static AnalogDomain standardRange(Call call, int range) throws ScriptError {
+  private static AnalogDomain standardRange(Call<ControlBox> call, int range) throws ScriptError {
     if (range != 0 && range != 2) {
       throw call.refuse(1, "must be 0 or 2 for a port of the control box");
     }
     return AnalogDomain.VOLTAGE;
   }
 
-  private static AnalogDomain toolRange(Call call, int range) throws ScriptError {
+  private static AnalogDomain toolRange(Call<ControlBox> call, int range) throws ScriptError {
     if (range < 0 || range > 2) {
       throw call.refuse(1, "must be 0 to 2 for a port of the tool");
     }

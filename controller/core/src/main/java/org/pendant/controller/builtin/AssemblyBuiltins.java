@@ -2,23 +2,24 @@ package org.pendant.controller.builtin;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.eip.AssemblyField;
 import org.pendant.controller.eip.AssemblyHandle;
 import org.pendant.controller.eip.NumberType;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Declaration;
-import org.pendant.controller.function.Outcome;
 import org.pendant.controller.io.WatchdogAction;
-import org.pendant.controller.value.HandleValue;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.ListValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.StringValue;
-import org.pendant.controller.value.StructValue;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Declaration;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.HandleValue;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.ListValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.StringValue;
+import org.pendant.script.value.StructValue;
+import org.pendant.script.value.Value;
 
 /** Data that programs exchange with an EtherNet/IP scanner (manual 21). */
 final class AssemblyBuiltins {
@@ -28,7 +29,7 @@ final class AssemblyBuiltins {
 
   private AssemblyBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     factory(builtins, "eip_reader_factory", "21.2.1")
         .doc(
             "A handle by which data are read that a scanner sends. The name is the number of the"
@@ -51,7 +52,8 @@ final class AssemblyBuiltins {
             });
   }
 
-  private static Declaration factory(Builtins builtins, String name, String section) {
+  private static Declaration<ControlBox> factory(
+      Builtins<ControlBox> builtins, String name, String section) {
     return builtins
         .declare(name)
         .manual(MODULE, section)
@@ -60,11 +62,12 @@ final class AssemblyBuiltins {
         .returns(Type.EIP_HANDLE);
   }
 
-  private static Declaration method(Builtins builtins, String name, String section) {
+  private static Declaration<ControlBox> method(
+      Builtins<ControlBox> builtins, String name, String section) {
     return builtins.declareMethod(Type.EIP_HANDLE, name).manual(MODULE, section);
   }
 
-  private static void declareLayout(Builtins builtins) {
+  private static void declareLayout(Builtins<ControlBox> builtins) {
     for (NumberType type : NumberType.values()) {
       method(builtins, "define_" + type.text(), "21.3.1")
           .doc(
@@ -106,7 +109,7 @@ final class AssemblyBuiltins {
         .does(call -> define(call, 3, new AssemblyField.Text(offset(call), length(call))));
   }
 
-  private static void declareAccess(Builtins builtins) {
+  private static void declareAccess(Builtins<ControlBox> builtins) {
     method(builtins, "read", "21.3.5")
         .doc(
             "The newest data that the scanner has sent. One label gives its value, a list of labels"
@@ -134,7 +137,7 @@ final class AssemblyBuiltins {
             });
   }
 
-  private static void declareWatchdog(Builtins builtins) {
+  private static void declareWatchdog(Builtins<ControlBox> builtins) {
     method(builtins, "set_watchdog", "21.3.8")
         .doc(
             "Watches from now on that the scanner sends at least this often. action is 0 for a line"
@@ -148,7 +151,7 @@ final class AssemblyBuiltins {
         .does(
             call -> {
               AssemblyHandle handle = handle(call);
-              return done(call, () -> handle.startWatchdog(call.box().clock().timeS()));
+              return done(call, () -> handle.startWatchdog(call.host().clock().timeS()));
             });
     method(builtins, "stop_watchdog", "21.3.10")
         .doc("Watches no longer, until start_watchdog. It is an error when none is set.")
@@ -165,7 +168,7 @@ final class AssemblyBuiltins {
     void run() throws ScriptError;
   }
 
-  private static Outcome done(Call call, Work work) throws ScriptError {
+  private static Outcome done(Call<ControlBox> call, Work work) throws ScriptError {
     try {
       work.run();
     } catch (ScriptError e) {
@@ -174,48 +177,49 @@ final class AssemblyBuiltins {
     return call.answer();
   }
 
-  private static Outcome open(Call call, boolean reading) throws ScriptError {
+  private static Outcome open(Call<ControlBox> call, boolean reading) throws ScriptError {
     String name = call.text(0);
     if (!name.matches("[0-9]{1,5}")) {
       throw call.refuse(0, "must be the number of an assembly instance");
     }
     int bytes = call.integer(1, 1, LARGEST);
     try {
-      int number = call.box().links().assemblies().open(reading, Integer.parseInt(name), bytes);
+      int number = call.host().links().assemblies().open(reading, Integer.parseInt(name), bytes);
       return call.answer(new HandleValue(Type.EIP_HANDLE, number, ""));
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
   }
 
-  private static AssemblyHandle handle(Call call) throws ScriptError {
+  private static AssemblyHandle handle(Call<ControlBox> call) throws ScriptError {
     // whoever only looks ahead must not change anything
     call.program().reachesOutside();
     if (!(call.value(0) instanceof HandleValue handle)) {
       throw call.wrongKind(0, "an EtherNet/IP handle");
     }
     try {
-      return call.box().links().assemblies().handle(handle.id());
+      return call.host().links().assemblies().handle(handle.id());
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
   }
 
-  private static int offset(Call call) throws ScriptError {
+  private static int offset(Call<ControlBox> call) throws ScriptError {
     return call.integer(1, 0, LARGEST);
   }
 
-  private static int length(Call call) throws ScriptError {
+  private static int length(Call<ControlBox> call) throws ScriptError {
     return call.integer(2, 1, LARGEST);
   }
 
-  private static Outcome define(Call call, int index, AssemblyField field) throws ScriptError {
+  private static Outcome define(Call<ControlBox> call, int index, AssemblyField field)
+      throws ScriptError {
     AssemblyHandle handle = handle(call);
     String label = call.text(index);
     return done(call, () -> handle.define(label, field));
   }
 
-  private static Outcome defineBit(Call call) throws ScriptError {
+  private static Outcome defineBit(Call<ControlBox> call) throws ScriptError {
     int width = call.given(4) ? call.integer(4) : 1;
     if (width != 1 && width != 2 && width != 4) {
       throw call.refuse(4, "must be 1, 2 or 4");
@@ -224,7 +228,7 @@ final class AssemblyBuiltins {
     return define(call, 3, new AssemblyField.Bit(offset(call), bit));
   }
 
-  private static Outcome read(Call call) throws ScriptError {
+  private static Outcome read(Call<ControlBox> call) throws ScriptError {
     AssemblyHandle handle = handle(call);
     if (call.value(1) instanceof StringValue label) {
       return answer(call, () -> handle.read(label.bytes()));
@@ -239,7 +243,7 @@ final class AssemblyBuiltins {
     Value get() throws ScriptError;
   }
 
-  private static Outcome answer(Call call, Reading reading) throws ScriptError {
+  private static Outcome answer(Call<ControlBox> call, Reading reading) throws ScriptError {
     try {
       return call.answer(reading.get());
     } catch (ScriptError e) {
@@ -247,7 +251,7 @@ final class AssemblyBuiltins {
     }
   }
 
-  private static List<String> labels(Call call) throws ScriptError {
+  private static List<String> labels(Call<ControlBox> call) throws ScriptError {
     if (!(call.value(1) instanceof ListValue list)
         || list.length() == 0
         || list.elementKind() != Kind.STRING) {
@@ -260,17 +264,17 @@ final class AssemblyBuiltins {
     return labels;
   }
 
-  private static Outcome setWatchdog(Call call) throws ScriptError {
+  private static Outcome setWatchdog(Call<ControlBox> call) throws ScriptError {
     double leastHz = call.number(1);
     if (!(leastHz > 0 && leastHz <= MOST_WATCHDOG_HZ)) {
       throw call.refuse(1, "must be above 0 and at most 10 Hz");
     }
     WatchdogAction action = action(call);
     AssemblyHandle handle = handle(call);
-    return done(call, () -> handle.setWatchdog(leastHz, action, call.box().clock().timeS()));
+    return done(call, () -> handle.setWatchdog(leastHz, action, call.host().clock().timeS()));
   }
 
-  private static WatchdogAction action(Call call) throws ScriptError {
+  private static WatchdogAction action(Call<ControlBox> call) throws ScriptError {
     return switch (call.integer(2, 0, 2)) {
       case 0 -> WatchdogAction.IGNORE;
       case 1 -> WatchdogAction.PAUSE;

@@ -1,17 +1,18 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** A program's checks of itself (manual 7). */
 final class AssertBuiltins {
   private AssertBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("assert")
         .manual("core", "7")
@@ -21,7 +22,7 @@ final class AssertBuiltins {
         .does(AssertBuiltins::check);
   }
 
-  private static Outcome check(Call call) throws ScriptError {
+  private static Outcome check(Call<?> call) throws ScriptError {
     if (!call.bool(0)) {
       throw call.failure("assertion-failed", "condition is False, must be True");
     }

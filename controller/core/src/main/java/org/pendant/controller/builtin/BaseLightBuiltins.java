@@ -1,13 +1,14 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.BaseLight;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Declaration;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.models.arm.Series;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Declaration;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** The light ring in the base of the UR-Series (manual 16.45 to 16.47); other arms have none. */
 final class BaseLightBuiltins {
@@ -16,7 +17,7 @@ final class BaseLightBuiltins {
 
   private BaseLightBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declare(builtins, "set_baselight_iec", "16.46")
         .doc("Lets the light in the base show modes and stops as IEC 60204-1 asks.")
         .does(call -> show(call, BaseLight.STANDARD));
@@ -31,11 +32,12 @@ final class BaseLightBuiltins {
         .does(BaseLightBuiltins::solid);
   }
 
-  private static Declaration declare(Builtins builtins, String name, String section) {
+  private static Declaration<ControlBox> declare(
+      Builtins<ControlBox> builtins, String name, String section) {
     return builtins.declare(name).manual(MODULE, section);
   }
 
-  private static Outcome solid(Call call) throws ScriptError {
+  private static Outcome solid(Call<ControlBox> call) throws ScriptError {
     return show(
         call,
         new BaseLight.Solid(
@@ -44,14 +46,14 @@ final class BaseLightBuiltins {
             call.integer(2, 0, BRIGHTEST)));
   }
 
-  private static Outcome show(Call call, BaseLight light) {
-    if (call.box().armDescription().series() == Series.UR_SERIES) {
-      call.box().setBaseLight(light);
+  private static Outcome show(Call<ControlBox> call, BaseLight light) {
+    if (call.host().armDescription().series() == Series.UR_SERIES) {
+      call.host().setBaseLight(light);
     } else {
-      call.box()
+      call.host()
           .log()
           .warnOnce(
-              call.box().armDescription().id()
+              call.host().armDescription().id()
                   + " has no light in its base, only arms of the UR-Series do");
     }
     return call.answer();

@@ -1,21 +1,22 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.motion.force.ContactWatch;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.force.ContactWatch;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ScriptError;
 
 /** Noticing that the tool has met something (manual 16.66). */
 final class ContactBuiltins {
   private ContactBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("tool_contact")
         .manual("internals", "16.66")
@@ -31,17 +32,17 @@ final class ContactBuiltins {
         .does(ContactBuiltins::toolContact);
   }
 
-  private static Outcome toolContact(Call call) throws ScriptError {
+  private static Outcome toolContact(Call<ControlBox> call) throws ScriptError {
     double[] direction = direction(call);
     double threshold = MotionArguments.notNegative(call, 1);
     return call.answerInt(
-        call.box()
+        call.host()
             .contactWatch()
             .framesSinceOnset(direction, threshold > 0 ? threshold : ContactWatch.THRESHOLD_N));
   }
 
   /** A list of six numbers, or a pose as get_target_tcp_speed gives it. */
-  private static double[] direction(Call call) throws ScriptError {
+  private static double[] direction(Call<ControlBox> call) throws ScriptError {
     double[] direction;
     if (call.kind(0) == Kind.POSE) {
       Pose pose = call.pose(0);

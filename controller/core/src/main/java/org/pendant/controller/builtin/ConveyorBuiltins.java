@@ -2,17 +2,17 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.encoder.Encoder;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.motion.MotionControl;
-import org.pendant.controller.motion.StopJ;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.MotionControl;
+import org.pendant.motion.StopJ;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Moving along with conveyors (manual 15.22, 15.23, 15.50, 15.56, 15.57). */
 final class ConveyorBuiltins {
@@ -20,12 +20,12 @@ final class ConveyorBuiltins {
 
   private ConveyorBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareTracking(builtins);
     declareAlongPath(builtins);
   }
 
-  private static void declareTracking(Builtins builtins) {
+  private static void declareTracking(Builtins<ControlBox> builtins) {
     builtins
         .declare("track_conveyor_linear")
         .manual(MODULE, "15.57")
@@ -58,7 +58,7 @@ final class ConveyorBuiltins {
         .does(ConveyorBuiltins::stop);
   }
 
-  private static void declareAlongPath(Builtins builtins) {
+  private static void declareAlongPath(Builtins<ControlBox> builtins) {
     builtins
         .declare("get_target_tcp_pose_along_path")
         .manual(MODULE, "15.22")
@@ -79,27 +79,27 @@ final class ConveyorBuiltins {
         .does(ConveyorBuiltins::speedAlongPath);
   }
 
-  private static Outcome trackLinear(Call call) throws ScriptError {
+  private static Outcome trackLinear(Call<ControlBox> call) throws ScriptError {
     Pose direction = MotionArguments.pose(call, 0);
     if (direction.x() == 0 && direction.y() == 0 && direction.z() == 0) {
       throw call.refuse(0, "x, y or z must be another number than 0");
     }
     double ticksPerM = ticks(call, 1);
     Encoder encoder = ready(call, 2);
-    call.box().conveyor().trackLinear(direction, ticksPerM, encoder);
+    call.host().conveyor().trackLinear(direction, ticksPerM, encoder);
     return call.answer();
   }
 
-  private static Outcome trackCircular(Call call) throws ScriptError {
+  private static Outcome trackCircular(Call<ControlBox> call) throws ScriptError {
     Pose center = MotionArguments.pose(call, 0);
     double ticksPerRevolution = ticks(call, 1);
     boolean rotateTool = call.bool(2);
     Encoder encoder = ready(call, 3);
-    call.box().conveyor().trackCircular(center, ticksPerRevolution, rotateTool, encoder);
+    call.host().conveyor().trackCircular(center, ticksPerRevolution, rotateTool, encoder);
     return call.answer();
   }
 
-  private static double ticks(Call call, int index) throws ScriptError {
+  private static double ticks(Call<ControlBox> call, int index) throws ScriptError {
     double ticks = call.number(index);
     if (ticks == 0 || !Double.isFinite(ticks)) {
       throw call.refuse(index, "must be finite and not 0");
@@ -108,9 +108,9 @@ final class ConveyorBuiltins {
   }
 
   /** The encoder that argument {@code index} names, if a conveyor may be tracked by it now. */
-  private static Encoder ready(Call call, int index) throws ScriptError {
+  private static Encoder ready(Call<ControlBox> call, int index) throws ScriptError {
     Encoder encoder = EncoderBuiltins.encoder(call, index);
-    ControlBox box = call.box();
+    ControlBox box = call.host();
     if (box.conveyor().active()) {
       throw call.failure(
           "conveyor-tracked", "a conveyor is being tracked, stop_conveyor_tracking must end that");
@@ -132,27 +132,23 @@ final class ConveyorBuiltins {
     return encoder;
   }
 
-  private static Outcome stop(Call call) throws ScriptError {
+  private static Outcome stop(Call<ControlBox> call) throws ScriptError {
     double deceleration = MotionArguments.positive(call, 0);
-    MotionControl motion = call.box().motion();
-    try {
-      motion.endOffset(call.box().conveyor());
-    } catch (ScriptError e) {
-      throw call.failure(e.code(), e.getMessage());
-    }
+    MotionControl motion = call.host().motion();
+    Planning.act(call, () -> motion.endOffset(call.host().conveyor()));
     return MotionWait.stop(
         call, "stop_conveyor_tracking", (from, speed) -> new StopJ(from, speed, deceleration));
   }
 
-  private static Outcome poseAlongPath(Call call) {
-    ControlBox box = call.box();
+  private static Outcome poseAlongPath(Call<ControlBox> call) {
+    ControlBox box = call.host();
     return call.answer(
         box.forward().tcpPose(box.motion().pathPositionRad(), box.flange().tool().inFlange()));
   }
 
-  private static Outcome speedAlongPath(Call call) {
-    MotionControl motion = call.box().motion();
+  private static Outcome speedAlongPath(Call<ControlBox> call) {
+    MotionControl motion = call.host().motion();
     return call.answer(
-        call.box().tcpTwistInBase(motion.pathPositionRad(), motion.pathSpeedRadPerS()));
+        call.host().tcpTwistInBase(motion.pathPositionRad(), motion.pathSpeedRadPerS()));
   }
 }

@@ -1,18 +1,19 @@
 package org.pendant.controller.builtin;
 
 import org.ejml.data.DMatrixRMaj;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Declaration;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.MatrixValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.Jacobian;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Declaration;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.MatrixValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /**
  * The matrices and torques of the equations of motion (manual 16.12, 16.17, 16.18, 16.21). What a
@@ -23,7 +24,7 @@ final class DynamicsBuiltins {
 
   private DynamicsBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     withSpeeds(
             withPositions(
                 builtins
@@ -70,56 +71,56 @@ final class DynamicsBuiltins {
         .does(DynamicsBuiltins::massMatrix);
   }
 
-  private static Declaration withPositions(Declaration declaration) {
+  private static Declaration<ControlBox> withPositions(Declaration<ControlBox> declaration) {
     return declaration.mayTake("q", Type.JOINTS, Unit.RADIAN, "current joint positions");
   }
 
-  private static Declaration withSpeeds(Declaration declaration) {
+  private static Declaration<ControlBox> withSpeeds(Declaration<ControlBox> declaration) {
     return declaration.mayTake("qd", Type.JOINTS, Unit.RADIAN_PER_SECOND, "current joint speeds");
   }
 
-  private static Declaration withTcp(Declaration declaration) {
+  private static Declaration<ControlBox> withTcp(Declaration<ControlBox> declaration) {
     return declaration.mayTake("tcp", Type.POSE, Unit.NONE, "active tcp");
   }
 
-  private static Outcome coriolis(Call call) throws ScriptError {
+  private static Outcome coriolis(Call<ControlBox> call) throws ScriptError {
     double[] torqueNm = new double[Joints.COUNT];
-    call.box().model().dynamics().coriolis(positions(call, 0), speeds(call, 1), torqueNm);
+    call.host().model().dynamics().coriolis(positions(call, 0), speeds(call, 1), torqueNm);
     return call.answer(Joints.of(torqueNm));
   }
 
-  private static Outcome jacobian(Call call) throws ScriptError {
+  private static Outcome jacobian(Call<ControlBox> call) throws ScriptError {
     double[] jacobian = new double[Jacobian.SIZE];
-    call.box().jacobian().at(positions(call, 0), MotionArguments.tcpOffset(call, 1), jacobian);
+    call.host().jacobian().at(positions(call, 0), MotionArguments.tcpOffset(call, 1), jacobian);
     return call.answer(square(jacobian));
   }
 
-  private static Outcome jacobianDerivative(Call call) throws ScriptError {
+  private static Outcome jacobianDerivative(Call<ControlBox> call) throws ScriptError {
     double[] derivative = new double[Jacobian.SIZE];
-    call.box()
+    call.host()
         .jacobian()
         .derivative(
             positions(call, 0), speeds(call, 1), MotionArguments.tcpOffset(call, 2), derivative);
     return call.answer(square(derivative));
   }
 
-  private static Outcome massMatrix(Call call) throws ScriptError {
+  private static Outcome massMatrix(Call<ControlBox> call) throws ScriptError {
     DMatrixRMaj mass = new DMatrixRMaj(Joints.COUNT, Joints.COUNT);
-    call.box().model().dynamics().mass(positions(call, 0), call.bool(1), mass);
+    call.host().model().dynamics().mass(positions(call, 0), call.bool(1), mass);
     return call.answer(square(mass.data));
   }
 
-  private static double[] positions(Call call, int index) throws ScriptError {
+  private static double[] positions(Call<ControlBox> call, int index) throws ScriptError {
     Joints q =
         call.given(index)
             ? MotionArguments.joints(call, index)
-            : call.box().drive().actualPositionRad();
+            : call.host().drive().actualPositionRad();
     return q.toArray();
   }
 
-  private static double[] speeds(Call call, int index) throws ScriptError {
+  private static double[] speeds(Call<ControlBox> call, int index) throws ScriptError {
     Joints qd =
-        call.given(index) ? MotionArguments.joints(call, index) : call.box().arm().speedRadPerS();
+        call.given(index) ? MotionArguments.joints(call, index) : call.host().arm().speedRadPerS();
     return qd.toArray();
   }
 

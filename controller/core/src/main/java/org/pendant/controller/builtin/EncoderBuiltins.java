@@ -6,16 +6,16 @@ import org.pendant.controller.encoder.CountRange;
 import org.pendant.controller.encoder.Encoder;
 import org.pendant.controller.encoder.Encoders;
 import org.pendant.controller.encoder.PulseDecoder;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Encoders of conveyors (manual 15.1, 15.3 to 15.7, 15.20, 15.45). */
 final class EncoderBuiltins {
@@ -35,13 +35,13 @@ final class EncoderBuiltins {
 
   private EncoderBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareSetUp(builtins);
     declareCounts(builtins);
     declareDeprecated(builtins);
   }
 
-  private static void declareSetUp(Builtins builtins) {
+  private static void declareSetUp(Builtins<ControlBox> builtins) {
     builtins
         .declare("encoder_enable_pulse_decode")
         .manual(MODULE, "15.3")
@@ -66,7 +66,7 @@ final class EncoderBuiltins {
         .does(EncoderBuiltins::enableCounts);
   }
 
-  private static void declareCounts(Builtins builtins) {
+  private static void declareCounts(Builtins<ControlBox> builtins) {
     builtins
         .declare("encoder_get_tick_count")
         .manual(MODULE, "15.5")
@@ -99,7 +99,7 @@ final class EncoderBuiltins {
         .does(EncoderBuiltins::unwind);
   }
 
-  private static void declareDeprecated(Builtins builtins) {
+  private static void declareDeprecated(Builtins<ControlBox> builtins) {
     builtins
         .declare("conveyor_pulse_decode")
         .manual(MODULE, "15.1")
@@ -118,7 +118,7 @@ final class EncoderBuiltins {
         .returns(Type.NUMBER)
         .deprecated("encoder_get_tick_count")
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.box().encoders().get(0).filteredCount()));
+        .does(call -> call.answer(call.host().encoders().get(0).filteredCount()));
     builtins
         .declare("set_conveyor_tick_count")
         .manual(MODULE, "15.45")
@@ -132,11 +132,11 @@ final class EncoderBuiltins {
   }
 
   /** The encoder that argument {@code index} names. */
-  static Encoder encoder(Call call, int index) throws ScriptError {
-    return call.box().encoders().get(call.integer(index, 0, Encoders.COUNT - 1));
+  static Encoder encoder(Call<ControlBox> call, int index) throws ScriptError {
+    return call.host().encoders().get(call.integer(index, 0, Encoders.COUNT - 1));
   }
 
-  private static Outcome enablePulses(Call call) throws ScriptError {
+  private static Outcome enablePulses(Call<ControlBox> call) throws ScriptError {
     Encoder encoder = encoder(call, 0);
     int type = call.integer(1, 0, LAST_DECODER);
     int a = call.integer(2, FIRST_PIN, LAST_PIN) - FIRST_PIN;
@@ -144,11 +144,11 @@ final class EncoderBuiltins {
     if (type == QUADRATURE && a == b) {
       throw call.refuse(3, "must be another input than A");
     }
-    decode(call.box(), encoder, type, SignalBank.CONFIGURABLE_IN, a, b);
+    decode(call.host(), encoder, type, SignalBank.CONFIGURABLE_IN, a, b);
     return call.answer();
   }
 
-  private static Outcome oldPulses(Call call) throws ScriptError {
+  private static Outcome oldPulses(Call<ControlBox> call) throws ScriptError {
     int type = call.integer(0, 0, LAST_DECODER);
     int a = call.integer(1, 0, LAST_OLD_PIN);
     boolean quadrature = type == QUADRATURE;
@@ -160,7 +160,7 @@ final class EncoderBuiltins {
     if (quadrature && a == b) {
       throw call.refuse(2, "must be another input than A");
     }
-    decode(call.box(), call.box().encoders().get(0), type, SignalBank.STANDARD_IN, a, b);
+    decode(call.host(), call.host().encoders().get(0), type, SignalBank.STANDARD_IN, a, b);
     return call.answer();
   }
 
@@ -174,13 +174,13 @@ final class EncoderBuiltins {
     }
   }
 
-  private static Outcome enableCounts(Call call) throws ScriptError {
+  private static Outcome enableCounts(Call<ControlBox> call) throws ScriptError {
     Encoder encoder = encoder(call, 0);
     encoder.expectCounts(CountRange.of(call.integer(1, 0, LAST_RANGE)));
     return call.answer();
   }
 
-  private static Outcome count(Call call) throws ScriptError {
+  private static Outcome count(Call<ControlBox> call) throws ScriptError {
     Encoder encoder = encoder(call, 0);
     return switch (call.word(1)) {
       case "" -> call.answer(encoder.filteredCount());
@@ -189,7 +189,7 @@ final class EncoderBuiltins {
     };
   }
 
-  private static Outcome setCount(Call call) throws ScriptError {
+  private static Outcome setCount(Call<ControlBox> call) throws ScriptError {
     Encoder encoder = encoder(call, 0);
     Optional<CountRange> range = encoder.toldRange();
     if (range.isEmpty()) {
@@ -203,10 +203,10 @@ final class EncoderBuiltins {
     return call.answer();
   }
 
-  private static Outcome oldSetCount(Call call) throws ScriptError {
+  private static Outcome oldSetCount(Call<ControlBox> call) throws ScriptError {
     CountRange range = CountRange.of(call.integer(1, 0, LAST_RANGE));
     long count = countIn(call, 0, range);
-    Encoder encoder = call.box().encoders().get(0);
+    Encoder encoder = call.host().encoders().get(0);
     if (!encoder.toldRange().equals(Optional.of(range))) {
       encoder.expectCounts(range);
     }
@@ -214,7 +214,8 @@ final class EncoderBuiltins {
     return call.answer();
   }
 
-  private static long countIn(Call call, int index, CountRange range) throws ScriptError {
+  private static long countIn(Call<ControlBox> call, int index, CountRange range)
+      throws ScriptError {
     double count = call.number(index);
     if (count != Math.rint(count)) {
       throw call.refuse(index, "must be a whole number");
@@ -225,7 +226,7 @@ final class EncoderBuiltins {
     return (long) count;
   }
 
-  private static Outcome unwind(Call call) throws ScriptError {
+  private static Outcome unwind(Call<ControlBox> call) throws ScriptError {
     Encoder encoder = encoder(call, 0);
     double difference = call.number(1);
     if (!Double.isFinite(difference)) {

@@ -3,17 +3,17 @@ package org.pendant.controller.builtin;
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.motion.force.ForceAxis;
-import org.pendant.controller.motion.force.ForceTask;
-import org.pendant.controller.motion.force.FrameKind;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.force.ForceAxis;
+import org.pendant.motion.force.ForceTask;
+import org.pendant.motion.force.FrameKind;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** Pressing with a force (manual 15.8, 15.10, 15.12 to 15.17, 15.43). */
 final class ForceBuiltins {
@@ -23,7 +23,7 @@ final class ForceBuiltins {
 
   private ForceBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareForceMode(builtins);
     declareTuning(builtins);
     builtins
@@ -42,7 +42,7 @@ final class ForceBuiltins {
         .does(ForceBuiltins::end);
   }
 
-  private static void declareForceMode(Builtins builtins) {
+  private static void declareForceMode(Builtins<ControlBox> builtins) {
     builtins
         .declare("force_mode")
         .manual(MODULE, "15.12")
@@ -66,7 +66,7 @@ final class ForceBuiltins {
         .does(ForceBuiltins::end);
   }
 
-  private static void declareTuning(Builtins builtins) {
+  private static void declareTuning(Builtins<ControlBox> builtins) {
     builtins
         .declare("force_mode_set_damping")
         .manual(MODULE, "15.16")
@@ -76,7 +76,7 @@ final class ForceBuiltins {
         .needs("damping", Type.NUMBER)
         .does(
             call -> {
-              call.box().forceMode().setDamping(within(call, 1));
+              call.host().forceMode().setDamping(within(call, 1));
               return call.answer();
             });
     builtins
@@ -85,7 +85,7 @@ final class ForceBuiltins {
         .doc("The share of its speed that the TCP loses in each frame in force mode.")
         .returns(Type.NUMBER)
         .effect(Effect.ASKS)
-        .does(call -> call.answer(call.box().forceMode().damping()));
+        .does(call -> call.answer(call.host().forceMode().damping()));
     builtins
         .declare("force_mode_set_gain_scaling")
         .manual(MODULE, "15.17")
@@ -95,7 +95,7 @@ final class ForceBuiltins {
         .needs("scaling", Type.NUMBER)
         .does(
             call -> {
-              call.box().forceMode().setGainScaling(within(call, LARGEST_GAIN));
+              call.host().forceMode().setGainScaling(within(call, LARGEST_GAIN));
               return call.answer();
             });
     builtins
@@ -104,10 +104,10 @@ final class ForceBuiltins {
         .doc("How strongly the TCP answers to forces in force mode.")
         .returns(Type.NUMBER)
         .effect(Effect.ASKS)
-        .does(call -> call.answer(call.box().forceMode().gainScaling()));
+        .does(call -> call.answer(call.host().forceMode().gainScaling()));
   }
 
-  private static double within(Call call, double largest) throws ScriptError {
+  private static double within(Call<ControlBox> call, double largest) throws ScriptError {
     double number = call.number(0);
     if (!(number >= 0 && number <= largest)) {
       throw call.refuse(0, "must be 0 to " + Math.round(largest));
@@ -115,7 +115,7 @@ final class ForceBuiltins {
     return number;
   }
 
-  private static Outcome forceMode(Call call) throws ScriptError {
+  private static Outcome forceMode(Call<ControlBox> call) throws ScriptError {
     Pose frame = MotionArguments.pose(call, 0);
     double[] selection = call.numbers(1, ForceTask.AXES);
     double[] wrench = call.numbers(2, ForceTask.AXES);
@@ -139,7 +139,7 @@ final class ForceBuiltins {
     return start(call, new ForceTask(kind, frame, axes));
   }
 
-  private static FrameKind kind(Call call) throws ScriptError {
+  private static FrameKind kind(Call<ControlBox> call) throws ScriptError {
     return switch (call.integer(3, 1, 3)) {
       case 1 -> FrameKind.POINT;
       case 2 -> FrameKind.FIXED;
@@ -147,7 +147,7 @@ final class ForceBuiltins {
     };
   }
 
-  private static Outcome screwDriving(Call call) throws ScriptError {
+  private static Outcome screwDriving(Call<ControlBox> call) throws ScriptError {
     double forceN = call.number(0);
     if (!Double.isFinite(forceN)) {
       throw call.refuse(0, "must be finite");
@@ -155,23 +155,23 @@ final class ForceBuiltins {
     return start(call, ForceTask.screwDriving(forceN, MotionArguments.positive(call, 1)));
   }
 
-  private static Outcome start(Call call, ForceTask task) throws ScriptError {
-    ControlBox box = call.box();
+  private static Outcome start(Call<ControlBox> call, ForceTask task) throws ScriptError {
+    ControlBox box = call.host();
     if (box.pathOffset().active()) {
       throw call.failure(
           "path-offset", "path offset is enabled, path_offset_disable must end that first");
     }
-    try {
-      box.drive().requirePower();
-      box.forceMode().start(task, box.targetTcpInBase());
-    } catch (ScriptError e) {
-      throw call.failure(e.code(), e.getMessage());
-    }
-    return call.answer();
+    return Planning.named(
+        call,
+        () -> {
+          box.drive().requirePower();
+          box.forceMode().start(task, box.targetTcpInBase());
+          return call.answer();
+        });
   }
 
-  private static Outcome end(Call call) {
-    call.box().forceMode().finish();
+  private static Outcome end(Call<ControlBox> call) {
+    call.host().forceMode().finish();
     return call.answer();
   }
 }

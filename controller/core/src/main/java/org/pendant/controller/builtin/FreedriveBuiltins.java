@@ -1,20 +1,21 @@
 package org.pendant.controller.builtin;
 
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.freedrive.FreedriveHolder;
 import org.pendant.controller.freedrive.FreedriveMode;
 import org.pendant.controller.freedrive.FreedriveStart;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.PoseValue;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
 import org.pendant.models.pose.Pose;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.PoseValue;
+import org.pendant.script.value.ScriptError;
 
 /** Guiding the arm by hand (manual 15.9, 15.11, 15.18, 15.19, 15.21, 15.55). */
 final class FreedriveBuiltins {
@@ -22,7 +23,7 @@ final class FreedriveBuiltins {
 
   private FreedriveBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("freedrive_mode")
         .manual(MODULE, "15.18")
@@ -66,14 +67,14 @@ final class FreedriveBuiltins {
                 + " away, 1 near, 2 too close.")
         .returns(Type.INT)
         .effect(Effect.SENSES)
-        .does(call -> call.answerInt(call.box().freedrive().singularity().code()));
+        .does(call -> call.answerInt(call.host().freedrive().singularity().code()));
   }
 
-  private static Outcome freedrive(Call call) throws ScriptError {
+  private static Outcome freedrive(Call<ControlBox> call) throws ScriptError {
     return start(call, new FreedriveMode(FreedriveHolder.PROGRAM, axes(call), frame(call), true));
   }
 
-  private static FreeAxes axes(Call call) throws ScriptError {
+  private static FreeAxes axes(Call<ControlBox> call) throws ScriptError {
     double[] numbers = call.numbers(0, FreeAxes.COUNT);
     FreeAxes axes = FreeAxes.ALL;
     for (int i = 0; i < FreeAxes.COUNT; i++) {
@@ -85,7 +86,7 @@ final class FreedriveBuiltins {
     return axes;
   }
 
-  private static FreedriveFrame frame(Call call) throws ScriptError {
+  private static FreedriveFrame frame(Call<ControlBox> call) throws ScriptError {
     if (call.kind(1) == Kind.POSE) {
       return new FreedriveFrame.Feature(MotionArguments.pose(call, 1));
     }
@@ -99,13 +100,13 @@ final class FreedriveBuiltins {
     };
   }
 
-  private static Outcome start(Call call, FreedriveMode mode) throws ScriptError {
-    switch (call.box().freedrive().start(mode)) {
+  private static Outcome start(Call<ControlBox> call, FreedriveMode mode) throws ScriptError {
+    switch (call.host().freedrive().start(mode)) {
       case FreedriveStart.Started _ -> {}
       case FreedriveStart.Refused refused ->
           throw call.failure("freedrive-refused", refused.reason());
       case FreedriveStart.WrongPayload wrong -> {
-        call.box().safety().wrongPayload(wrong.errorN(), wrong.toleranceN());
+        call.host().safety().wrongPayload(wrong.errorN(), wrong.toleranceN());
         // the stop takes effect later in this frame: until then the program must not go on
         call.program().pause();
       }
@@ -113,8 +114,8 @@ final class FreedriveBuiltins {
     return call.answer();
   }
 
-  private static Outcome end(Call call) {
-    call.box().freedrive().end();
+  private static Outcome end(Call<ControlBox> call) {
+    call.host().freedrive().end();
     return call.answer();
   }
 }

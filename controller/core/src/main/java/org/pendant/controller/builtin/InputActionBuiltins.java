@@ -1,15 +1,16 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Declaration;
-import org.pendant.controller.function.Outcome;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Declaration;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** What high levels of inputs do by themselves (manual 19.3 to 19.5, 19.12, 19.14). */
 final class InputActionBuiltins {
@@ -17,7 +18,7 @@ final class InputActionBuiltins {
 
   private InputActionBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     action(builtins, "set_configurable_digital_input_action", "19.3")
         .doc(
             "Lets a configurable digital input, 0 to 7, do nothing by itself (\"default\") or"
@@ -45,7 +46,8 @@ final class InputActionBuiltins {
         .does(call -> set(call, SignalBank.TOOL_IN));
   }
 
-  private static Declaration action(Builtins builtins, String name, String section) {
+  private static Declaration<ControlBox> action(
+      Builtins<ControlBox> builtins, String name, String section) {
     return builtins
         .declare(name)
         .manual(MODULE, section)
@@ -53,19 +55,19 @@ final class InputActionBuiltins {
         .needs("action", Type.STRING);
   }
 
-  private static Outcome set(Call call, SignalBank bank) throws ScriptError {
+  private static Outcome set(Call<ControlBox> call, SignalBank bank) throws ScriptError {
     int port = call.integer(0, 0, bank.size() - 1);
-    call.box().signals().setAction(new Signal(bank, port), action(call));
+    call.host().signals().setAction(new Signal(bank, port), action(call));
     return call.answer();
   }
 
-  private static Outcome setRegister(Call call) throws ScriptError {
+  private static Outcome setRegister(Call<ControlBox> call) throws ScriptError {
     int port = call.integer(0, 0, RegisterKind.BOOLEAN.size() - 1);
-    call.box().signals().setRegisterAction(port, action(call));
+    call.host().signals().setRegisterAction(port, action(call));
     return call.answer();
   }
 
-  private static InputAction action(Call call) throws ScriptError {
+  private static InputAction action(Call<ControlBox> call) throws ScriptError {
     return switch (call.word(1)) {
       case "default" -> InputAction.DEFAULT;
       case "freedrive" -> InputAction.FREEDRIVE;
@@ -73,8 +75,8 @@ final class InputActionBuiltins {
     };
   }
 
-  private static Outcome clear(Call call) {
-    call.box().signals().clearActions();
+  private static Outcome clear(Call<ControlBox> call) {
+    call.host().signals().clearActions();
     return call.answer();
   }
 }

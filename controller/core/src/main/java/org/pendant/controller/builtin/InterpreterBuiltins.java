@@ -1,8 +1,9 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.value.Value;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.value.Value;
 
 /** Interpreter mode as programs see it (manual 13). */
 final class InterpreterBuiltins {
@@ -10,7 +11,7 @@ final class InterpreterBuiltins {
 
   private InterpreterBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("interpreter_mode")
         .manual(MODULE, "13.2")

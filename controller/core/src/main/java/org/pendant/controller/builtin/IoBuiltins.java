@@ -1,13 +1,14 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Declaration;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.io.SignalBank;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Declaration;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** Digital signals and flags (manual 18.5 to 18.9, 18.13 to 18.17, 18.44 to 18.49). */
 final class IoBuiltins {
@@ -15,13 +16,13 @@ final class IoBuiltins {
 
   private IoBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareReading(builtins);
     declareWriting(builtins);
     declareDeprecated(builtins);
   }
 
-  private static void declareReading(Builtins builtins) {
+  private static void declareReading(Builtins<ControlBox> builtins) {
     read(builtins, "get_configurable_digital_in", "18.5")
         .doc("The level of a configurable digital input, 0 to 7.")
         .does(call -> get(call, SignalBank.CONFIGURABLE_IN));
@@ -45,7 +46,7 @@ final class IoBuiltins {
         .does(call -> get(call, SignalBank.TOOL_OUT));
   }
 
-  private static void declareWriting(Builtins builtins) {
+  private static void declareWriting(Builtins<ControlBox> builtins) {
     write(builtins, "set_configurable_digital_out", "18.44")
         .doc("Sets a configurable digital output, 0 to 7.")
         .does(call -> set(call, SignalBank.CONFIGURABLE_OUT));
@@ -60,7 +61,7 @@ final class IoBuiltins {
         .does(call -> set(call, SignalBank.TOOL_OUT));
   }
 
-  private static void declareDeprecated(Builtins builtins) {
+  private static void declareDeprecated(Builtins<ControlBox> builtins) {
     read(builtins, "get_digital_in", "18.7")
         .doc("The level of a digital input: 0 to 7 are standard ones, 8 and 9 the tool's.")
         .deprecated("get_standard_digital_in")
@@ -75,7 +76,8 @@ final class IoBuiltins {
         .does(IoBuiltins::setOld);
   }
 
-  private static Declaration read(Builtins builtins, String name, String section) {
+  private static Declaration<ControlBox> read(
+      Builtins<ControlBox> builtins, String name, String section) {
     return builtins
         .declare(name)
         .manual(MODULE, section)
@@ -84,7 +86,8 @@ final class IoBuiltins {
         .effect(Effect.ASKS);
   }
 
-  private static Declaration write(Builtins builtins, String name, String section) {
+  private static Declaration<ControlBox> write(
+      Builtins<ControlBox> builtins, String name, String section) {
     return builtins
         .declare(name)
         .manual(MODULE, section)
@@ -93,32 +96,32 @@ final class IoBuiltins {
         .effect(Effect.TELLS);
   }
 
-  private static Outcome get(Call call, SignalBank bank) throws ScriptError {
-    return call.answer(call.box().io().level(bank, call.integer(0, 0, bank.size() - 1)));
+  private static Outcome get(Call<ControlBox> call, SignalBank bank) throws ScriptError {
+    return call.answer(call.host().io().level(bank, call.integer(0, 0, bank.size() - 1)));
   }
 
-  private static Outcome set(Call call, SignalBank bank) throws ScriptError {
-    call.box().io().set(bank, call.integer(0, 0, bank.size() - 1), call.bool(1));
+  private static Outcome set(Call<ControlBox> call, SignalBank bank) throws ScriptError {
+    call.host().io().set(bank, call.integer(0, 0, bank.size() - 1), call.bool(1));
     return call.answer();
   }
 
-  private static Outcome getOld(Call call, SignalBank standard, SignalBank tool)
+  private static Outcome getOld(Call<ControlBox> call, SignalBank standard, SignalBank tool)
       throws ScriptError {
     int n = call.integer(0, 0, standard.size() + tool.size() - 1);
     boolean onTool = n >= standard.size();
     return call.answer(
         onTool
-            ? call.box().io().level(tool, n - standard.size())
-            : call.box().io().level(standard, n));
+            ? call.host().io().level(tool, n - standard.size())
+            : call.host().io().level(standard, n));
   }
 
-  private static Outcome setOld(Call call) throws ScriptError {
+  private static Outcome setOld(Call<ControlBox> call) throws ScriptError {
     int standard = SignalBank.STANDARD_OUT.size();
     int n = call.integer(0, 0, standard + SignalBank.TOOL_OUT.size() - 1);
     if (n >= standard) {
-      call.box().io().set(SignalBank.TOOL_OUT, n - standard, call.bool(1));
+      call.host().io().set(SignalBank.TOOL_OUT, n - standard, call.bool(1));
     } else {
-      call.box().io().set(SignalBank.STANDARD_OUT, n, call.bool(1));
+      call.host().io().set(SignalBank.STANDARD_OUT, n, call.bool(1));
     }
     return call.answer();
   }

@@ -1,18 +1,19 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Declaration;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.PoseValue;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.kinematics.InverseResult;
 import org.pendant.models.pose.Pose;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Declaration;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.PoseValue;
+import org.pendant.script.value.ScriptError;
 
 /** From joint positions to poses and back (manual 16.13 to 16.16). */
 final class KinematicsBuiltins {
@@ -24,7 +25,7 @@ final class KinematicsBuiltins {
 
   private KinematicsBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("get_forward_kin")
         .manual(MODULE, "16.13")
@@ -60,7 +61,7 @@ final class KinematicsBuiltins {
         .does(call -> call.answer(solve(call) instanceof InverseResult.Reached));
   }
 
-  private static Declaration withTolerances(Declaration declaration) {
+  private static Declaration<ControlBox> withTolerances(Declaration<ControlBox> declaration) {
     double error = InverseKinematics.DEFAULT_ERROR;
     return declaration
         .mayTake("qnear", Type.JOINTS, Unit.RADIAN, PRESENT_JOINTS)
@@ -69,12 +70,12 @@ final class KinematicsBuiltins {
         .mayTake("tcp", Type.POSE, Unit.NONE, ACTIVE_TCP);
   }
 
-  private static Outcome forward(Call call) throws ScriptError {
-    Joints q = call.given(0) ? MotionArguments.joints(call, 0) : call.box().arm().positionRad();
-    return call.answer(call.box().forward().tcpPose(q, MotionArguments.tcpOffset(call, 1)));
+  private static Outcome forward(Call<ControlBox> call) throws ScriptError {
+    Joints q = call.given(0) ? MotionArguments.joints(call, 0) : call.host().arm().positionRad();
+    return call.answer(call.host().forward().tcpPose(q, MotionArguments.tcpOffset(call, 1)));
   }
 
-  private static Outcome inverse(Call call) throws ScriptError {
+  private static Outcome inverse(Call<ControlBox> call) throws ScriptError {
     return switch (solve(call)) {
       case InverseResult.Reached found -> call.answer(found.q());
       case InverseResult.Unreachable none ->
@@ -84,10 +85,10 @@ final class KinematicsBuiltins {
     };
   }
 
-  private static InverseResult solve(Call call) throws ScriptError {
+  private static InverseResult solve(Call<ControlBox> call) throws ScriptError {
     Pose pose = MotionArguments.pose(call, 0);
     Pose flange = InverseKinematics.flangeOf(pose, MotionArguments.tcpOffset(call, 4));
-    return call.box()
+    return call.host()
         .inverse()
         .find(
             flange,

@@ -1,21 +1,22 @@
 package org.pendant.controller.builtin;
 
 import java.util.Arrays;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.ListValue;
-import org.pendant.controller.value.MatrixValue;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ObjectList;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.StringValue;
-import org.pendant.controller.value.StructValue;
-import org.pendant.controller.value.Value;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.ListValue;
+import org.pendant.script.value.MatrixValue;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ObjectList;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.StringValue;
+import org.pendant.script.value.StructValue;
+import org.pendant.script.value.Value;
 
 /** Functions that make and measure lists (manual 17); their methods are {@link ListMethods}. */
 final class ListBuiltins {
@@ -23,7 +24,7 @@ final class ListBuiltins {
 
   private ListBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("binary_list_to_integer")
         .manual("urmath", "17.5")
@@ -82,7 +83,7 @@ final class ListBuiltins {
         .does(ListBuiltins::size);
   }
 
-  private static Outcome integerOfBits(Call call) throws ScriptError {
+  private static Outcome integerOfBits(Call<?> call) throws ScriptError {
     ListValue list = call.list(0);
     int bits = 0;
     if (list instanceof NumberList bools
@@ -95,7 +96,7 @@ final class ListBuiltins {
     throw call.wrongKind(0, "a list of bool");
   }
 
-  private static Outcome bitsOfInteger(Call call) throws ScriptError {
+  private static Outcome bitsOfInteger(Call<?> call) throws ScriptError {
     int x = call.integer(0);
     boolean[] bits = new boolean[Integer.SIZE];
     for (int i = 0; i < bits.length; i++) {
@@ -104,7 +105,7 @@ final class ListBuiltins {
     return call.answer(NumberList.ofBools(bits));
   }
 
-  private static Outcome length(Call call) throws ScriptError {
+  private static Outcome length(Call<?> call) throws ScriptError {
     return switch (call.value(0)) {
       case ListValue list -> call.answerInt(list.length());
       case StringValue text -> call.answerInt(text.length());
@@ -113,7 +114,7 @@ final class ListBuiltins {
     };
   }
 
-  private static Outcome size(Call call) throws ScriptError {
+  private static Outcome size(Call<?> call) throws ScriptError {
     return switch (call.value(0)) {
       case ListValue list -> call.answerInt(list.length());
       case StringValue text -> call.answerInt(text.length());
@@ -122,7 +123,7 @@ final class ListBuiltins {
     };
   }
 
-  private static Outcome makeList(Call call) throws ScriptError {
+  private static Outcome makeList(Call<?> call) throws ScriptError {
     int length = call.integer(0, 0, ListValue.MAX_CAPACITY);
     int capacity = call.given(2) ? call.integer(2, length, ListValue.MAX_CAPACITY) : length;
     Kind kind = call.kind(1);

@@ -1,17 +1,18 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.ListValue;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ObjectList;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.StructValue;
-import org.pendant.controller.value.Value;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.ListValue;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ObjectList;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.StructValue;
+import org.pendant.script.value.Value;
 
 /** The methods of lists (manual 4.3.1). They change the variable they are called on in place. */
 final class ListMethods {
@@ -23,12 +24,12 @@ final class ListMethods {
 
   private ListMethods() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareMeasures(builtins);
     declareChanges(builtins);
   }
 
-  private static void declareMeasures(Builtins builtins) {
+  private static void declareMeasures(Builtins<ControlBox> builtins) {
     builtins
         .declareMethod(Type.LIST, "capacity")
         .manual(MODULE, SECTION)
@@ -68,14 +69,14 @@ final class ListMethods {
         .does(StringBuiltins::toStringMethod);
   }
 
-  private static Outcome slice(Call call) throws ScriptError {
+  private static Outcome slice(Call<?> call) throws ScriptError {
     int begin = call.integer(1);
     int end = call.integer(2);
     call.charge(cost(call.list(0), Math.max(0, Math.min(end - begin, ListValue.MAX_CAPACITY))));
     return call.answer(call.list(0).slice(begin, end));
   }
 
-  private static void declareChanges(Builtins builtins) {
+  private static void declareChanges(Builtins<ControlBox> builtins) {
     builtins
         .declareMethod(Type.LIST, "append")
         .manual(MODULE, SECTION)
@@ -131,7 +132,7 @@ final class ListMethods {
    *
    * @param elements how many elements the change goes through
    */
-  private static ListValue changed(Call call, int elements) throws ScriptError {
+  private static ListValue changed(Call<?> call, int elements) throws ScriptError {
     ListValue list = call.list(0);
     call.charge((long) elements + (list.shared() ? list.capacity() : 0));
     return list;
@@ -144,7 +145,7 @@ final class ListMethods {
         : count;
   }
 
-  private static Outcome append(Call call) throws ScriptError {
+  private static Outcome append(Call<?> call) throws ScriptError {
     ListValue list = changed(call, 1);
     call.charge(cost(list, 1));
     Kind kind = call.kind(1);
@@ -156,26 +157,26 @@ final class ListMethods {
     return call.answer();
   }
 
-  private static Outcome clear(Call call) throws ScriptError {
+  private static Outcome clear(Call<?> call) throws ScriptError {
     call.charge(call.list(0) instanceof ObjectList list ? list.capacity() : 0);
     call.list(0).clear();
     return call.answer();
   }
 
-  private static Outcome extend(Call call) throws ScriptError {
+  private static Outcome extend(Call<?> call) throws ScriptError {
     ListValue source = call.list(1);
     call.charge(cost(source, source.length()));
     changed(call, source.length()).extend(source);
     return call.answer();
   }
 
-  private static Outcome insert(Call call) throws ScriptError {
+  private static Outcome insert(Call<?> call) throws ScriptError {
     call.charge(cost(call.list(0), 1));
     changed(call, call.list(0).length()).insert(call.integer(1), call.value(2).copy());
     return call.answer();
   }
 
-  private static Outcome pop(Call call) throws ScriptError {
+  private static Outcome pop(Call<?> call) throws ScriptError {
     ListValue list = changed(call, 1);
     if (list.length() == 0) {
       throw call.failure("index-out-of-range", "the list is empty, must have an element");
@@ -186,7 +187,7 @@ final class ListMethods {
     return call.answer(last);
   }
 
-  private static Outcome remove(Call call) throws ScriptError {
+  private static Outcome remove(Call<?> call) throws ScriptError {
     changed(call, call.list(0).length()).remove(call.integer(1));
     return call.answer();
   }

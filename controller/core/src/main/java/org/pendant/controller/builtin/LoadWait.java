@@ -2,11 +2,12 @@ package org.pendant.controller.builtin;
 
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Wait;
-import org.pendant.controller.toolpath.BackgroundTask;
-import org.pendant.controller.toolpath.nc.NcPath;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.motion.PlanningException;
+import org.pendant.motion.toolpath.BackgroundTask;
+import org.pendant.motion.toolpath.nc.NcPath;
+import org.pendant.script.function.Wait;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** A script thread waits for a large toolpath file. */
 final class LoadWait implements Wait {
@@ -28,15 +29,12 @@ final class LoadWait implements Wait {
     if (!reading.over()) {
       return Optional.empty();
     }
-    try {
-      return Optional.of(Value.of(keep(box, reading.result(), feeds)));
-    } catch (ScriptError e) {
-      throw new ScriptError(e.code(), FUNCTION + e.getMessage());
-    }
+    return Optional.of(
+        Value.of((int) Planning.named(FUNCTION, () -> keep(box, reading.result(), feeds))));
   }
 
   /** Keeps a file that has been read, and says what of it has no effect. */
-  static int keep(ControlBox box, NcPath path, boolean feeds) throws ScriptError {
+  static int keep(ControlBox box, NcPath path, boolean feeds) throws PlanningException {
     int id = box.toolpaths().keep(path, feeds);
     box.clock().determinism().read(path.file(), path.hashCode());
     if (!path.ignored().isEmpty()) {

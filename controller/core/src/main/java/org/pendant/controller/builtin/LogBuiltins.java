@@ -1,17 +1,18 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.function.Wait;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.message.OpenPopups;
 import org.pendant.controller.message.Popup;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.function.Wait;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Log lines and popups (manual 16.41, 16.63). */
 final class LogBuiltins {
@@ -26,7 +27,7 @@ final class LogBuiltins {
 
   private LogBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("popup")
         .manual(MODULE, "16.41")
@@ -59,20 +60,20 @@ final class LogBuiltins {
         .does(LogBuiltins::varmsg);
   }
 
-  private static Outcome popup(Call call) throws ScriptError {
+  private static Outcome popup(Call<ControlBox> call) throws ScriptError {
     return call.withText(text -> popup(call, text), 0);
   }
 
-  private static Outcome popup(Call call, String text) throws ScriptError {
+  private static Outcome popup(Call<ControlBox> call, String text) throws ScriptError {
     Popup.Severity severity = Popup.Severity.MESSAGE;
     if (call.bool(3)) {
       severity = Popup.Severity.ERROR;
     } else if (call.bool(2)) {
       severity = Popup.Severity.WARNING;
     }
-    OpenPopups board = call.box().popups();
+    OpenPopups board = call.host().popups();
     boolean blocking = call.bool(4);
-    Popup popup = board.show(call.box().clock().timeS(), call.text(1), text, severity, blocking);
+    Popup popup = board.show(call.host().clock().timeS(), call.text(1), text, severity, blocking);
     if (!blocking) {
       return call.answer();
     }
@@ -92,23 +93,23 @@ final class LogBuiltins {
     }
   }
 
-  private static Outcome textmsg(Call call) throws ScriptError {
+  private static Outcome textmsg(Call<ControlBox> call) throws ScriptError {
     return call.withText(
         text -> {
           call.charge(text.length() / BYTES_A_NS);
-          call.box().log().script(text);
+          call.host().log().script(text);
           return call.answer();
         },
         0,
         1);
   }
 
-  private static Outcome varmsg(Call call) throws ScriptError {
+  private static Outcome varmsg(Call<ControlBox> call) throws ScriptError {
     String name = call.text(0);
     return call.withText(
         value -> {
           call.charge((name.length() + value.length()) / BYTES_A_NS);
-          call.box().log().info(name + " = " + value);
+          call.host().log().info(name + " = " + value);
           return call.answer();
         },
         1);

@@ -1,12 +1,13 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** Functions of plain numbers (manual 17). */
 final class MathBuiltins {
@@ -14,13 +15,13 @@ final class MathBuiltins {
 
   private MathBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareTrigonometry(builtins);
     declareRounding(builtins);
     declarePowers(builtins);
   }
 
-  private static void declareTrigonometry(Builtins builtins) {
+  private static void declareTrigonometry(Builtins<ControlBox> builtins) {
     builtins
         .declare("acos")
         .manual("urmath", "17.1")
@@ -98,7 +99,7 @@ final class MathBuiltins {
         .does(call -> call.answer(Math.tan(call.number(0))));
   }
 
-  private static void declareRounding(Builtins builtins) {
+  private static void declareRounding(Builtins<ControlBox> builtins) {
     builtins
         .declare("ceil")
         .manual("urmath", "17.6")
@@ -122,10 +123,10 @@ final class MathBuiltins {
             "A random number from 0 up to but without 1. The numbers follow from the controller's"
                 + " seed, so runs with the same seed are alike.")
         .returns(Type.NUMBER)
-        .does(call -> call.answer(call.box().random().nextDouble()));
+        .does(call -> call.answer(call.host().random().nextDouble()));
   }
 
-  private static void declarePowers(Builtins builtins) {
+  private static void declarePowers(Builtins<ControlBox> builtins) {
     builtins
         .declare("log")
         .manual("urmath", "17.16")
@@ -158,7 +159,7 @@ final class MathBuiltins {
         .does(MathBuiltins::sqrt);
   }
 
-  private static double withinOne(Call call) throws ScriptError {
+  private static double withinOne(Call<ControlBox> call) throws ScriptError {
     double f = call.number(0);
     if (f >= -1 && f <= 1) {
       return f;
@@ -166,7 +167,7 @@ final class MathBuiltins {
     throw call.refuse(0, "must be -1 to 1");
   }
 
-  private static int rounded(Call call, double whole) throws ScriptError {
+  private static int rounded(Call<ControlBox> call, double whole) throws ScriptError {
     int result = (int) whole;
     if (result != whole) {
       throw call.refuse(0, "the result must be -2147483648 to 2147483647");
@@ -174,7 +175,7 @@ final class MathBuiltins {
     return result;
   }
 
-  private static Outcome log(Call call) throws ScriptError {
+  private static Outcome log(Call<ControlBox> call) throws ScriptError {
     double base = call.number(0);
     double f = call.number(1);
     if (base < 0) {
@@ -192,7 +193,7 @@ final class MathBuiltins {
     return call.answer(Math.pow(base, whole) == f ? whole : quotient);
   }
 
-  private static Outcome pow(Call call) throws ScriptError {
+  private static Outcome pow(Call<ControlBox> call) throws ScriptError {
     double base = call.number(0);
     double exponent = call.number(1);
     if (base < 0 && exponent != Math.rint(exponent)) {
@@ -204,7 +205,7 @@ final class MathBuiltins {
     return call.answer(Math.pow(base, exponent));
   }
 
-  private static Outcome sqrt(Call call) throws ScriptError {
+  private static Outcome sqrt(Call<ControlBox> call) throws ScriptError {
     double f = call.number(0);
     if (f < 0) {
       throw call.refuse(0, "must not be negative");

@@ -1,23 +1,24 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.MatrixValue;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.Operators;
-import org.pendant.controller.value.PoseValue;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.models.pose.Poses;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.MatrixValue;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.Operators;
+import org.pendant.script.value.PoseValue;
+import org.pendant.script.value.ScriptError;
 
 /** Functions and methods of matrices (manual 4.3.3, 17.14, 17.34). */
 final class MatrixBuiltins {
   private MatrixBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("inv")
         .manual("urmath", "17.14")
@@ -83,7 +84,7 @@ final class MatrixBuiltins {
     return NumberList.ofInts(matrix.rows(), matrix.columns());
   }
 
-  private static Outcome inverse(Call call) throws ScriptError {
+  private static Outcome inverse(Call<?> call) throws ScriptError {
     return switch (call.value(0)) {
       case PoseValue pose -> call.answer(Poses.inverse(pose.pose()));
       case MatrixValue matrix -> inverse(call, matrix);
@@ -91,7 +92,7 @@ final class MatrixBuiltins {
     };
   }
 
-  private static Outcome inverse(Call call, MatrixValue matrix) throws ScriptError {
+  private static Outcome inverse(Call<?> call, MatrixValue matrix) throws ScriptError {
     if (matrix.rows() != matrix.columns()) {
       throw call.failure(
           "wrong-length",
@@ -100,7 +101,7 @@ final class MatrixBuiltins {
     return call.answerLater(() -> Operators.beginInverse(matrix));
   }
 
-  private static Outcome transpose(Call call) throws ScriptError {
+  private static Outcome transpose(Call<?> call) throws ScriptError {
     return switch (call.value(0)) {
       case MatrixValue matrix when matrix.columns() == 1 -> call.answer(matrix.column(0));
       case MatrixValue matrix -> call.answerLater(() -> Operators.beginTranspose(matrix));

@@ -3,13 +3,14 @@ package org.pendant.controller.builtin;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.external.ModbusAddress;
 import org.pendant.controller.external.ModbusKind;
-import org.pendant.controller.function.Call;
 import org.pendant.controller.modbus.ModbusSignal;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.function.Call;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ScriptError;
 
 /** What the functions of Modbus signals share. */
 final class ModbusArguments {
@@ -24,7 +25,7 @@ final class ModbusArguments {
   private ModbusArguments() {}
 
   /** The address of a device. */
-  static ModbusAddress address(Call call, int index) throws ScriptError {
+  static ModbusAddress address(Call<ControlBox> call, int index) throws ScriptError {
     try {
       return ModbusAddress.parse(call.text(index));
     } catch (IllegalArgumentException e) {
@@ -33,7 +34,7 @@ final class ModbusArguments {
   }
 
   /** A name for a new signal. */
-  static String newName(Call call, int index) throws ScriptError {
+  static String newName(Call<ControlBox> call, int index) throws ScriptError {
     String name = call.text(index);
     if (name.isEmpty() || name.length() > LONGEST_NAME) {
       throw call.refuse(index, "must have 1 to " + LONGEST_NAME + " characters");
@@ -42,16 +43,16 @@ final class ModbusArguments {
   }
 
   /** The signal that argument 0 names. */
-  static ModbusSignal signal(Call call) throws ScriptError {
+  static ModbusSignal signal(Call<ControlBox> call) throws ScriptError {
     try {
-      return call.box().links().modbus().signal(call.text(0));
+      return call.host().links().modbus().signal(call.text(0));
     } catch (ScriptError e) {
       throw e.code().equals("unknown-signal") ? call.failure(e.code(), e.getMessage()) : e;
     }
   }
 
   /** The output that argument 0 names; of bits or of registers, where only one of them will do. */
-  static ModbusSignal output(Call call, Optional<Boolean> digital) throws ScriptError {
+  static ModbusSignal output(Call<ControlBox> call, Optional<Boolean> digital) throws ScriptError {
     ModbusSignal signal = signal(call);
     ModbusKind kind = signal.exchange().kind();
     if (!kind.output() || digital.orElse(kind.digital()) != kind.digital()) {
@@ -69,14 +70,14 @@ final class ModbusArguments {
   }
 
   /** The flag of programs that the manual keeps for the controller itself. */
-  static void refuseInternalFlag(Call call, int index) throws ScriptError {
+  static void refuseInternalFlag(Call<ControlBox> call, int index) throws ScriptError {
     if (call.bool(index)) {
       throw call.refuse(index, "must be False");
     }
   }
 
   /** One register or a list of them for an output that has {@code most}. */
-  static List<Integer> registers(Call call, int index, int most) throws ScriptError {
+  static List<Integer> registers(Call<ControlBox> call, int index, int most) throws ScriptError {
     if (call.kind(index) != Kind.LIST) {
       return List.of(call.integer(index, 0, HIGHEST_REGISTER));
     }
@@ -91,7 +92,7 @@ final class ModbusArguments {
   }
 
   /** One bit or a list of them for an output that has {@code most}. */
-  static List<Integer> bits(Call call, int index, int most) throws ScriptError {
+  static List<Integer> bits(Call<ControlBox> call, int index, int most) throws ScriptError {
     if (call.kind(index) != Kind.LIST) {
       return List.of(call.bool(index) ? 1 : 0);
     }
@@ -107,7 +108,7 @@ final class ModbusArguments {
     return values;
   }
 
-  private static double[] numbers(Call call, int index, int most, String wanted)
+  private static double[] numbers(Call<ControlBox> call, int index, int most, String wanted)
       throws ScriptError {
     if (!(call.value(index) instanceof NumberList list)
         || (list.length() > 0 && !list.elementKind().isNumber())) {
@@ -117,7 +118,8 @@ final class ModbusArguments {
     return call.numbers(index, -1);
   }
 
-  private static void refuseLength(Call call, int index, int length, int most) throws ScriptError {
+  private static void refuseLength(Call<ControlBox> call, int index, int length, int most)
+      throws ScriptError {
     if (length < 1 || length > most) {
       throw call.refuse(index, "must have 1 to " + most + " elements");
     }

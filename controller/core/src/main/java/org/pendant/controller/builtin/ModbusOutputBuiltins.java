@@ -1,21 +1,22 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.external.ModbusAddress;
 import org.pendant.controller.external.ModbusKind;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
 import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
 import org.pendant.controller.modbus.ModbusSignal;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Setting Modbus signals, and speaking to devices (manual 18.22 to 18.25, 18.30, 19.1). */
 final class ModbusOutputBuiltins {
@@ -27,13 +28,13 @@ final class ModbusOutputBuiltins {
 
   private ModbusOutputBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareOutputs(builtins);
     declareActions(builtins);
     declareDevices(builtins);
   }
 
-  private static void declareOutputs(Builtins builtins) {
+  private static void declareOutputs(Builtins<ControlBox> builtins) {
     builtins
         .declare("modbus_set_output_register")
         .manual(ModbusArguments.MODULE, "18.24")
@@ -58,7 +59,7 @@ final class ModbusOutputBuiltins {
         .does(ModbusOutputBuiltins::setBits);
   }
 
-  private static void declareActions(Builtins builtins) {
+  private static void declareActions(Builtins<ControlBox> builtins) {
     builtins
         .declare("modbus_set_digital_input_action")
         .manual(ModbusArguments.MODULE, "18.23")
@@ -80,7 +81,7 @@ final class ModbusOutputBuiltins {
         .does(ModbusOutputBuiltins::chooseRunState);
   }
 
-  private static void declareDevices(Builtins builtins) {
+  private static void declareDevices(Builtins<ControlBox> builtins) {
     builtins
         .declare("modbus_send_custom_command")
         .manual(ModbusArguments.MODULE, "18.22")
@@ -105,21 +106,21 @@ final class ModbusOutputBuiltins {
         .does(ModbusOutputBuiltins::reset);
   }
 
-  private static Outcome setRegisters(Call call) throws ScriptError {
+  private static Outcome setRegisters(Call<ControlBox> call) throws ScriptError {
     ModbusArguments.refuseInternalFlag(call, 2);
     ModbusSignal signal = ModbusArguments.output(call, Optional.of(false));
     signal.set(ModbusArguments.registers(call, 1, signal.exchange().writeCount()));
     return call.answer();
   }
 
-  private static Outcome setBits(Call call) throws ScriptError {
+  private static Outcome setBits(Call<ControlBox> call) throws ScriptError {
     ModbusArguments.refuseInternalFlag(call, 2);
     ModbusSignal signal = ModbusArguments.output(call, Optional.of(true));
     signal.set(ModbusArguments.bits(call, 1, signal.exchange().writeCount()));
     return call.answer();
   }
 
-  private static Outcome setAction(Call call) throws ScriptError {
+  private static Outcome setAction(Call<ControlBox> call) throws ScriptError {
     ModbusSignal signal = ModbusArguments.signal(call);
     if (signal.exchange().kind() != ModbusKind.DIGITAL_INPUT) {
       throw call.failure(
@@ -138,17 +139,17 @@ final class ModbusOutputBuiltins {
     return call.answer();
   }
 
-  private static Outcome chooseRunState(Call call) throws ScriptError {
+  private static Outcome chooseRunState(Call<ControlBox> call) throws ScriptError {
     ModbusSignal signal = ModbusArguments.output(call, Optional.empty());
     RunStateAction action = RunStateAction.of(call.integer(1, 0, LAST_CHOICE));
-    call.box()
+    call.host()
         .links()
         .modbus()
-        .chooseRunState(signal, action, call.box().signals().runState().now(action));
+        .chooseRunState(signal, action, call.host().signals().runState().now(action));
     return call.answer();
   }
 
-  private static Outcome send(Call call) throws ScriptError {
+  private static Outcome send(Call<ControlBox> call) throws ScriptError {
     call.program().reachesOutside();
     ModbusAddress device = ModbusArguments.address(call, 0);
     int unit = call.integer(1, 0, HIGHEST_UNIT);
@@ -157,14 +158,14 @@ final class ModbusOutputBuiltins {
     try {
       return new PendingWait(
           "modbus_send_custom_command",
-          call.box().links().modbus().send(device, unit, function, data),
+          call.host().links().modbus().send(device, unit, function, data),
           result -> NoneValue.NONE);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
   }
 
-  private static byte[] bytes(Call call, int index) throws ScriptError {
+  private static byte[] bytes(Call<ControlBox> call, int index) throws ScriptError {
     if (!(call.value(index) instanceof NumberList list)
         || (list.length() > 0 && list.elementKind() != Kind.INT)) {
       throw call.wrongKind(index, "a list of ints");
@@ -183,12 +184,12 @@ final class ModbusOutputBuiltins {
     return bytes;
   }
 
-  private static Outcome reset(Call call) throws ScriptError {
+  private static Outcome reset(Call<ControlBox> call) throws ScriptError {
     call.program().reachesOutside();
     ModbusAddress device = ModbusArguments.address(call, 0);
     boolean everyPort = !device.toString().equals(call.text(0));
     Optional<Integer> port = everyPort ? Optional.empty() : Optional.of(device.port());
-    if (!call.box().links().modbus().reconnect(device.host(), port)) {
+    if (!call.host().links().modbus().reconnect(device.host(), port)) {
       throw call.failure(
           "unknown-device",
           "connection_id is "
@@ -196,7 +197,7 @@ final class ModbusOutputBuiltins {
               + ", must be a device that a signal is at");
     }
     return call.bool(1)
-        ? new ModbusResetWait(call.box().links().modbus(), device.host(), port)
+        ? new ModbusResetWait(call.host().links().modbus(), device.host(), port)
         : call.answer();
   }
 }

@@ -1,10 +1,10 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
-import org.pendant.controller.function.Wait;
 import org.pendant.controller.modbus.ModbusSignals;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.Value;
+import org.pendant.script.function.Wait;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.Value;
 
 /**
  * A script thread waits until a Modbus device has answered again (manual 18.30).

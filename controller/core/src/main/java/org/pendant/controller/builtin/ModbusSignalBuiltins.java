@@ -2,21 +2,22 @@ package org.pendant.controller.builtin;
 
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.external.ModbusErrors;
 import org.pendant.controller.external.ModbusExchange;
 import org.pendant.controller.external.ModbusKind;
 import org.pendant.controller.external.ModbusReading;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Declaration;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
 import org.pendant.controller.modbus.ModbusSignal;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Declaration;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Adding and reading Modbus signals (manual 18.18 to 18.21, 18.26 to 18.29, 18.31). */
 final class ModbusSignalBuiltins {
@@ -31,13 +32,13 @@ final class ModbusSignalBuiltins {
 
   private ModbusSignalBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareAdding(builtins);
     declareReading(builtins);
     declareWatching(builtins);
   }
 
-  private static void declareAdding(Builtins builtins) {
+  private static void declareAdding(Builtins<ControlBox> builtins) {
     builtins
         .declare("modbus_add_signal")
         .manual(ModbusArguments.MODULE, "18.18")
@@ -74,7 +75,7 @@ final class ModbusSignalBuiltins {
         .does(ModbusSignalBuiltins::delete);
   }
 
-  private static void declareReading(Builtins builtins) {
+  private static void declareReading(Builtins<ControlBox> builtins) {
     named(builtins, "modbus_get_signal_status", "18.21")
         .doc(
             "The value of a Modbus signal: a bool or an int, or a list of them when it has several"
@@ -95,7 +96,7 @@ final class ModbusSignalBuiltins {
         .does(ModbusSignalBuiltins::setFrequency);
   }
 
-  private static void declareWatching(Builtins builtins) {
+  private static void declareWatching(Builtins<ControlBox> builtins) {
     named(builtins, "modbus_get_error", "18.27")
         .doc(
             "What is wrong with a Modbus signal, 0 for nothing: the error of the connection in the"
@@ -112,7 +113,8 @@ final class ModbusSignalBuiltins {
         .returns(Type.NUMBER)
         .effect(Effect.ASKS)
         .does(
-            call -> call.answer(ModbusArguments.signal(call).invalidS(call.box().clock().timeS())));
+            call ->
+                call.answer(ModbusArguments.signal(call).invalidS(call.host().clock().timeS())));
     named(builtins, "modbus_set_signal_watchdog", "18.31")
         .doc(
             "Changes how long a Modbus signal may be without a valid answer before reading it"
@@ -121,14 +123,15 @@ final class ModbusSignalBuiltins {
         .does(ModbusSignalBuiltins::setWatchdog);
   }
 
-  private static Declaration named(Builtins builtins, String name, String section) {
+  private static Declaration<ControlBox> named(
+      Builtins<ControlBox> builtins, String name, String section) {
     return builtins
         .declare(name)
         .manual(ModbusArguments.MODULE, section)
         .needs(ModbusArguments.NAME, Type.STRING);
   }
 
-  private static Outcome add(Call call) throws ScriptError {
+  private static Outcome add(Call<ControlBox> call) throws ScriptError {
     int number = call.integer(3);
     Optional<ModbusKind> kind =
         ModbusKind.of(number).filter(each -> each != ModbusKind.READ_WRITE_REGISTERS);
@@ -151,7 +154,7 @@ final class ModbusSignalBuiltins {
             call.bool(5)));
   }
 
-  private static Outcome addReadWrite(Call call) throws ScriptError {
+  private static Outcome addReadWrite(Call<ControlBox> call) throws ScriptError {
     int readCount = call.integer(3, 1, ModbusExchange.MOST);
     int writeCount = call.integer(5, 1, ModbusExchange.MOST);
     if (writeCount > MOST_WRITTEN) {
@@ -171,7 +174,7 @@ final class ModbusSignalBuiltins {
             call.bool(7)));
   }
 
-  private static int address(Call call, int index, int count) throws ScriptError {
+  private static int address(Call<ControlBox> call, int index, int count) throws ScriptError {
     int address = call.integer(index, 0, HIGHEST_ADDRESS);
     if (address + count - 1 > HIGHEST_ADDRESS) {
       throw call.refuse(index, "must leave room for " + count + " up to " + HIGHEST_ADDRESS);
@@ -179,27 +182,28 @@ final class ModbusSignalBuiltins {
     return address;
   }
 
-  private static Outcome add(Call call, String name, ModbusExchange exchange) throws ScriptError {
+  private static Outcome add(Call<ControlBox> call, String name, ModbusExchange exchange)
+      throws ScriptError {
     try {
-      call.box().links().modbus().add(name, exchange);
+      call.host().links().modbus().add(name, exchange);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
     return call.answer();
   }
 
-  private static Outcome delete(Call call) throws ScriptError {
-    call.box().links().modbus().delete(ModbusArguments.signal(call).name());
+  private static Outcome delete(Call<ControlBox> call) throws ScriptError {
+    call.host().links().modbus().delete(ModbusArguments.signal(call).name());
     return call.answer();
   }
 
-  private static Outcome status(Call call) throws ScriptError {
+  private static Outcome status(Call<ControlBox> call) throws ScriptError {
     ModbusArguments.refuseInternalFlag(call, 1);
     ModbusSignal signal = ModbusArguments.signal(call);
     if (signal.updateHz() == 0) {
       signal.update();
     }
-    double nowS = call.box().clock().timeS();
+    double nowS = call.host().clock().timeS();
     if (signal.lost(nowS)) {
       throw call.failure(
           "signal-invalid",
@@ -226,18 +230,18 @@ final class ModbusSignalBuiltins {
     return NumberList.owning(numbers, numbers.length, kind);
   }
 
-  private static Outcome update(Call call) throws ScriptError {
+  private static Outcome update(Call<ControlBox> call) throws ScriptError {
     ModbusArguments.signal(call).update();
     return call.answer();
   }
 
-  private static Outcome setFrequency(Call call) throws ScriptError {
+  private static Outcome setFrequency(Call<ControlBox> call) throws ScriptError {
     ModbusSignal signal = ModbusArguments.signal(call);
     signal.setUpdateHz(Math.max(0, call.integer(1, -1, HIGHEST_HZ)));
     return call.answer();
   }
 
-  private static Outcome error(Call call) throws ScriptError {
+  private static Outcome error(Call<ControlBox> call) throws ScriptError {
     ModbusReading reading = ModbusArguments.signal(call).reading();
     return call.answerInt(
         switch (call.integer(1, 0, 2)) {
@@ -247,7 +251,7 @@ final class ModbusSignalBuiltins {
         });
   }
 
-  private static Outcome setWatchdog(Call call) throws ScriptError {
+  private static Outcome setWatchdog(Call<ControlBox> call) throws ScriptError {
     ModbusSignal signal = ModbusArguments.signal(call);
     double timeoutS = call.number(1);
     if (!(timeoutS >= 0 && timeoutS <= LONGEST_WATCHDOG_S)) {

@@ -1,14 +1,15 @@
 package org.pendant.controller.builtin;
 
 import java.util.List;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.motion.MoveLimits;
-import org.pendant.controller.value.ListValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.models.arm.JointLimits;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.MoveLimits;
+import org.pendant.script.function.Call;
+import org.pendant.script.value.ListValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Checks of what programs hand to the functions that move or locate the arm. */
 final class MotionArguments {
@@ -24,7 +25,7 @@ final class MotionArguments {
   private MotionArguments() {}
 
   /** A number above 0. */
-  static double positive(Call call, int index) throws ScriptError {
+  static double positive(Call<ControlBox> call, int index) throws ScriptError {
     double number = call.number(index);
     if (!(number > 0) || Double.isInfinite(number)) {
       throw call.refuse(index, "must be above 0");
@@ -33,7 +34,7 @@ final class MotionArguments {
   }
 
   /** A finite number of 0 or more. */
-  static double notNegative(Call call, int index) throws ScriptError {
+  static double notNegative(Call<ControlBox> call, int index) throws ScriptError {
     double number = call.number(index);
     if (!(number >= 0) || Double.isInfinite(number)) {
       throw call.refuse(index, "must not be negative");
@@ -42,12 +43,12 @@ final class MotionArguments {
   }
 
   /** A pose of finite numbers. */
-  static Pose pose(Call call, int index) throws ScriptError {
+  static Pose pose(Call<ControlBox> call, int index) throws ScriptError {
     return finite(call, index, call.pose(index));
   }
 
   /** A pose from argument {@code index}, whose numbers must be finite, and so their squares. */
-  static Pose finite(Call call, int index, Pose pose) throws ScriptError {
+  static Pose finite(Call<ControlBox> call, int index, Pose pose) throws ScriptError {
     for (int i = 0; i < Pose.SIZE; i++) {
       if (!Double.isFinite(pose.get(i))) {
         throw call.refuse(index, "must be finite");
@@ -64,7 +65,7 @@ final class MotionArguments {
    *
    * @param unit of the numbers, for the message
    */
-  static double[] bounded(Call call, int index, int length, double bound, String unit)
+  static double[] bounded(Call<ControlBox> call, int index, int length, double bound, String unit)
       throws ScriptError {
     double[] numbers = call.numbers(index, length);
     for (double number : numbers) {
@@ -77,7 +78,7 @@ final class MotionArguments {
   }
 
   /** Six finite joint values. */
-  static Joints joints(Call call, int index) throws ScriptError {
+  static Joints joints(Call<ControlBox> call, int index) throws ScriptError {
     Joints joints = call.joints(index);
     if (!joints.isFinite()) {
       throw call.refuse(index, "must be finite");
@@ -89,14 +90,14 @@ final class MotionArguments {
    * Six joint positions to go to or to be near to. They may lie beyond the ranges of the joints:
    * the arm stops before.
    */
-  static Joints jointGoal(Call call, int index) throws ScriptError {
+  static Joints jointGoal(Call<ControlBox> call, int index) throws ScriptError {
     return Joints.of(bounded(call, index, Joints.COUNT, FARTHEST_RAD, "rad"));
   }
 
   /** Six joint positions, each within the range of its joint. */
-  static Joints jointsInRange(Call call, int index, String name) throws ScriptError {
+  static Joints jointsInRange(Call<ControlBox> call, int index, String name) throws ScriptError {
     Joints joints = joints(call, index);
-    List<JointLimits> limits = call.box().armDescription().joints();
+    List<JointLimits> limits = call.host().armDescription().joints();
     for (int i = 0; i < Joints.COUNT; i++) {
       JointLimits limit = limits.get(i);
       if (!limit.contains(joints.get(i))) {
@@ -124,22 +125,22 @@ final class MotionArguments {
   }
 
   /** Joint positions to be near to: argument {@code index}, or the present target without one. */
-  static Joints near(Call call, int index) throws ScriptError {
+  static Joints near(Call<ControlBox> call, int index) throws ScriptError {
     boolean absent =
         !call.given(index) || (call.value(index) instanceof ListValue list && list.length() == 0);
-    return absent ? call.box().motion().positionRad() : joints(call, index);
+    return absent ? call.host().motion().positionRad() : joints(call, index);
   }
 
   /** A TCP offset: argument {@code index}, or the active one without it. */
-  static Pose tcpOffset(Call call, int index) throws ScriptError {
-    return call.given(index) ? pose(call, index) : call.box().flange().tool().inFlange();
+  static Pose tcpOffset(Call<ControlBox> call, int index) throws ScriptError {
+    return call.given(index) ? pose(call, index) : call.host().flange().tool().inFlange();
   }
 
   /**
    * Arguments a, v and t of a move, from {@code index} on. When t is given, a and v may be 0: the
    * move then takes what acceleration it needs.
    */
-  static MoveLimits moveLimits(Call call, int index) throws ScriptError {
+  static MoveLimits moveLimits(Call<ControlBox> call, int index) throws ScriptError {
     double durationS = notNegative(call, index + 2);
     boolean timed = durationS > 0;
     double acceleration = timed ? notNegative(call, index) : positive(call, index);

@@ -2,20 +2,6 @@ package org.pendant.controller.builtin;
 
 import java.util.List;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.motion.MotionPath;
-import org.pendant.controller.motion.Move;
-import org.pendant.controller.motion.MoveLimits;
-import org.pendant.controller.motion.PathLimits;
-import org.pendant.controller.motion.Routes;
-import org.pendant.controller.motion.StopJ;
-import org.pendant.controller.motion.StopL;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.arm.ArmDescription;
@@ -24,6 +10,21 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.kinematics.InverseResult;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.MotionPath;
+import org.pendant.motion.Move;
+import org.pendant.motion.MoveLimits;
+import org.pendant.motion.PathLimits;
+import org.pendant.motion.PlanningException;
+import org.pendant.motion.Routes;
+import org.pendant.motion.StopJ;
+import org.pendant.motion.StopL;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ScriptError;
 
 /** Moves and stops (manual 15). */
 final class MotionBuiltins {
@@ -31,12 +32,12 @@ final class MotionBuiltins {
 
   private MotionBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareMoves(builtins);
     declareStops(builtins);
   }
 
-  private static void declareMoves(Builtins builtins) {
+  private static void declareMoves(Builtins<ControlBox> builtins) {
     builtins
         .declare("movej")
         .manual(MODULE, "15.29")
@@ -81,7 +82,7 @@ final class MotionBuiltins {
         .does(MotionBuiltins::resetRevolutions);
   }
 
-  private static void declareStops(Builtins builtins) {
+  private static void declareStops(Builtins<ControlBox> builtins) {
     builtins
         .declare("stopj")
         .manual(MODULE, "15.51")
@@ -99,8 +100,8 @@ final class MotionBuiltins {
         .does(MotionBuiltins::stopl);
   }
 
-  private static Outcome movej(Call call) throws ScriptError {
-    ControlBox box = call.box();
+  private static Outcome movej(Call<ControlBox> call) throws ScriptError {
+    ControlBox box = call.host();
     PathLimits pathLimits = headroom(call);
     Pose tcp = box.flange().tool().inFlange();
     if (call.kind(0) == Kind.POSE) {
@@ -122,17 +123,17 @@ final class MotionBuiltins {
   }
 
   /** Motion version 2 plans within what the arm can do, version 1 as it is told (manual 14). */
-  private static PathLimits headroom(Call call) throws ScriptError {
+  private static PathLimits headroom(Call<ControlBox> call) throws ScriptError {
     MoveLimits limits = MotionArguments.moveLimits(call, 1);
-    ControlBox box = call.box();
+    ControlBox box = call.host();
     double asked = limits.timed() ? Double.POSITIVE_INFINITY : limits.speed();
     return box.motionSettings().version() == 2
         ? box.headroom().share(1, 1, asked)
         : box.headroom().asAsked(limits);
   }
 
-  private static Outcome movel(Call call) throws ScriptError {
-    ControlBox box = call.box();
+  private static Outcome movel(Call<ControlBox> call) throws ScriptError {
+    ControlBox box = call.host();
     PathLimits pathLimits = headroom(call);
     Pose tcp = box.flange().tool().inFlange();
     Pose goal =
@@ -150,21 +151,22 @@ final class MotionBuiltins {
   }
 
   /** Arguments a, v, t and r of movej and movel, from the second on. */
-  private static Outcome move(Call call, String function, Move.Route route) throws ScriptError {
+  private static Outcome move(Call<ControlBox> call, String function, Move.Route route)
+      throws ScriptError {
     MoveLimits limits = MotionArguments.moveLimits(call, 1);
     double radiusM = MotionArguments.notNegative(call, 4);
-    double jerkRampS = call.box().motionSettings().jerkRampS();
+    double jerkRampS = call.host().motionSettings().jerkRampS();
     return MotionWait.move(call, function, new Move(route, limits, radiusM, jerkRampS));
   }
 
   /** Joint positions near {@code from} that put the TCP at the goal. */
-  static Joints reach(ControlBox box, Pose goal, Pose tcp, Joints from) throws ScriptError {
+  static Joints reach(ControlBox box, Pose goal, Pose tcp, Joints from) throws PlanningException {
     Pose flange = InverseKinematics.flangeOf(goal, tcp);
     double error = InverseKinematics.DEFAULT_ERROR;
     return switch (box.inverse().find(flange, from, error, error)) {
       case InverseResult.Reached found -> found.q();
       case InverseResult.Unreachable none ->
-          throw new ScriptError(
+          throw new PlanningException(
               "no-solution",
               "the goal "
                   + KinematicsBuiltins.text(goal)
@@ -173,16 +175,16 @@ final class MotionBuiltins {
     };
   }
 
-  private static Outcome setPos(Call call) throws ScriptError {
+  private static Outcome setPos(Call<ControlBox> call) throws ScriptError {
     Joints goal = MotionArguments.jointsInRange(call, 0, "q");
     refuseWhileMoving(call);
-    call.box().drive().jumpTo(goal);
+    Planning.act(call, () -> call.host().drive().jumpTo(goal));
     return call.answer();
   }
 
-  private static Outcome resetRevolutions(Call call) throws ScriptError {
+  private static Outcome resetRevolutions(Call<ControlBox> call) throws ScriptError {
     double[] near = MotionArguments.jointGoal(call, 0).toArray();
-    ControlBox box = call.box();
+    ControlBox box = call.host();
     Joints target = box.motion().positionRad();
     Joints reset = target;
     List<JointLimits> limits = box.armDescription().joints();
@@ -196,26 +198,27 @@ final class MotionBuiltins {
       return call.answer();
     }
     refuseWhileMoving(call);
-    box.drive().jumpTo(reset);
+    Joints goal = reset;
+    Planning.act(call, () -> box.drive().jumpTo(goal));
     return call.answer();
   }
 
-  private static void refuseWhileMoving(Call call) throws ScriptError {
-    if (call.box().motion().moving()) {
+  private static void refuseWhileMoving(Call<ControlBox> call) throws ScriptError {
+    if (call.host().motion().moving()) {
       throw call.failure("robot-in-use", "the arm is moving, must be at rest");
     }
   }
 
-  private static Outcome stopj(Call call) throws ScriptError {
+  private static Outcome stopj(Call<ControlBox> call) throws ScriptError {
     double deceleration = MotionArguments.positive(call, 0);
     return MotionWait.stop(call, "stopj", (from, speed) -> new StopJ(from, speed, deceleration));
   }
 
-  private static Outcome stopl(Call call) throws ScriptError {
+  private static Outcome stopl(Call<ControlBox> call) throws ScriptError {
     double deceleration = MotionArguments.positive(call, 0);
     double turning = call.given(1) ? MotionArguments.positive(call, 1) : deceleration;
-    ArmDescription arm = call.box().armDescription();
-    Pose tcp = call.box().flange().tool().inFlange();
+    ArmDescription arm = call.host().armDescription();
+    Pose tcp = call.host().flange().tool().inFlange();
     return MotionWait.stop(
         call, "stopl", (from, speed) -> new StopL(arm, from, speed, tcp, deceleration, turning));
   }

@@ -1,13 +1,14 @@
 package org.pendant.controller.builtin;
 
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.MotionSettings;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** How moves are planned: motion version and jerk (manual 14). */
 final class MotionSettingBuiltins {
@@ -15,7 +16,7 @@ final class MotionSettingBuiltins {
 
   private MotionSettingBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("motion_version_get")
         .manual(MODULE, "15.26")
@@ -49,18 +50,18 @@ final class MotionSettingBuiltins {
         .does(MotionSettingBuiltins::setJerkGain);
   }
 
-  private static MotionSettings settings(Call call) {
-    return call.box().motionSettings();
+  private static MotionSettings settings(Call<ControlBox> call) {
+    return call.host().motionSettings();
   }
 
-  private static Outcome setVersion(Call call) throws ScriptError {
+  private static Outcome setVersion(Call<ControlBox> call) throws ScriptError {
     int version = call.integer(0);
     if (!settings(call).setVersion(version)) {
-      call.box()
+      call.host()
           .log()
           .warning(
               "motion_version_set: "
-                  + call.box().armDescription().id()
+                  + call.host().armDescription().id()
                   + " has no motion version "
                   + version
                   + ", it stays at "
@@ -69,7 +70,7 @@ final class MotionSettingBuiltins {
     return call.answer();
   }
 
-  private static Outcome setJerkGain(Call call) throws ScriptError {
+  private static Outcome setJerkGain(Call<ControlBox> call) throws ScriptError {
     double gain = call.number(0);
     if (!(gain >= MotionSettings.LEAST_JERK_GAIN && gain <= 1)) {
       throw call.refuse(0, "must be 0.01 to 1");

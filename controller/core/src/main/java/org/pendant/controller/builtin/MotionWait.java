@@ -1,18 +1,21 @@
 package org.pendant.controller.builtin;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.function.Wait;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.message.MessageLog;
-import org.pendant.controller.motion.MotionFailure;
-import org.pendant.controller.motion.MotionPlan;
-import org.pendant.controller.motion.MotionTicket;
-import org.pendant.controller.motion.Move;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.motion.MotionFailure;
+import org.pendant.motion.MotionPlan;
+import org.pendant.motion.MotionTicket;
+import org.pendant.motion.Move;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Foreseen;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.function.Wait;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** A script thread waits for the motion it has started. */
 final class MotionWait implements Wait {
@@ -24,30 +27,32 @@ final class MotionWait implements Wait {
   private final MessageLog log;
   private boolean warned;
 
-  private MotionWait(Call call, String function, MotionTicket ticket, boolean abortable) {
-    log = call.box().log();
+  private MotionWait(
+      Call<ControlBox> call, String function, MotionTicket ticket, boolean abortable) {
+    log = call.host().log();
     this.function = function;
     this.ticket = ticket;
     this.abortable = abortable;
   }
 
   /** Starts a move, or leaves it out where its blend overlaps with the one before. */
-  static Outcome move(Call call, String function, Move move) throws ScriptError {
-    if (call.program().foresees(move)) {
+  static Outcome move(Call<ControlBox> call, String function, Move move) throws ScriptError {
+    if (call.program().foresees(new ForeseenMove(move))) {
       return call.answer();
     }
-    try {
-      call.box().drive().requirePower();
-      Optional<MotionTicket> ticket = call.box().motion().start(move);
-      if (ticket.isPresent()) {
-        return ticket.get().finished()
-            ? call.answer()
-            : new MotionWait(call, function, ticket.get(), true);
-      }
-    } catch (ScriptError e) {
-      throw call.failure(e.code(), e.getMessage());
+    Optional<MotionTicket> ticket =
+        Planning.named(
+            call,
+            () -> {
+              call.host().drive().requirePower();
+              return call.host().motion().start(move);
+            });
+    if (ticket.isPresent()) {
+      return ticket.get().finished()
+          ? call.answer()
+          : new MotionWait(call, function, ticket.get(), true);
     }
-    call.box()
+    call.host()
         .log()
         .warning(
             "Overlapping Blends: "
@@ -58,23 +63,20 @@ final class MotionWait implements Wait {
   }
 
   /** Starts a stop from whatever the arm does; an arm at rest takes no time. */
-  static Outcome stop(Call call, String function, MotionPlan plan) throws ScriptError {
-    try {
-      MotionTicket ticket = call.box().motion().takeOver(plan);
-      return ticket.finished() ? call.answer() : new MotionWait(call, function, ticket, false);
-    } catch (ScriptError e) {
-      throw call.failure(e.code(), e.getMessage());
-    }
+  static Outcome stop(Call<ControlBox> call, String function, MotionPlan plan) throws ScriptError {
+    MotionTicket ticket = Planning.named(call, () -> call.host().motion().takeOver(plan));
+    return ticket.finished() ? call.answer() : new MotionWait(call, function, ticket, false);
   }
 
   /** Starts a motion that goes on from whatever the arm does and waits until it hands over. */
-  static MotionWait goOn(Call call, String function, MotionPlan plan) throws ScriptError {
-    try {
-      call.box().drive().requirePower();
-      return new MotionWait(call, function, call.box().motion().goOn(plan), false);
-    } catch (ScriptError e) {
-      throw call.failure(e.code(), e.getMessage());
-    }
+  static MotionWait goOn(Call<ControlBox> call, String function, MotionPlan plan)
+      throws ScriptError {
+    return Planning.named(
+        call,
+        () -> {
+          call.host().drive().requirePower();
+          return new MotionWait(call, function, call.host().motion().goOn(plan), false);
+        });
   }
 
   @Override
@@ -107,13 +109,19 @@ final class MotionWait implements Wait {
   }
 
   @Override
-  public boolean wantsOutlook() {
+  public boolean wantsLookAhead() {
     return ticket.wantsOutlook();
   }
 
   @Override
-  public void outlook(List<Move> next) {
-    ticket.outlook(next);
+  public void lookAhead(List<Foreseen> next) {
+    List<Move> moves = new ArrayList<>(next.size());
+    for (Foreseen each : next) {
+      if (each instanceof ForeseenMove foreseen) {
+        moves.add(foreseen.move());
+      }
+    }
+    ticket.outlook(moves);
   }
 
   @Override

@@ -1,13 +1,14 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ArmModel;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ScriptError;
 
 /** How the base is mounted and moves (manual 16.10, 16.14, 16.44, 16.48). */
 final class MountingBuiltins {
@@ -18,7 +19,7 @@ final class MountingBuiltins {
 
   private MountingBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("get_base_acceleration")
         .manual(MODULE, "16.10")
@@ -53,14 +54,14 @@ final class MountingBuiltins {
         .does(MountingBuiltins::setGravity);
   }
 
-  private static Outcome gravity(Call call) {
-    ArmModel model = call.box().model();
+  private static Outcome gravity(Call<ControlBox> call) {
+    ArmModel model = call.host().model();
     return call.answer(
         NumberList.of(model.gravityMPerS2(0), model.gravityMPerS2(1), model.gravityMPerS2(2)));
   }
 
-  private static Outcome baseAcceleration(Call call) {
-    ArmModel model = call.box().model();
+  private static Outcome baseAcceleration(Call<ControlBox> call) {
+    ArmModel model = call.host().model();
     return call.answer(
         NumberList.of(
             model.baseAccelerationMPerS2(0),
@@ -68,19 +69,19 @@ final class MountingBuiltins {
             model.baseAccelerationMPerS2(2)));
   }
 
-  private static Outcome setGravity(Call call) throws ScriptError {
+  private static Outcome setGravity(Call<ControlBox> call) throws ScriptError {
     double[] d = acceleration(call);
-    call.box().setGravity(d[0], d[1], d[2]);
+    call.host().setGravity(d[0], d[1], d[2]);
     return call.answer();
   }
 
-  private static Outcome setBaseAcceleration(Call call) throws ScriptError {
+  private static Outcome setBaseAcceleration(Call<ControlBox> call) throws ScriptError {
     double[] a = acceleration(call);
-    call.box().setBaseAcceleration(a[0], a[1], a[2]);
+    call.host().setBaseAcceleration(a[0], a[1], a[2]);
     return call.answer();
   }
 
-  private static double[] acceleration(Call call) throws ScriptError {
+  private static double[] acceleration(Call<ControlBox> call) throws ScriptError {
     return MotionArguments.bounded(call, 0, 3, LARGEST_M_PER_S2, "m/s\u00b2");
   }
 }

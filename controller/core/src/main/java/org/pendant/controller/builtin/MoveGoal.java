@@ -2,18 +2,18 @@ package org.pendant.controller.builtin;
 
 import java.util.List;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.value.PoseValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.StringValue;
-import org.pendant.controller.value.StructValue;
-import org.pendant.controller.value.Value;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.script.function.Call;
+import org.pendant.script.value.PoseValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.StringValue;
+import org.pendant.script.value.StructValue;
+import org.pendant.script.value.Value;
 
 /**
  * Where optimovej and optimovel may lead (manual 15.32). Frames are {@code base}; {@code flange}
@@ -44,8 +44,8 @@ final class MoveGoal {
   }
 
   /** The goal that argument {@code index} of a call names. */
-  static MoveGoal of(Call call, int index) throws ScriptError {
-    ControlBox box = call.box();
+  static MoveGoal of(Call<ControlBox> call, int index) throws ScriptError {
+    ControlBox box = call.host();
     return switch (call.kind(index)) {
       case POSE -> new MoveGoal(box, Frame.FIXED, Pose.ZERO, MotionArguments.pose(call, index));
       case LIST ->
@@ -64,14 +64,15 @@ final class MoveGoal {
     };
   }
 
-  private static MoveGoal inFrame(Call call, int index, StructValue struct) throws ScriptError {
+  private static MoveGoal inFrame(Call<ControlBox> call, int index, StructValue struct)
+      throws ScriptError {
     if (!struct.names().containsAll(MEMBERS)
         || !(struct.get("pose") instanceof PoseValue pose)
         || !(struct.get("frame") instanceof StringValue name)) {
       throw call.wrongKind(index, "a struct with a pose named pose and a string named frame");
     }
     Pose given = MotionArguments.finite(call, index, pose.pose());
-    ControlBox box = call.box();
+    ControlBox box = call.host();
     return switch (name.bytes()) {
       case "base" -> new MoveGoal(box, Frame.FIXED, Pose.ZERO, given);
       case "flange" -> new MoveGoal(box, Frame.FLANGE, Pose.ZERO, given);
@@ -81,8 +82,8 @@ final class MoveGoal {
   }
 
   /** The pose of an object of the scene, in the base frame. */
-  private static Pose object(Call call, String name) throws ScriptError {
-    for (SceneObject each : call.box().scene().objects()) {
+  private static Pose object(Call<ControlBox> call, String name) throws ScriptError {
+    for (SceneObject each : call.host().scene().objects()) {
       if (each.name().equals(name)) {
         return switch (each) {
           case SceneObject.Box box -> box.poseInBase();

@@ -4,10 +4,10 @@ import java.math.BigInteger;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.value.ValueText;
+import org.pendant.script.function.Call;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueText;
 
 /**
  * The numbers that {@code to_num} reads (manual 16.64).
@@ -38,7 +38,7 @@ final class NumberText {
   private NumberText() {}
 
   /** The number that argument 0 of {@code call} spells. */
-  static Value parse(Call call) throws ScriptError {
+  static Value parse(Call<?> call) throws ScriptError {
     call.charge(NS_A_BYTE * (long) call.text(0).length());
     Matcher text = NUMBER.matcher(call.text(0));
     if (!text.matches()) {
@@ -63,7 +63,8 @@ final class NumberText {
     return integer(call, number);
   }
 
-  private static Value hexadecimal(Call call, boolean negative, String digits) throws ScriptError {
+  private static Value hexadecimal(Call<?> call, boolean negative, String digits)
+      throws ScriptError {
     String significant = digits.replaceFirst("^0+(?=.)", "");
     if (significant.length() > MOST_DIGITS) {
       // reading them would take time that grows with their square
@@ -73,7 +74,7 @@ final class NumberText {
     return integer(call, (negative ? magnitude.negate() : magnitude).doubleValue());
   }
 
-  private static Value word(Call call, boolean negative, String word) throws ScriptError {
+  private static Value word(Call<?> call, boolean negative, String word) throws ScriptError {
     return switch (word) {
       case "INF", "INFINITY" ->
           Value.of(negative ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY);
@@ -82,22 +83,22 @@ final class NumberText {
     };
   }
 
-  private static Value integer(Call call, double number) throws ScriptError {
+  private static Value integer(Call<?> call, double number) throws ScriptError {
     if (number != (int) number) {
       throw outOfRange(call, INT);
     }
     return Value.of((int) number);
   }
 
-  private static ScriptError notANumber(Call call) {
+  private static ScriptError notANumber(Call<?> call) {
     return call.failure("not-a-number", "str is \"" + shown(call) + "\", must spell a number");
   }
 
-  private static ScriptError outOfRange(Call call, String type) {
+  private static ScriptError outOfRange(Call<?> call, String type) {
     return call.failure("value-out-of-range", "str is \"" + shown(call) + "\", must fit " + type);
   }
 
-  private static String shown(Call call) {
+  private static String shown(Call<?> call) {
     return ValueText.shortened(call.value(0), LONGEST_SHOWN);
   }
 }

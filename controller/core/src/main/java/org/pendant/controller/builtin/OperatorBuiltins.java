@@ -1,18 +1,19 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.function.Wait;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.message.Answer;
 import org.pendant.controller.message.PendingPrompt;
 import org.pendant.controller.message.PromptQueue;
 import org.pendant.controller.message.Question;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.StringValue;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.function.Wait;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.StringValue;
+import org.pendant.script.value.Value;
 
 /** Questions to the operator (manual 18.73 to 18.76). */
 final class OperatorBuiltins {
@@ -20,7 +21,7 @@ final class OperatorBuiltins {
 
   private OperatorBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declare(
         builtins,
         "boolean",
@@ -52,7 +53,12 @@ final class OperatorBuiltins {
   }
 
   private static void declare(
-      Builtins builtins, String word, String section, Question.Kind kind, Type type, String doc) {
+      Builtins<ControlBox> builtins,
+      String word,
+      String section,
+      Question.Kind kind,
+      Type type,
+      String doc) {
     builtins
         .declare("request_" + word + "_from_primary_client")
         .manual(MODULE, section)
@@ -63,13 +69,13 @@ final class OperatorBuiltins {
         .does(call -> ask(call, kind));
   }
 
-  private static Outcome ask(Call call, Question.Kind kind) throws ScriptError {
+  private static Outcome ask(Call<ControlBox> call, Question.Kind kind) throws ScriptError {
     String text = call.text(0);
     if (text.isEmpty()) {
       throw call.failure("value-out-of-range", "message is empty, must say what to answer");
     }
-    PromptQueue board = call.box().questions();
-    PendingPrompt pendingPrompt = board.ask(call.box().clock().timeS(), kind, text);
+    PromptQueue board = call.host().questions();
+    PendingPrompt pendingPrompt = board.ask(call.host().clock().timeS(), kind, text);
     if (pendingPrompt.refusal().isPresent()) {
       throw call.failure("no-answer", pendingPrompt.refusal().get());
     }

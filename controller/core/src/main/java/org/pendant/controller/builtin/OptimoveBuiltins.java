@@ -1,19 +1,19 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.motion.Move;
-import org.pendant.controller.motion.MoveLimits;
-import org.pendant.controller.motion.PathLimits;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.Move;
+import org.pendant.motion.MoveLimits;
+import org.pendant.motion.PathLimits;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.ScriptError;
 
 /** Moves as fast as a share of what the arm can do on their way (manual 15.32, 15.33). */
 final class OptimoveBuiltins {
@@ -24,7 +24,7 @@ final class OptimoveBuiltins {
 
   private OptimoveBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("optimovej")
         .manual(MODULE, "15.32")
@@ -55,8 +55,8 @@ final class OptimoveBuiltins {
         .does(OptimoveBuiltins::optimovel);
   }
 
-  private static Outcome optimovej(Call call) throws ScriptError {
-    ControlBox box = call.box();
+  private static Outcome optimovej(Call<ControlBox> call) throws ScriptError {
+    ControlBox box = call.host();
     Pose tcp = box.flange().tool().inFlange();
     PathLimits pathLimits = headroom(call);
     if (call.kind(0) == Kind.LIST) {
@@ -78,8 +78,8 @@ final class OptimoveBuiltins {
         });
   }
 
-  private static Outcome optimovel(Call call) throws ScriptError {
-    ControlBox box = call.box();
+  private static Outcome optimovel(Call<ControlBox> call) throws ScriptError {
+    ControlBox box = call.host();
     Pose tcp = box.flange().tool().inFlange();
     PathLimits pathLimits = headroom(call);
     MoveGoal goal = MoveGoal.of(call, 0);
@@ -89,13 +89,13 @@ final class OptimoveBuiltins {
         from -> MotionBuiltins.toPose(box, from, goal.inBase(from), tcp, pathLimits));
   }
 
-  private static PathLimits headroom(Call call) throws ScriptError {
+  private static PathLimits headroom(Call<ControlBox> call) throws ScriptError {
     double acceleration = share(call, 1);
     double speed = share(call, 2);
-    return call.box().headroom().share(speed, acceleration, Double.POSITIVE_INFINITY);
+    return call.host().headroom().share(speed, acceleration, Double.POSITIVE_INFINITY);
   }
 
-  private static double share(Call call, int index) throws ScriptError {
+  private static double share(Call<ControlBox> call, int index) throws ScriptError {
     double share = call.number(index);
     if (!(share > 0 && share <= 1)) {
       throw call.refuse(index, "must be above 0, at most 1");
@@ -103,9 +103,10 @@ final class OptimoveBuiltins {
     return share;
   }
 
-  private static Outcome move(Call call, String function, Move.Route route) throws ScriptError {
+  private static Outcome move(Call<ControlBox> call, String function, Move.Route route)
+      throws ScriptError {
     double radiusM = MotionArguments.notNegative(call, 3);
-    double jerkRampS = call.box().motionSettings().smoothRampS();
+    double jerkRampS = call.host().motionSettings().smoothRampS();
     return MotionWait.move(call, function, new Move(route, FREE, radiusM, jerkRampS));
   }
 }

@@ -1,18 +1,18 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.motion.StopJ;
-import org.pendant.controller.motion.offset.OffsetType;
-import org.pendant.controller.motion.offset.PathOffsetting;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.StopJ;
+import org.pendant.motion.offset.OffsetType;
+import org.pendant.motion.offset.PathOffsetting;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.ScriptError;
 
 /** Offsets over the path of moves (manual 15.34 to 15.39). */
 final class PathOffsetBuiltins {
@@ -22,12 +22,12 @@ final class PathOffsetBuiltins {
 
   private PathOffsetBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareUse(builtins);
     declareSettings(builtins);
   }
 
-  private static void declareUse(Builtins builtins) {
+  private static void declareUse(Builtins<ControlBox> builtins) {
     builtins
         .declare("path_offset_enable")
         .manual(MODULE, "15.35")
@@ -59,10 +59,10 @@ final class PathOffsetBuiltins {
         .needs("type", Type.INT)
         .returns(Type.POSE)
         .effect(Effect.ASKS)
-        .does(call -> call.answer(call.box().pathOffset().applied(type(call, 0))));
+        .does(call -> call.answer(call.host().pathOffset().applied(type(call, 0))));
   }
 
-  private static void declareSettings(Builtins builtins) {
+  private static void declareSettings(Builtins<ControlBox> builtins) {
     builtins
         .declare("path_offset_set_alpha_filter")
         .manual(MODULE, "15.38")
@@ -82,12 +82,12 @@ final class PathOffsetBuiltins {
         .does(PathOffsetBuiltins::setLimits);
   }
 
-  private static OffsetType type(Call call, int index) throws ScriptError {
+  private static OffsetType type(Call<ControlBox> call, int index) throws ScriptError {
     return OffsetType.of(call.integer(index, 1, LAST_TYPE));
   }
 
-  private static Outcome enable(Call call) throws ScriptError {
-    ControlBox box = call.box();
+  private static Outcome enable(Call<ControlBox> call) throws ScriptError {
+    ControlBox box = call.host();
     PathOffsetting offset = box.pathOffset();
     if (box.conveyor().active()) {
       throw call.failure(
@@ -103,36 +103,32 @@ final class PathOffsetBuiltins {
     return call.answer();
   }
 
-  private static Outcome disable(Call call) throws ScriptError {
+  private static Outcome disable(Call<ControlBox> call) throws ScriptError {
     double deceleration = MotionArguments.positive(call, 0);
-    try {
-      call.box().motion().endOffset(call.box().pathOffset());
-    } catch (ScriptError e) {
-      throw call.failure(e.code(), e.getMessage());
-    }
+    Planning.act(call, () -> call.host().motion().endOffset(call.host().pathOffset()));
     return MotionWait.stop(
         call, "path_offset_disable", (from, speed) -> new StopJ(from, speed, deceleration));
   }
 
-  private static Outcome set(Call call) throws ScriptError {
+  private static Outcome set(Call<ControlBox> call) throws ScriptError {
     Pose offset = call.kind(0) == Kind.POSE ? call.pose(0) : Pose.of(call.numbers(0, Pose.SIZE));
-    call.box().pathOffset().set(MotionArguments.finite(call, 0, offset), type(call, 1));
+    call.host().pathOffset().set(MotionArguments.finite(call, 0, offset), type(call, 1));
     return call.answer();
   }
 
-  private static Outcome setAlpha(Call call) throws ScriptError {
+  private static Outcome setAlpha(Call<ControlBox> call) throws ScriptError {
     double alpha = call.number(0);
     if (!(alpha >= 0 && alpha <= 1)) {
       throw call.refuse(0, "must be 0 to 1");
     }
-    call.box().pathOffset().setAlpha(alpha);
+    call.host().pathOffset().setAlpha(alpha);
     return call.answer();
   }
 
-  private static Outcome setLimits(Call call) throws ScriptError {
+  private static Outcome setLimits(Call<ControlBox> call) throws ScriptError {
     double shiftM = MotionArguments.notNegative(call, 0);
     double turnRad = MotionArguments.notNegative(call, 1);
-    call.box().pathOffset().setLimits(shiftM, turnRad);
+    call.host().pathOffset().setLimits(shiftM, turnRad);
     return call.answer();
   }
 }

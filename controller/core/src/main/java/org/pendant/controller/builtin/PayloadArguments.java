@@ -3,18 +3,19 @@ package org.pendant.controller.builtin;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Inertia;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.ListValue;
-import org.pendant.controller.value.MatrixValue;
-import org.pendant.controller.value.PoseValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
+import org.pendant.script.function.Call;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.ListValue;
+import org.pendant.script.value.MatrixValue;
+import org.pendant.script.value.PoseValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Checks of what programs say about payloads. */
 final class PayloadArguments {
@@ -29,9 +30,9 @@ final class PayloadArguments {
   /**
    * A mass that the arm can be thought to hold; one beyond its rated payload is worth a warning.
    */
-  static double massKg(Call call, int index) throws ScriptError {
+  static double massKg(Call<ControlBox> call, int index) throws ScriptError {
     double massKg = call.number(index);
-    ArmDescription arm = call.box().armDescription();
+    ArmDescription arm = call.host().armDescription();
     double most = MOST_RATED_PAYLOADS * arm.payloadKg();
     if (!(massKg >= 0 && massKg <= most)) {
       throw call.refuse(
@@ -45,7 +46,7 @@ final class PayloadArguments {
               + " is made for");
     }
     if (massKg > arm.payloadKg()) {
-      call.box()
+      call.host()
           .log()
           .warnOnce(
               "the payload is "
@@ -60,12 +61,12 @@ final class PayloadArguments {
   }
 
   /** A centre of gravity in the flange frame, m. */
-  static double[] cogM(Call call, int index) throws ScriptError {
+  static double[] cogM(Call<ControlBox> call, int index) throws ScriptError {
     return MotionArguments.bounded(call, index, 3, FARTHEST_COG_M, "m");
   }
 
   /** An inertia [Ixx, Iyy, Izz, Ixy, Ixz, Iyz] that a body can have, kg m². */
-  static double[] inertiaKgM2(Call call, int index) throws ScriptError {
+  static double[] inertiaKgM2(Call<ControlBox> call, int index) throws ScriptError {
     double[] elements =
         MotionArguments.bounded(call, index, 6, Inertia.LARGEST_KG_M2, "kg m\u00b2");
     Optional<String> problem = Inertia.of(elements).problem();
@@ -76,8 +77,8 @@ final class PayloadArguments {
   }
 
   /** Poses of the flange, from a list of poses of the active TCP. */
-  static List<Pose> flangesInBase(Call call, int index) throws ScriptError {
-    Pose tcpInFlange = call.box().flange().tool().inFlange();
+  static List<Pose> flangesInBase(Call<ControlBox> call, int index) throws ScriptError {
+    Pose tcpInFlange = call.host().flange().tool().inFlange();
     List<Pose> flanges = new ArrayList<>();
     for (Pose tcpInBase : poses(call, index)) {
       flanges.add(InverseKinematics.flangeOf(tcpInBase, tcpInFlange));
@@ -86,7 +87,7 @@ final class PayloadArguments {
   }
 
   /** Wrenches, from a list of such poses as get_tcp_force answers, or from one of lists. */
-  static List<Wrench> wrenches(Call call, int index) throws ScriptError {
+  static List<Wrench> wrenches(Call<ControlBox> call, int index) throws ScriptError {
     List<Wrench> wrenches = new ArrayList<>();
     if (call.value(index) instanceof MatrixValue rows) {
       if (rows.columns() != 6) {
@@ -103,7 +104,8 @@ final class PayloadArguments {
     return wrenches;
   }
 
-  private static Wrench wrench(Call call, int index, MatrixValue rows, int row) throws ScriptError {
+  private static Wrench wrench(Call<ControlBox> call, int index, MatrixValue rows, int row)
+      throws ScriptError {
     double[] elements = new double[rows.columns()];
     for (int i = 0; i < elements.length; i++) {
       elements[i] = rows.numberAt(row, i);
@@ -114,7 +116,7 @@ final class PayloadArguments {
     return new Wrench(elements[0], elements[1], elements[2], elements[3], elements[4], elements[5]);
   }
 
-  private static List<Pose> poses(Call call, int index) throws ScriptError {
+  private static List<Pose> poses(Call<ControlBox> call, int index) throws ScriptError {
     ListValue list = call.list(index);
     if (list.length() > 0 && list.elementKind() != Kind.POSE) {
       throw call.wrongKind(index, "a list of poses");

@@ -2,17 +2,18 @@ package org.pendant.controller.builtin;
 
 import java.util.List;
 import org.pendant.controller.box.ArmModel;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.StructValue;
-import org.pendant.controller.value.Value;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.dynamics.PayloadEstimate;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.StructValue;
+import org.pendant.script.value.Value;
 
 /** What hangs on the flange: declared, asked for and estimated (manual 16.2, 16.26 to 16.52). */
 final class PayloadBuiltins {
@@ -22,7 +23,7 @@ final class PayloadBuiltins {
 
   private PayloadBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareReading(builtins);
     declareDeprecated(builtins);
     builtins
@@ -51,7 +52,7 @@ final class PayloadBuiltins {
         .does(PayloadBuiltins::estimate);
   }
 
-  private static void declareReading(Builtins builtins) {
+  private static void declareReading(Builtins<ControlBox> builtins) {
     builtins
         .declare("get_target_payload")
         .manual(MODULE, "16.26")
@@ -74,7 +75,7 @@ final class PayloadBuiltins {
         .does(PayloadBuiltins::inertia);
   }
 
-  private static void declareDeprecated(Builtins builtins) {
+  private static void declareDeprecated(Builtins<ControlBox> builtins) {
     builtins
         .declare("set_payload")
         .manual(MODULE, "16.49")
@@ -103,42 +104,42 @@ final class PayloadBuiltins {
         .does(PayloadBuiltins::setMass);
   }
 
-  private static Payload declared(Call call) {
-    return call.box().model().targetPayload();
+  private static Payload declared(Call<ControlBox> call) {
+    return call.host().model().targetPayload();
   }
 
-  private static Outcome cog(Call call) {
+  private static Outcome cog(Call<ControlBox> call) {
     Payload payload = declared(call);
     return call.answer(NumberList.of(payload.cogXM(), payload.cogYM(), payload.cogZM()));
   }
 
-  private static Outcome inertia(Call call) {
+  private static Outcome inertia(Call<ControlBox> call) {
     Payload p = declared(call);
     return call.answer(NumberList.of(p.ixx(), p.iyy(), p.izz(), p.ixy(), p.ixz(), p.iyz()));
   }
 
-  private static Outcome setPayload(Call call) throws ScriptError {
+  private static Outcome setPayload(Call<ControlBox> call) throws ScriptError {
     double massKg = PayloadArguments.massKg(call, 0);
     if (!call.given(1)) {
-      call.box().flange().declarePayloadAtTool(massKg);
+      call.host().flange().declarePayloadAtTool(massKg);
       return call.answer();
     }
     double[] cogM = PayloadArguments.cogM(call, 1);
     return declare(call, Payload.of(massKg, cogM[0], cogM[1], cogM[2]), 0);
   }
 
-  private static Outcome setCog(Call call) throws ScriptError {
+  private static Outcome setCog(Call<ControlBox> call) throws ScriptError {
     double[] cogM = PayloadArguments.cogM(call, 0);
     return declare(call, Payload.of(declared(call).massKg(), cogM[0], cogM[1], cogM[2]), 0);
   }
 
-  private static Outcome setMass(Call call) throws ScriptError {
+  private static Outcome setMass(Call<ControlBox> call) throws ScriptError {
     Payload before = declared(call);
     double massKg = PayloadArguments.massKg(call, 0);
     return declare(call, Payload.of(massKg, before.cogXM(), before.cogYM(), before.cogZM()), 0);
   }
 
-  private static Outcome setTargetPayload(Call call) throws ScriptError {
+  private static Outcome setTargetPayload(Call<ControlBox> call) throws ScriptError {
     double massKg = PayloadArguments.massKg(call, 0);
     double[] cogM = PayloadArguments.cogM(call, 1);
     double[] i = PayloadArguments.inertiaKgM2(call, 2);
@@ -147,13 +148,13 @@ final class PayloadBuiltins {
     return declare(call, payload, MotionArguments.notNegative(call, 3));
   }
 
-  private static Outcome declare(Call call, Payload payload, double transitionS) {
-    call.box().flange().declarePayload(payload, transitionS);
+  private static Outcome declare(Call<ControlBox> call, Payload payload, double transitionS) {
+    call.host().flange().declarePayload(payload, transitionS);
     return call.answer();
   }
 
-  private static Outcome estimate(Call call) throws ScriptError {
-    ArmModel model = call.box().model();
+  private static Outcome estimate(Call<ControlBox> call) throws ScriptError {
+    ArmModel model = call.host().model();
     PayloadEstimate estimate =
         PayloadEstimate.of(
             PayloadArguments.flangesInBase(call, 0),

@@ -3,9 +3,9 @@ package org.pendant.controller.builtin;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.pendant.controller.external.Pending;
-import org.pendant.controller.function.Wait;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.script.function.Wait;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** A script thread waits for an answer from outside. */
 final class PendingWait implements Wait {

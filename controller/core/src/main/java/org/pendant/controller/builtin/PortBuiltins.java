@@ -2,14 +2,14 @@ package org.pendant.controller.builtin;
 
 import java.util.List;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
 import org.pendant.controller.io.PortMap;
 import org.pendant.controller.io.SignalWrite;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** Bits and registers that Modbus clients see as well (manual 18.38, 18.39, 18.70, 18.71). */
 final class PortBuiltins {
@@ -24,7 +24,7 @@ final class PortBuiltins {
 
   private PortBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("read_port_bit")
         .manual(MODULE, "18.38")
@@ -67,9 +67,9 @@ final class PortBuiltins {
         .does(PortBuiltins::writeRegister);
   }
 
-  private static Outcome readBit(Call call) throws ScriptError {
+  private static Outcome readBit(Call<ControlBox> call) throws ScriptError {
     int address = call.integer(0);
-    ControlBox box = call.box();
+    ControlBox box = call.host();
     return call.answer(
         PortMap.bit(address, box.io().levels(), box.signals().state())
             .or(() -> box.links().published().portBit(address))
@@ -77,9 +77,9 @@ final class PortBuiltins {
             .booleanValue());
   }
 
-  private static Outcome readRegister(Call call) throws ScriptError {
+  private static Outcome readRegister(Call<ControlBox> call) throws ScriptError {
     int address = call.integer(0);
-    ControlBox box = call.box();
+    ControlBox box = call.host();
     int value =
         PortMap.register(address, box.io().levels(), box.signals().state())
             .or(() -> box.links().published().portRegister(address))
@@ -87,17 +87,17 @@ final class PortBuiltins {
     return call.answerInt((short) value);
   }
 
-  private static Outcome writeBit(Call call) throws ScriptError {
+  private static Outcome writeBit(Call<ControlBox> call) throws ScriptError {
     int address = call.integer(0);
     return write(
         call,
         "bit " + address,
         PortMap.writeBit(address, call.bool(1))
-            .or(() -> call.box().links().published().portBit(address).map(ofRobot -> List.of()))
+            .or(() -> call.host().links().published().portBit(address).map(ofRobot -> List.of()))
             .orElseThrow(() -> call.refuse(0, BITS)));
   }
 
-  private static Outcome writeRegister(Call call) throws ScriptError {
+  private static Outcome writeRegister(Call<ControlBox> call) throws ScriptError {
     int address = call.integer(0);
     int value = call.integer(1, Short.MIN_VALUE, HIGHEST) & 0xFFFF;
     try {
@@ -107,7 +107,7 @@ final class PortBuiltins {
           PortMap.writeRegister(address, value)
               .or(
                   () ->
-                      call.box()
+                      call.host()
                           .links()
                           .published()
                           .portRegister(address)
@@ -118,11 +118,11 @@ final class PortBuiltins {
     }
   }
 
-  private static Outcome write(Call call, String port, List<SignalWrite> writes) {
+  private static Outcome write(Call<ControlBox> call, String port, List<SignalWrite> writes) {
     if (writes.isEmpty()) {
-      call.box().log().warnOnce("port " + port + " is an input: a program cannot write it");
+      call.host().log().warnOnce("port " + port + " is an input: a program cannot write it");
     }
-    writes.forEach(call.box().signals()::write);
+    writes.forEach(call.host().signals()::write);
     return call.answer();
   }
 }

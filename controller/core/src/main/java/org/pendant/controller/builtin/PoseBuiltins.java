@@ -1,10 +1,11 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Effect;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.pose.Poses;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Effect;
 
 /** Pose algebra (manual 17), which {@link Poses} computes. */
 final class PoseBuiltins {
@@ -13,7 +14,7 @@ final class PoseBuiltins {
 
   private PoseBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("interpolate_pose")
         .manual("urmath", "17.13")

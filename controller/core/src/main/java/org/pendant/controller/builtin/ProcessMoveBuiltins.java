@@ -1,19 +1,19 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.motion.ArcRoute;
-import org.pendant.controller.motion.Move;
-import org.pendant.controller.motion.MoveLimits;
-import org.pendant.controller.motion.PathLimits;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.ArcRoute;
+import org.pendant.motion.Move;
+import org.pendant.motion.MoveLimits;
+import org.pendant.motion.PathLimits;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.ScriptError;
 
 /** Moves at an even speed of the tool (manual 15.28, 15.31). */
 final class ProcessMoveBuiltins {
@@ -21,7 +21,7 @@ final class ProcessMoveBuiltins {
 
   private ProcessMoveBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("movec")
         .manual(MODULE, "15.28")
@@ -53,8 +53,8 @@ final class ProcessMoveBuiltins {
         .does(ProcessMoveBuiltins::movep);
   }
 
-  private static Outcome movep(Call call) throws ScriptError {
-    ControlBox box = call.box();
+  private static Outcome movep(Call<ControlBox> call) throws ScriptError {
+    ControlBox box = call.host();
     Pose tcp = box.flange().tool().inFlange();
     Pose goal = pose(call, 0);
     MoveLimits limits = limits(call, 1);
@@ -63,8 +63,8 @@ final class ProcessMoveBuiltins {
         call, "movep", limits, 3, from -> MotionBuiltins.toPose(box, from, goal, tcp, pathLimits));
   }
 
-  private static Outcome movec(Call call) throws ScriptError {
-    ControlBox box = call.box();
+  private static Outcome movec(Call<ControlBox> call) throws ScriptError {
+    ControlBox box = call.host();
     Pose tcp = box.flange().tool().inFlange();
     Pose via = pose(call, 0);
     Pose goal = pose(call, 1);
@@ -76,23 +76,23 @@ final class ProcessMoveBuiltins {
         call, "movec", limits, 4, from -> route.from(from, box.forward().tcpPose(from, tcp)));
   }
 
-  private static MoveLimits limits(Call call, int index) throws ScriptError {
+  private static MoveLimits limits(Call<ControlBox> call, int index) throws ScriptError {
     double acceleration = MotionArguments.positive(call, index);
     return new MoveLimits(acceleration, MotionArguments.positive(call, index + 1), 0);
   }
 
   /** A pose of the TCP, or the one that joint positions give. */
-  private static Pose pose(Call call, int index) throws ScriptError {
+  private static Pose pose(Call<ControlBox> call, int index) throws ScriptError {
     if (call.kind(index) == Kind.POSE) {
       return MotionArguments.pose(call, index);
     }
-    ControlBox box = call.box();
+    ControlBox box = call.host();
     return box.forward()
         .tcpPose(MotionArguments.jointGoal(call, index), box.flange().tool().inFlange());
   }
 
   private static Outcome move(
-      Call call, String function, MoveLimits limits, int radius, Move.Route route)
+      Call<ControlBox> call, String function, MoveLimits limits, int radius, Move.Route route)
       throws ScriptError {
     double radiusM = MotionArguments.notNegative(call, radius);
     return MotionWait.move(call, function, new Move(route, limits, radiusM, 0, Move.Kind.PROCESS));

@@ -1,21 +1,22 @@
 package org.pendant.controller.builtin;
 
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Published;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
 import org.pendant.controller.rtde.OutputFields;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.check.Nearest;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** What clients of the real-time data exchange see (manual 18.10). */
 final class PublishedBuiltins {
   private PublishedBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("get_rtde_value")
         .manual("interfaces", "18.10")
@@ -28,15 +29,15 @@ final class PublishedBuiltins {
         .does(PublishedBuiltins::rtdeValue);
   }
 
-  private static Outcome rtdeValue(Call call) throws ScriptError {
+  private static Outcome rtdeValue(Call<ControlBox> call) throws ScriptError {
     String key = call.text(0);
     if (key.equals(OutputFields.EXECUTION_TIME)) {
-      call.box()
+      call.host()
           .clock()
           .determinism()
           .loseInRealTime("a program asked how long the computer works at a frame");
     }
-    Published published = call.box().links().published();
+    Published published = call.host().links().published();
     Value value =
         published
             .field(key)

@@ -1,21 +1,22 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Declaration;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.io.Direction;
 import org.pendant.controller.io.RegisterIo;
 import org.pendant.controller.io.RegisterKind;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Declaration;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** General-purpose registers (manual 18.32 to 18.37, 18.67 to 18.69). */
 final class RegisterBuiltins {
   private RegisterBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareReading(builtins, Direction.INPUT, "18.32", "18.33", "18.34");
     declareReading(builtins, Direction.OUTPUT, "18.35", "18.36", "18.37");
     write(builtins, RegisterKind.BOOLEAN, "18.67", Type.BOOL)
@@ -30,7 +31,7 @@ final class RegisterBuiltins {
   }
 
   private static void declareReading(
-      Builtins builtins,
+      Builtins<ControlBox> builtins,
       Direction direction,
       String booleanSection,
       String floatSection,
@@ -55,8 +56,12 @@ final class RegisterBuiltins {
                     registers(call, direction).integer(address(call, RegisterKind.INTEGER))));
   }
 
-  private static Declaration read(
-      Builtins builtins, Direction direction, RegisterKind kind, String section, Type result) {
+  private static Declaration<ControlBox> read(
+      Builtins<ControlBox> builtins,
+      Direction direction,
+      RegisterKind kind,
+      String section,
+      Type result) {
     return builtins
         .declare("read_" + direction.text() + "_" + kind.text() + "_register")
         .manual("interfaces", section)
@@ -65,8 +70,8 @@ final class RegisterBuiltins {
         .effect(Effect.ASKS);
   }
 
-  private static Declaration write(
-      Builtins builtins, RegisterKind kind, String section, Type type) {
+  private static Declaration<ControlBox> write(
+      Builtins<ControlBox> builtins, RegisterKind kind, String section, Type type) {
     return builtins
         .declare("write_output_" + kind.text() + "_register")
         .manual("interfaces", section)
@@ -75,26 +80,26 @@ final class RegisterBuiltins {
         .effect(Effect.TELLS);
   }
 
-  private static RegisterIo registers(Call call, Direction direction) {
-    return call.box().signals().registers(direction);
+  private static RegisterIo registers(Call<ControlBox> call, Direction direction) {
+    return call.host().signals().registers(direction);
   }
 
-  private static int address(Call call, RegisterKind kind) throws ScriptError {
+  private static int address(Call<ControlBox> call, RegisterKind kind) throws ScriptError {
     return call.integer(0, 0, kind.size() - 1);
   }
 
-  private static Outcome setBool(Call call) throws ScriptError {
+  private static Outcome setBool(Call<ControlBox> call) throws ScriptError {
     registers(call, Direction.OUTPUT).setBool(address(call, RegisterKind.BOOLEAN), call.bool(1));
     return call.answer();
   }
 
-  private static Outcome setFloating(Call call) throws ScriptError {
+  private static Outcome setFloating(Call<ControlBox> call) throws ScriptError {
     registers(call, Direction.OUTPUT)
         .setFloating(address(call, RegisterKind.FLOAT), call.number(1));
     return call.answer();
   }
 
-  private static Outcome setInteger(Call call) throws ScriptError {
+  private static Outcome setInteger(Call<ControlBox> call) throws ScriptError {
     registers(call, Direction.OUTPUT)
         .setInteger(address(call, RegisterKind.INTEGER), call.integer(1));
     return call.answer();

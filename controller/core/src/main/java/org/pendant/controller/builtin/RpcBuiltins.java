@@ -2,14 +2,15 @@ package org.pendant.controller.builtin;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.external.RpcLink;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.HandleValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.HandleValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Remote procedure calls (manual 8, 18.40). */
 final class RpcBuiltins {
@@ -17,7 +18,7 @@ final class RpcBuiltins {
 
   private RpcBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("rpc_factory")
         .manual("interfaces", "18.40")
@@ -38,27 +39,27 @@ final class RpcBuiltins {
     builtins.declareAnyMethod(Type.RPC_HANDLE, RpcBuiltins::call);
   }
 
-  private static Outcome factory(Call call) throws ScriptError {
+  private static Outcome factory(Call<ControlBox> call) throws ScriptError {
     if (!call.text(0).equals(XMLRPC)) {
       throw call.refuse(0, "must be \"" + XMLRPC + "\"");
     }
     try {
-      int number = call.box().links().outside().openServer(call.text(1));
+      int number = call.host().links().outside().openServer(call.text(1));
       Value handle = new HandleValue(Type.RPC_HANDLE, number, "");
-      RpcLink server = call.box().links().outside().server(number);
+      RpcLink server = call.host().links().outside().server(number);
       return new PendingWait("rpc_factory: " + call.text(1), server.connect(), result -> handle);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
   }
 
-  private static Outcome close(Call call) throws ScriptError {
+  private static Outcome close(Call<ControlBox> call) throws ScriptError {
     call.program().reachesOutside();
-    call.box().links().outside().server(handle(call).id()).disconnect();
+    call.host().links().outside().server(handle(call).id()).disconnect();
     return call.answer();
   }
 
-  private static Outcome call(Call call, String method, int count) throws ScriptError {
+  private static Outcome call(Call<ControlBox> call, String method, int count) throws ScriptError {
     call.program().reachesOutside();
     HandleValue handle = handle(call);
     String name = handle.member(method).path();
@@ -67,14 +68,14 @@ final class RpcBuiltins {
       arguments.add(call.value(i).copy());
     }
     try {
-      RpcLink server = call.box().links().outside().server(handle.id());
+      RpcLink server = call.host().links().outside().server(handle.id());
       return new PendingWait(name, server.call(name, arguments), result -> result);
     } catch (ScriptError e) {
       throw new ScriptError(e.code(), name + ": " + e.getMessage());
     }
   }
 
-  private static HandleValue handle(Call call) throws ScriptError {
+  private static HandleValue handle(Call<ControlBox> call) throws ScriptError {
     if (call.value(0) instanceof HandleValue handle) {
       return handle;
     }

@@ -2,18 +2,18 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.arm.ExternalForceSensor;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Declaration;
-import org.pendant.controller.function.Outcome;
 import org.pendant.controller.io.WatchdogAction;
 import org.pendant.controller.rtde.InputFields;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.StringValue;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Declaration;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.StringValue;
 
 /** What RTDE clients write: who watches it, and forces they measure (manual 18.1, 18.2, 18.41). */
 final class RtdeInputBuiltins {
@@ -23,7 +23,7 @@ final class RtdeInputBuiltins {
 
   private RtdeInputBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     sensor(builtins, "enable_external_ft_sensor", "18.1")
         .doc(
             "Has force control use the force/torque sensor whose readings an RTDE client sends;"
@@ -50,7 +50,8 @@ final class RtdeInputBuiltins {
         .does(RtdeInputBuiltins::setWatchdog);
   }
 
-  private static Declaration sensor(Builtins builtins, String name, String section) {
+  private static Declaration<ControlBox> sensor(
+      Builtins<ControlBox> builtins, String name, String section) {
     return builtins
         .declare(name)
         .manual(MODULE, section)
@@ -60,14 +61,14 @@ final class RtdeInputBuiltins {
         .takes("sensor_cog", Type.LIST, NumberList.of(0, 0, 0));
   }
 
-  private static Outcome enable(Call call, double offsetSign) throws ScriptError {
+  private static Outcome enable(Call<ControlBox> call, double offsetSign) throws ScriptError {
     double massKg = call.number(1);
     if (!(massKg >= 0 && massKg < Double.POSITIVE_INFINITY)) {
       throw call.refuse(1, "must be finite and not negative");
     }
     double[] offsetM = finite(call, 2);
     double[] cogM = finite(call, 3);
-    ControlBox box = call.box();
+    ControlBox box = call.host();
     if (call.bool(0)) {
       box.flange()
           .useExternalForceSensor(
@@ -90,7 +91,7 @@ final class RtdeInputBuiltins {
     return call.answer();
   }
 
-  private static double[] finite(Call call, int index) throws ScriptError {
+  private static double[] finite(Call<ControlBox> call, int index) throws ScriptError {
     double[] numbers = call.numbers(index, 3);
     for (double number : numbers) {
       if (!Double.isFinite(number)) {
@@ -100,7 +101,7 @@ final class RtdeInputBuiltins {
     return numbers;
   }
 
-  private static Outcome setWatchdog(Call call) throws ScriptError {
+  private static Outcome setWatchdog(Call<ControlBox> call) throws ScriptError {
     String input = call.text(0);
     if (InputFields.of(input).isEmpty()) {
       throw call.refuse(0, "must be an input of RTDE such as input_int_register_0");
@@ -109,14 +110,14 @@ final class RtdeInputBuiltins {
     if (!(leastHz > 0 && leastHz < Double.POSITIVE_INFINITY)) {
       throw call.refuse(1, "must be finite and above 0");
     }
-    call.box()
+    call.host()
         .links()
         .inputWatchdogs()
-        .set(input, leastHz, action(call), call.box().clock().timeS());
+        .set(input, leastHz, action(call), call.host().clock().timeS());
     return call.answer();
   }
 
-  private static WatchdogAction action(Call call) throws ScriptError {
+  private static WatchdogAction action(Call<ControlBox> call) throws ScriptError {
     return switch (call.word(2)) {
       case "ignore" -> WatchdogAction.IGNORE;
       case "pause" -> WatchdogAction.PAUSE;

@@ -1,16 +1,17 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Declaration;
-import org.pendant.controller.function.Outcome;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.RunStateAction;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Declaration;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** Outputs that follow what the program does (manual 19.6 to 19.10). */
 final class RunStateBuiltins {
@@ -25,7 +26,7 @@ final class RunStateBuiltins {
 
   private RunStateBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     choose(builtins, "set_runstate_configurable_digital_output_to_value", "19.6")
         .doc("Keeps a configurable digital output, 0 to 7," + POWER)
         .does(call -> choose(call, SignalBank.CONFIGURABLE_OUT, LAST));
@@ -46,7 +47,8 @@ final class RunStateBuiltins {
     declareOld(builtins, "set_runstate_standard_digital_outputs");
   }
 
-  private static Declaration choose(Builtins builtins, String name, String section) {
+  private static Declaration<ControlBox> choose(
+      Builtins<ControlBox> builtins, String name, String section) {
     return builtins
         .declare(name)
         .manual(MODULE, section)
@@ -55,7 +57,7 @@ final class RunStateBuiltins {
   }
 
   /** In programs that older robot software wrote; the manual does not have them. */
-  private static void declareOld(Builtins builtins, String name) {
+  private static void declareOld(Builtins<ControlBox> builtins, String name) {
     builtins
         .declare(name)
         .manual(MODULE, "19")
@@ -65,29 +67,30 @@ final class RunStateBuiltins {
         .does(RunStateBuiltins::accept);
   }
 
-  private static Outcome choose(Call call, SignalBank bank, int last) throws ScriptError {
+  private static Outcome choose(Call<ControlBox> call, SignalBank bank, int last)
+      throws ScriptError {
     int output = call.integer(0, 0, bank.size() - 1);
-    call.box().signals().runState().choose(new Signal(bank, output), action(call, last));
+    call.host().signals().runState().choose(new Signal(bank, output), action(call, last));
     return call.answer();
   }
 
-  private static Outcome chooseRegister(Call call) throws ScriptError {
+  private static Outcome chooseRegister(Call<ControlBox> call) throws ScriptError {
     int output = call.integer(0, 0, RegisterKind.BOOLEAN.size() - 1);
-    call.box().signals().runState().chooseRegister(output, action(call, LAST));
+    call.host().signals().runState().chooseRegister(output, action(call, LAST));
     return call.answer();
   }
 
-  private static Outcome chooseAnalog(Call call) throws ScriptError {
+  private static Outcome chooseAnalog(Call<ControlBox> call) throws ScriptError {
     int output = call.integer(0, 0, AnalogBank.SIZE - 1);
-    call.box().signals().runState().chooseAnalog(output, action(call, LAST));
+    call.host().signals().runState().chooseAnalog(output, action(call, LAST));
     return call.answer();
   }
 
-  private static RunStateAction action(Call call, int last) throws ScriptError {
+  private static RunStateAction action(Call<ControlBox> call, int last) throws ScriptError {
     return RunStateAction.of(call.integer(1, 0, last));
   }
 
-  private static Outcome accept(Call call) throws ScriptError {
+  private static Outcome accept(Call<ControlBox> call) throws ScriptError {
     call.list(0);
     return call.answer();
   }

@@ -3,16 +3,16 @@ package org.pendant.controller.builtin;
 import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Wait;
-import org.pendant.controller.motion.MotionControl;
-import org.pendant.controller.motion.MotionFailure;
-import org.pendant.controller.motion.MotionTicket;
-import org.pendant.controller.toolpath.BackgroundTask;
-import org.pendant.controller.toolpath.RunPlan;
-import org.pendant.controller.toolpath.Toolpaths;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.motion.MotionControl;
+import org.pendant.motion.MotionTicket;
+import org.pendant.motion.PlanningException;
+import org.pendant.motion.toolpath.BackgroundTask;
+import org.pendant.motion.toolpath.RunPlan;
+import org.pendant.motion.toolpath.Toolpaths;
+import org.pendant.script.function.Wait;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /**
  * A script thread waits for a run of queued motions: until the arm rests, until the run is planned,
@@ -32,13 +32,13 @@ final class RunWait implements Wait {
    *
    * @param last the number of the last motion
    */
-  RunWait(ControlBox box, int last) throws ScriptError {
+  RunWait(ControlBox box, int last) throws PlanningException {
     this.box = box;
     this.last = last;
     planAtRest();
   }
 
-  private void planAtRest() throws ScriptError {
+  private void planAtRest() throws PlanningException {
     MotionControl motion = box.motion();
     if (!motion.moving()) {
       box.clock().determinism().loseInRealTime("a program waited until a toolpath was planned");
@@ -51,18 +51,18 @@ final class RunWait implements Wait {
   @Override
   public Optional<Value> poll(long frame) throws ScriptError {
     try {
-      Optional<Value> answer = step();
+      Optional<Value> answer = Planning.named("mc_run_motion: ", this::step);
       if (answer.isPresent()) {
         box.toolpaths().ran(last, plan.orElseThrow());
       }
       return answer;
     } catch (ScriptError e) {
       cancel();
-      throw new ScriptError(e.code(), "mc_run_motion: " + e.getMessage());
+      throw e;
     }
   }
 
-  private Optional<Value> step() throws ScriptError {
+  private Optional<Value> step() throws PlanningException, ScriptError {
     if (ticket.isPresent()) {
       return follow(ticket.get());
     }
@@ -85,8 +85,7 @@ final class RunWait implements Wait {
 
   private Optional<Value> follow(MotionTicket running) throws ScriptError {
     if (running.failure().isPresent()) {
-      MotionFailure failure = running.failure().get();
-      throw new ScriptError(failure.code(), failure.message());
+      throw Planning.error(running.failure().get());
     }
     if (running.finished()) {
       return DONE;

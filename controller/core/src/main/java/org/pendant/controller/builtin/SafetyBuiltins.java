@@ -2,17 +2,17 @@ package org.pendant.controller.builtin;
 
 import java.util.OptionalInt;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.kinematics.InverseResult;
 import org.pendant.models.pose.Pose;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.ScriptError;
 
 /** Stops, limits and power (manual 15.40, 15.41, 15.47, 16.37, 16.38, 16.40, 16.42, 16.43). */
 final class SafetyBuiltins {
@@ -21,7 +21,7 @@ final class SafetyBuiltins {
 
   private SafetyBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareStops(builtins);
     declareErrors(builtins);
     builtins
@@ -47,7 +47,7 @@ final class SafetyBuiltins {
         .does(call -> call.answer(withinLimits(call)));
   }
 
-  private static void declareStops(Builtins builtins) {
+  private static void declareStops(Builtins<ControlBox> builtins) {
     builtins
         .declare("powerdown")
         .manual(MODULE, "16.42")
@@ -70,7 +70,7 @@ final class SafetyBuiltins {
         .does(SafetyBuiltins::setHardness);
   }
 
-  private static void declareErrors(Builtins builtins) {
+  private static void declareErrors(Builtins<ControlBox> builtins) {
     builtins
         .declare("pause_on_error_code")
         .manual(MOTION, "15.40")
@@ -91,13 +91,13 @@ final class SafetyBuiltins {
         .does(SafetyBuiltins::deviationWarning);
   }
 
-  private static Outcome setHighHoldingTorque(Call call, boolean enabled) {
-    call.box().safety().setHighHoldingTorque(enabled);
+  private static Outcome setHighHoldingTorque(Call<ControlBox> call, boolean enabled) {
+    call.host().safety().setHighHoldingTorque(enabled);
     return call.answer();
   }
 
-  private static boolean withinLimits(Call call) throws ScriptError {
-    ControlBox box = call.box();
+  private static boolean withinLimits(Call<ControlBox> call) throws ScriptError {
+    ControlBox box = call.host();
     Pose tcpInFlange = box.flange().tool().inFlange();
     if (call.kind(0) != Kind.POSE) {
       return box.safety().within(MotionArguments.joints(call, 0), tcpInFlange);
@@ -110,38 +110,38 @@ final class SafetyBuiltins {
     };
   }
 
-  private static Outcome powerdown(Call call) {
-    call.box().shutDown();
+  private static Outcome powerdown(Call<ControlBox> call) {
+    call.host().shutDown();
     call.program().halt();
     return call.answer();
   }
 
-  private static Outcome protectiveStop(Call call) {
-    call.box().safety().protectiveStop();
+  private static Outcome protectiveStop(Call<ControlBox> call) {
+    call.host().safety().protectiveStop();
     // the stop takes effect later in this frame: until then the program must not go on
     call.program().pause();
     return call.answer();
   }
 
-  private static Outcome setHardness(Call call) throws ScriptError {
-    call.box().safety().setTransitionHardness(call.integer(0, 0, 1));
+  private static Outcome setHardness(Call<ControlBox> call) throws ScriptError {
+    call.host().safety().setTransitionHardness(call.integer(0, 0, 1));
     return call.answer();
   }
 
-  private static Outcome pauseOnErrorCode(Call call) throws ScriptError {
+  private static Outcome pauseOnErrorCode(Call<ControlBox> call) throws ScriptError {
     int code = call.integer(0);
     OptionalInt argument = call.given(1) ? OptionalInt.of(call.integer(1)) : OptionalInt.empty();
-    call.box().safety().pauseOnErrorCode(code, argument);
+    call.host().safety().pauseOnErrorCode(code, argument);
     return call.answer();
   }
 
-  private static Outcome deviationWarning(Call call) throws ScriptError {
+  private static Outcome deviationWarning(Call<ControlBox> call) throws ScriptError {
     boolean enabled = call.bool(0);
     double threshold = call.number(1);
     if (!(threshold >= 0 && threshold <= 1)) {
       throw call.refuse(1, "must be 0 to 1");
     }
-    call.box().safety().positionDeviationWarning(enabled, threshold);
+    call.host().safety().positionDeviationWarning(enabled, threshold);
     return call.answer();
   }
 }

@@ -3,18 +3,18 @@ package org.pendant.controller.builtin;
 import org.pendant.controller.arm.ArmSensors;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.PositionHistory;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** What the sensors read (manual 16.1, 16.3, 16.5, 16.11, 16.19, 16.20, 16.32 to 16.36, 18.72). */
 final class SensorBuiltins {
@@ -22,7 +22,7 @@ final class SensorBuiltins {
 
   private SensorBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareForce(builtins);
     declareJoints(builtins);
     declareTool(builtins);
@@ -32,10 +32,10 @@ final class SensorBuiltins {
         .doc("The temperature in the control box.")
         .returns(Unit.CELSIUS)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.box().controllerTemperatureC()));
+        .does(call -> call.answer(call.host().controllerTemperatureC()));
   }
 
-  private static void declareForce(Builtins builtins) {
+  private static void declareForce(Builtins<ControlBox> builtins) {
     builtins
         .declare("force")
         .manual(MODULE, "16.1")
@@ -59,12 +59,12 @@ final class SensorBuiltins {
         .doc("Makes what the force sensor feels now its zero.")
         .does(
             call -> {
-              call.box().flange().zeroForceSensor();
+              call.host().flange().zeroForceSensor();
               return call.answer();
             });
   }
 
-  private static void declareJoints(Builtins builtins) {
+  private static void declareJoints(Builtins<ControlBox> builtins) {
     builtins
         .declare("get_actual_joint_accelerations")
         .manual(MODULE, "16.3")
@@ -102,7 +102,7 @@ final class SensorBuiltins {
         .does(SensorBuiltins::externalTorques);
   }
 
-  private static void declareTool(Builtins builtins) {
+  private static void declareTool(Builtins<ControlBox> builtins) {
     builtins
         .declare("get_tool_accelerometer_reading")
         .manual(MODULE, "16.34")
@@ -118,7 +118,7 @@ final class SensorBuiltins {
         .doc("The current that the tool takes.")
         .returns(Unit.AMPERE)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.box().toolCurrentA()));
+        .does(call -> call.answer(call.host().toolCurrentA()));
     builtins
         .declare("get_tool_temp")
         .manual(MODULE, "16.36")
@@ -128,29 +128,29 @@ final class SensorBuiltins {
         .does(call -> call.answer(sensors(call).toolTemperatureC()));
   }
 
-  private static ArmSensors sensors(Call call) {
-    return call.box().arm().sensors();
+  private static ArmSensors sensors(Call<ControlBox> call) {
+    return call.host().arm().sensors();
   }
 
-  private static Outcome force(Call call) {
-    Wrench w = call.box().flange().wrenchInBase();
+  private static Outcome force(Call<ControlBox> call) {
+    Wrench w = call.host().flange().wrenchInBase();
     return call.answer(Math.sqrt(w.fx() * w.fx() + w.fy() * w.fy() + w.fz() * w.fz()));
   }
 
-  private static Outcome tcpForce(Call call) {
-    Wrench w = call.box().flange().wrenchInBase();
+  private static Outcome tcpForce(Call<ControlBox> call) {
+    Wrench w = call.host().flange().wrenchInBase();
     return call.answer(new Pose(w.fx(), w.fy(), w.fz(), w.mx(), w.my(), w.mz()));
   }
 
-  private static Outcome history(Call call) throws ScriptError {
+  private static Outcome history(Call<ControlBox> call) throws ScriptError {
     int steps = call.integer(0, 0, PositionHistory.FRAMES - 1);
-    ControlBox box = call.box();
+    ControlBox box = call.host();
     // not from the history: set_pos may have put the arm elsewhere in this frame
     return call.answer(
         steps == 0 ? box.drive().actualPositionRad() : box.drive().history().ago(steps));
   }
 
-  private static Outcome externalTorques(Call call) {
+  private static Outcome externalTorques(Call<ControlBox> call) {
     double[] torqueNm = new double[Joints.COUNT];
     for (int i = 0; i < Joints.COUNT; i++) {
       torqueNm[i] = sensors(call).externalTorqueNm(i);
@@ -158,7 +158,7 @@ final class SensorBuiltins {
     return call.answer(Joints.of(torqueNm));
   }
 
-  private static Outcome accelerometer(Call call) {
+  private static Outcome accelerometer(Call<ControlBox> call) {
     ArmSensors sensors = sensors(call);
     return call.answer(
         NumberList.of(

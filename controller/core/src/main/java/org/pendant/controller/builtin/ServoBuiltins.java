@@ -2,20 +2,20 @@ package org.pendant.controller.builtin;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.pendant.controller.arm.FrictionShare;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.function.Wait;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.servo.FrictionShare;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.function.Wait;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Speeds, positions and torques that programs stream (manual 15.2, 15.44, 15.48, 15.49). */
 final class ServoBuiltins {
@@ -33,7 +33,7 @@ final class ServoBuiltins {
 
   private ServoBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareSpeeds(builtins);
     declareServos(builtins);
     builtins
@@ -52,7 +52,7 @@ final class ServoBuiltins {
         .does(ServoBuiltins::directTorque);
   }
 
-  private static void declareSpeeds(Builtins builtins) {
+  private static void declareSpeeds(Builtins<ControlBox> builtins) {
     builtins
         .declare("speedj")
         .manual(MODULE, "15.48")
@@ -82,7 +82,7 @@ final class ServoBuiltins {
         .does(ServoBuiltins::speedl);
   }
 
-  private static void declareServos(Builtins builtins) {
+  private static void declareServos(Builtins<ControlBox> builtins) {
     builtins
         .declare("servoj")
         .manual(MODULE, "15.44")
@@ -114,35 +114,35 @@ final class ServoBuiltins {
         .does(ServoBuiltins::servoc);
   }
 
-  private static Outcome speedj(Call call) throws ScriptError {
+  private static Outcome speedj(Call<ControlBox> call) throws ScriptError {
     Joints speed = Joints.of(speeds(call, "rad/s"));
     double acceleration = MotionArguments.positive(call, 1);
     return MotionWait.goOn(
-        call, "speedj", call.box().servoing().speedJ(speed, acceleration, returnS(call)));
+        call, "speedj", call.host().servoing().speedJ(speed, acceleration, returnS(call)));
   }
 
-  private static Outcome speedl(Call call) throws ScriptError {
+  private static Outcome speedl(Call<ControlBox> call) throws ScriptError {
     double[] twist = speeds(call, "m/s and rad/s");
     double acceleration = MotionArguments.positive(call, 1);
     double turning = call.given(3) ? MotionArguments.positive(call, 3) : acceleration;
-    Pose tcp = call.box().flange().tool().inFlange();
+    Pose tcp = call.host().flange().tool().inFlange();
     return MotionWait.goOn(
         call,
         "speedl",
-        call.box().servoing().speedL(tcp, twist, acceleration, turning, returnS(call)));
+        call.host().servoing().speedL(tcp, twist, acceleration, turning, returnS(call)));
   }
 
-  private static double[] speeds(Call call, String unit) throws ScriptError {
+  private static double[] speeds(Call<ControlBox> call, String unit) throws ScriptError {
     return MotionArguments.bounded(call, 0, Joints.COUNT, MOST_SPEED, unit);
   }
 
-  private static OptionalDouble returnS(Call call) throws ScriptError {
+  private static OptionalDouble returnS(Call<ControlBox> call) throws ScriptError {
     return call.given(2)
         ? OptionalDouble.of(MotionArguments.notNegative(call, 2))
         : OptionalDouble.empty();
   }
 
-  private static Outcome servoj(Call call) throws ScriptError {
+  private static Outcome servoj(Call<ControlBox> call) throws ScriptError {
     Joints goal = MotionArguments.jointGoal(call, 0);
     unused(call, 1);
     unused(call, 2);
@@ -150,18 +150,18 @@ final class ServoBuiltins {
     double lookaheadS = within(call, 4, LEAST_LOOKAHEAD_S, MOST_LOOKAHEAD_S, " s");
     double gain = within(call, 5, LEAST_GAIN, MOST_GAIN, "");
     return MotionWait.goOn(
-        call, "servoj", call.box().servoing().servoJ(goal, timeS, lookaheadS, gain));
+        call, "servoj", call.host().servoing().servoJ(goal, timeS, lookaheadS, gain));
   }
 
   /** An argument that nothing depends on is a number all the same. */
-  private static void unused(Call call, int index) throws ScriptError {
+  private static void unused(Call<ControlBox> call, int index) throws ScriptError {
     if (call.given(index)) {
       call.number(index);
     }
   }
 
-  private static double within(Call call, int index, double least, double most, String unit)
-      throws ScriptError {
+  private static double within(
+      Call<ControlBox> call, int index, double least, double most, String unit) throws ScriptError {
     double number = call.number(index);
     if (!(number >= least && number <= most)) {
       throw call.refuse(
@@ -170,8 +170,8 @@ final class ServoBuiltins {
     return number;
   }
 
-  private static Outcome servoc(Call call) throws ScriptError {
-    ControlBox box = call.box();
+  private static Outcome servoc(Call<ControlBox> call) throws ScriptError {
+    ControlBox box = call.host();
     Pose tcp = box.flange().tool().inFlange();
     Pose goal =
         call.kind(0) == Kind.POSE
@@ -184,23 +184,23 @@ final class ServoBuiltins {
         call, "servoc", box.servoing().servoC(goal, tcp, acceleration, speed, radiusM));
   }
 
-  private static Outcome directTorque(Call call) throws ScriptError {
+  private static Outcome directTorque(Call<ControlBox> call) throws ScriptError {
     Joints torqueNm = MotionArguments.joints(call, 0);
     FrictionShare usual = call.bool(1) ? FrictionShare.MOST : FrictionShare.NONE;
     FrictionShare friction =
         new FrictionShare(share(call, 2, usual.viscous()), share(call, 3, usual.coulomb()));
-    try {
-      call.box().drive().requirePower();
-      call.box().servoing().giveTorque(torqueNm, friction);
-    } catch (ScriptError e) {
-      throw call.failure(e.code(), e.getMessage());
-    }
-    long next = call.frame() + 1;
-    Wait wait = frame -> frame >= next ? DONE : Optional.empty();
-    return wait;
+    return Planning.named(
+        call,
+        () -> {
+          call.host().drive().requirePower();
+          call.host().servoing().giveTorque(torqueNm, friction);
+          long next = call.frame() + 1;
+          Wait wait = frame -> frame >= next ? DONE : Optional.empty();
+          return wait;
+        });
   }
 
-  private static Joints share(Call call, int index, Joints usual) throws ScriptError {
+  private static Joints share(Call<ControlBox> call, int index, Joints usual) throws ScriptError {
     if (!call.given(index)) {
       return usual;
     }

@@ -1,11 +1,12 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.external.ExternalSocket;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.motion.FrameTime;
+import org.pendant.script.function.Call;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** What the functions for sockets have in common. */
 final class SocketArguments {
@@ -24,16 +25,17 @@ final class SocketArguments {
   private SocketArguments() {}
 
   /** The socket that argument {@code index} names; says so once where it is not open. */
-  static Optional<ExternalSocket> socket(Call call, String function, int index) throws ScriptError {
+  static Optional<ExternalSocket> socket(Call<ControlBox> call, String function, int index)
+      throws ScriptError {
     String name = call.text(index);
     Optional<ExternalSocket> socket =
-        call.box()
+        call.host()
             .links()
             .outside()
             .socket(name)
             .filter(each -> each.stage() != ExternalSocket.Stage.CONNECTING);
     if (socket.isEmpty()) {
-      call.box().log().warnOnce(function + ": socket " + quoted(name) + " is not open");
+      call.host().log().warnOnce(function + ": socket " + quoted(name) + " is not open");
     }
     return socket;
   }
@@ -42,7 +44,7 @@ final class SocketArguments {
    * The frame at which a timeout is over, counted as waits are; one of 0 or less never is (manual
    * 18.57).
    */
-  static long deadline(Call call, int index) throws ScriptError {
+  static long deadline(Call<ControlBox> call, int index) throws ScriptError {
     double timeoutS = call.number(index);
     if (Double.isNaN(timeoutS)) {
       throw call.refuse(index, "must be a number of seconds");

@@ -1,13 +1,14 @@
 package org.pendant.controller.builtin;
 
 import java.nio.charset.StandardCharsets;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.external.ExternalSocket;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** Opening, closing and sending by sockets (manual 18.54, 18.56, 18.62 to 18.66). */
 final class SocketBuiltins {
@@ -16,13 +17,13 @@ final class SocketBuiltins {
 
   private SocketBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareConnection(builtins);
     declareNumbers(builtins);
     declareTexts(builtins);
   }
 
-  private static void declareConnection(Builtins builtins) {
+  private static void declareConnection(Builtins<ControlBox> builtins) {
     builtins
         .declare("socket_open")
         .manual(SocketArguments.MODULE, "18.56")
@@ -43,7 +44,7 @@ final class SocketBuiltins {
         .does(SocketBuiltins::close);
   }
 
-  private static void declareNumbers(Builtins builtins) {
+  private static void declareNumbers(Builtins<ControlBox> builtins) {
     builtins
         .declare("socket_send_byte")
         .manual(SocketArguments.MODULE, "18.62")
@@ -75,7 +76,7 @@ final class SocketBuiltins {
         .does(SocketBuiltins::setVariable);
   }
 
-  private static void declareTexts(Builtins builtins) {
+  private static void declareTexts(Builtins<ControlBox> builtins) {
     builtins
         .declare("socket_send_line")
         .manual(SocketArguments.MODULE, "18.64")
@@ -100,31 +101,32 @@ final class SocketBuiltins {
         .does(call -> sendText(call, "socket_send_string", ""));
   }
 
-  private static Outcome sendText(Call call, String function, String end) throws ScriptError {
+  private static Outcome sendText(Call<ControlBox> call, String function, String end)
+      throws ScriptError {
     return call.withText(text -> send(call, function, 1, bytes(text + end)), 0);
   }
 
-  private static Outcome open(Call call) throws ScriptError {
+  private static Outcome open(Call<ControlBox> call) throws ScriptError {
     String host = call.text(0);
     int port = call.integer(1, 1, HIGHEST_PORT);
     String name = call.text(2);
     ExternalSocket socket;
     try {
-      socket = call.box().links().outside().open(name, host, port);
+      socket = call.host().links().outside().open(name, host, port);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
     return new SocketOpenWait(
-        call.box(), name, socket, SocketArguments.quoted(host) + ", port " + port, call.frame());
+        call.host(), name, socket, SocketArguments.quoted(host) + ", port " + port, call.frame());
   }
 
-  private static Outcome close(Call call) throws ScriptError {
+  private static Outcome close(Call<ControlBox> call) throws ScriptError {
     call.program().reachesOutside();
-    call.box().links().outside().close(call.text(0));
+    call.host().links().outside().close(call.text(0));
     return call.answer();
   }
 
-  private static Outcome sendInt(Call call) throws ScriptError {
+  private static Outcome sendInt(Call<ControlBox> call) throws ScriptError {
     int value = call.integer(0);
     return send(
         call,
@@ -136,14 +138,14 @@ final class SocketBuiltins {
         (byte) value);
   }
 
-  private static Outcome setVariable(Call call) throws ScriptError {
+  private static Outcome setVariable(Call<ControlBox> call) throws ScriptError {
     String line = "SET " + call.text(0) + " " + call.integer(1) + "\n";
     send(call, "socket_set_var", 2, bytes(line));
     return call.answer();
   }
 
   /** Sends by the socket that argument {@code index} names. */
-  private static Outcome send(Call call, String function, int index, byte... bytes)
+  private static Outcome send(Call<ControlBox> call, String function, int index, byte... bytes)
       throws ScriptError {
     call.program().reachesOutside();
     call.charge(bytes.length);

@@ -3,9 +3,9 @@ package org.pendant.controller.builtin;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.external.ExternalSocket;
-import org.pendant.controller.function.Wait;
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.value.Value;
+import org.pendant.motion.FrameTime;
+import org.pendant.script.function.Wait;
+import org.pendant.script.value.Value;
 
 /** A script thread waits for a connection (manual 18.56). */
 final class SocketOpenWait implements Wait {

@@ -1,18 +1,19 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.external.ExternalSocket;
 import org.pendant.controller.external.ReceivedBytes;
 import org.pendant.controller.external.SocketRead;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Declaration;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
+import org.pendant.motion.FrameTime;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Declaration;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Reading from sockets (manual 18.55, 18.57 to 18.61). */
 final class SocketReadBuiltins {
@@ -29,12 +30,12 @@ final class SocketReadBuiltins {
 
   private SocketReadBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareNumbers(builtins);
     declareTexts(builtins);
   }
 
-  private static void declareNumbers(Builtins builtins) {
+  private static void declareNumbers(Builtins<ControlBox> builtins) {
     builtins
         .declare("socket_get_var")
         .manual(SocketArguments.MODULE, "18.55")
@@ -87,7 +88,7 @@ final class SocketReadBuiltins {
             call -> read(call, "socket_read_byte_list", 1, new SocketRead.Binary(count(call), 1)));
   }
 
-  private static void declareTexts(Builtins builtins) {
+  private static void declareTexts(Builtins<ControlBox> builtins) {
     timed(
             builtins
                 .declare("socket_read_line")
@@ -124,18 +125,18 @@ final class SocketReadBuiltins {
         .does(SocketReadBuiltins::string);
   }
 
-  private static Declaration timed(Declaration declaration) {
+  private static Declaration<ControlBox> timed(Declaration<ControlBox> declaration) {
     return declaration
         .takes(SocketArguments.NAME, Type.STRING, SocketArguments.DEFAULT_NAME)
         .takes(SocketArguments.TIMEOUT, Unit.SECOND, SocketArguments.DEFAULT_TIMEOUT_S)
         .physicalTime();
   }
 
-  private static int count(Call call) throws ScriptError {
+  private static int count(Call<ControlBox> call) throws ScriptError {
     return call.integer(0, 1, MOST_VALUES);
   }
 
-  private static Outcome variable(Call call) throws ScriptError {
+  private static Outcome variable(Call<ControlBox> call) throws ScriptError {
     String name = call.text(0);
     SocketArguments.socket(call, "socket_get_var", 1)
         .ifPresent(each -> each.send(SocketBuiltins.bytes("GET " + name + "\n")));
@@ -143,14 +144,14 @@ final class SocketReadBuiltins {
     return wait(call, "socket_get_var", 1, new SocketRead.Variable(name), deadline);
   }
 
-  private static Outcome string(Call call) throws ScriptError {
+  private static Outcome string(Call<ControlBox> call) throws ScriptError {
     boolean escapes = call.bool(3);
     SocketRead read = new SocketRead.Text(mark(call, 1, escapes), mark(call, 2, escapes));
     return wait(call, "socket_read_string", 0, read, SocketArguments.deadline(call, 4));
   }
 
   /** A prefix or suffix as it is looked for: without leading blanks. */
-  private static String mark(Call call, int index, boolean escapes) throws ScriptError {
+  private static String mark(Call<ControlBox> call, int index, boolean escapes) throws ScriptError {
     String text = call.text(index);
     int start = 0;
     while (start < text.length() && text.charAt(start) == ' ') {
@@ -167,7 +168,7 @@ final class SocketReadBuiltins {
   }
 
   /** Reads from the socket that argument {@code index} names; the timeout follows it. */
-  private static Outcome read(Call call, String function, int index, SocketRead read)
+  private static Outcome read(Call<ControlBox> call, String function, int index, SocketRead read)
       throws ScriptError {
     return wait(call, function, index, read, SocketArguments.deadline(call, index + 1));
   }
@@ -176,7 +177,8 @@ final class SocketReadBuiltins {
    * Answers with what is there already, or waits. What fails takes its frame, so that a loop over a
    * socket that is lost leaves time to others.
    */
-  private static Outcome wait(Call call, String function, int index, SocketRead read, long deadline)
+  private static Outcome wait(
+      Call<ControlBox> call, String function, int index, SocketRead read, long deadline)
       throws ScriptError {
     Optional<ExternalSocket> socket = SocketArguments.socket(call, function, index);
     if (socket.isEmpty()) {

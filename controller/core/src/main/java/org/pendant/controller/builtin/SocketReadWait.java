@@ -3,8 +3,8 @@ package org.pendant.controller.builtin;
 import java.util.Optional;
 import org.pendant.controller.external.ExternalSocket;
 import org.pendant.controller.external.SocketRead;
-import org.pendant.controller.function.Wait;
-import org.pendant.controller.value.Value;
+import org.pendant.script.function.Wait;
+import org.pendant.script.value.Value;
 
 /** A script thread waits for what it reads from a socket. */
 final class SocketReadWait implements Wait {

@@ -1,14 +1,15 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.script.function.Builtins;
 
 /** The catalogue of every function and method that the controller knows. */
 public final class StandardBuiltins {
   private StandardBuiltins() {}
 
   /** A new catalogue with all topics. */
-  public static Builtins create() {
-    Builtins builtins = new Builtins();
+  public static Builtins<ControlBox> create() {
+    Builtins<ControlBox> builtins = new Builtins<>();
     MathBuiltins.declareIn(builtins);
     VectorBuiltins.declareIn(builtins);
     PoseBuiltins.declareIn(builtins);

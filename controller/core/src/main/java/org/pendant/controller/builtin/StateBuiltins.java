@@ -2,14 +2,14 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.ToolCentre;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 import org.pendant.models.pose.Pose;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Where the arm is, should be and is going, and its tool (manual 16.4 to 16.9, 16.24 to 16.53). */
 final class StateBuiltins {
@@ -17,21 +17,21 @@ final class StateBuiltins {
 
   private StateBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareActual(builtins);
     declareTargetJoints(builtins);
     declareTargetTcp(builtins);
     declareTool(builtins);
   }
 
-  private static void declareActual(Builtins builtins) {
+  private static void declareActual(Builtins<ControlBox> builtins) {
     builtins
         .declare("get_actual_joint_positions")
         .manual(MODULE, "16.4")
         .doc("Where the joints are, in rad.")
         .returns(Type.JOINTS)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.box().arm().positionRad()));
+        .does(call -> call.answer(call.host().arm().positionRad()));
     builtins
         .declare("get_joint_positions")
         .manual(MODULE, "16.4")
@@ -39,28 +39,28 @@ final class StateBuiltins {
         .returns(Type.JOINTS)
         .deprecated("get_actual_joint_positions")
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.box().arm().positionRad()));
+        .does(call -> call.answer(call.host().arm().positionRad()));
     builtins
         .declare("get_actual_joint_speeds")
         .manual(MODULE, "16.6")
         .doc("How fast the joints turn, in rad/s.")
         .returns(Type.JOINTS)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.box().arm().speedRadPerS()));
+        .does(call -> call.answer(call.host().arm().speedRadPerS()));
     builtins
         .declare("get_actual_tcp_pose")
         .manual(MODULE, "16.7")
         .doc("Where the TCP is, in the base frame.")
         .returns(Type.POSE)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.box().actualTcpInBase()));
+        .does(call -> call.answer(call.host().actualTcpInBase()));
     builtins
         .declare("tool_pose")
         .manual(MODULE, "16.7")
         .doc("Where the TCP is, in the base frame: what older programs and force nodes call.")
         .returns(Type.POSE)
         .deprecated("get_actual_tcp_pose")
-        .does(call -> call.answer(call.box().actualTcpInBase()));
+        .does(call -> call.answer(call.host().actualTcpInBase()));
     builtins
         .declare("get_actual_tcp_speed")
         .manual(MODULE, "16.8")
@@ -74,41 +74,42 @@ final class StateBuiltins {
         .doc("Where the flange is, in the base frame, whatever the TCP.")
         .returns(Type.POSE)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.box().forward().flangePose(call.box().arm().positionRad())));
+        .does(
+            call -> call.answer(call.host().forward().flangePose(call.host().arm().positionRad())));
   }
 
-  private static void declareTargetJoints(Builtins builtins) {
+  private static void declareTargetJoints(Builtins<ControlBox> builtins) {
     builtins
         .declare("get_target_joint_accelerations")
         .manual(MODULE, "16.23")
         .doc("How fast the speeds of the joints should change, in rad/s\u00b2.")
         .returns(Type.JOINTS)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.box().motion().accelerationRadPerS2()));
+        .does(call -> call.answer(call.host().motion().accelerationRadPerS2()));
     builtins
         .declare("get_target_joint_positions")
         .manual(MODULE, "16.24")
         .doc("Where the joints should be, in rad.")
         .returns(Type.JOINTS)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.box().motion().positionRad()));
+        .does(call -> call.answer(call.host().motion().positionRad()));
     builtins
         .declare("get_target_joint_speeds")
         .manual(MODULE, "16.25")
         .doc("How fast the joints should turn, in rad/s.")
         .returns(Type.JOINTS)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.box().motion().speedRadPerS()));
+        .does(call -> call.answer(call.host().motion().speedRadPerS()));
   }
 
-  private static void declareTargetTcp(Builtins builtins) {
+  private static void declareTargetTcp(Builtins<ControlBox> builtins) {
     builtins
         .declare("get_target_tcp_pose")
         .manual(MODULE, "16.29")
         .doc("Where the TCP should be, in the base frame.")
         .returns(Type.POSE)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.box().targetTcpInBase()));
+        .does(call -> call.answer(call.host().targetTcpInBase()));
     builtins
         .declare("get_target_tcp_speed")
         .manual(MODULE, "16.30")
@@ -129,17 +130,17 @@ final class StateBuiltins {
         .doc("Whether the arm has been told to rest for the last 500 ms.")
         .returns(Type.BOOL)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.box().motion().steady()));
+        .does(call -> call.answer(call.host().motion().steady()));
   }
 
-  private static void declareTool(Builtins builtins) {
+  private static void declareTool(Builtins<ControlBox> builtins) {
     builtins
         .declare("get_tcp_offset")
         .manual(MODULE, "16.33")
         .doc("The pose of the active TCP in the flange frame.")
         .returns(Type.POSE)
         .effect(Effect.ASKS)
-        .does(call -> call.answer(call.box().flange().tool().inFlange()));
+        .does(call -> call.answer(call.host().flange().tool().inFlange()));
     builtins
         .declare("set_tcp")
         .manual(MODULE, "16.53")
@@ -149,24 +150,24 @@ final class StateBuiltins {
         .does(StateBuiltins::setTcp);
   }
 
-  private static Outcome actualTcpSpeed(Call call) {
-    ControlBox box = call.box();
+  private static Outcome actualTcpSpeed(Call<ControlBox> call) {
+    ControlBox box = call.host();
     return call.answer(box.tcpTwistInBase(box.arm().positionRad(), box.arm().speedRadPerS()));
   }
 
-  private static Outcome targetTcpSpeed(Call call) {
-    ControlBox box = call.box();
+  private static Outcome targetTcpSpeed(Call<ControlBox> call) {
+    ControlBox box = call.host();
     return call.answer(box.tcpTwistInBase(box.motion().positionRad(), box.motion().speedRadPerS()));
   }
 
-  private static Outcome waypoint(Call call) {
-    ControlBox box = call.box();
+  private static Outcome waypoint(Call<ControlBox> call) {
+    ControlBox box = call.host();
     Pose waypoint = box.motion().waypoint().orElseGet(box::targetTcpInBase);
     return call.answer(waypoint);
   }
 
-  private static Outcome setTcp(Call call) throws ScriptError {
-    call.box().flange().setTool(new ToolCentre(MotionArguments.pose(call, 0), call.text(1)));
+  private static Outcome setTcp(Call<ControlBox> call) throws ScriptError {
+    call.host().flange().setTool(new ToolCentre(MotionArguments.pose(call, 0), call.text(1)));
     return call.answer();
   }
 }

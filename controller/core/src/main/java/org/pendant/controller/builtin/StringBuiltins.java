@@ -1,16 +1,17 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.ListValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.value.ValueText;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.ListValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueText;
 
 /** Functions of strings, which count bytes (manual 16.56 to 16.61, 16.64, 16.65). */
 final class StringBuiltins {
@@ -28,12 +29,12 @@ final class StringBuiltins {
 
   private StringBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareParts(builtins);
     declareConversions(builtins);
   }
 
-  private static void declareParts(Builtins builtins) {
+  private static void declareParts(Builtins<ControlBox> builtins) {
     builtins
         .declare("str_at")
         .manual(MODULE, "16.56")
@@ -81,7 +82,7 @@ final class StringBuiltins {
         .does(StringBuiltins::sub);
   }
 
-  private static void declareConversions(Builtins builtins) {
+  private static void declareConversions(Builtins<ControlBox> builtins) {
     builtins
         .declare("str_cat")
         .manual(MODULE, "16.57")
@@ -117,12 +118,12 @@ final class StringBuiltins {
   }
 
   /** {@code to_string} of a list, matrix or struct: never an error, shortened when too long. */
-  static Outcome toStringMethod(Call call) {
+  static Outcome toStringMethod(Call<?> call) {
     call.charge(TEXT_NS);
     return call.answer(ValueText.shortened(call.value(0), MAX_LENGTH));
   }
 
-  private static Outcome at(Call call) throws ScriptError {
+  private static Outcome at(Call<?> call) throws ScriptError {
     String src = call.text(0);
     if (src.isEmpty()) {
       throw call.failure("index-out-of-range", "src is empty, must have a byte at index");
@@ -131,7 +132,7 @@ final class StringBuiltins {
     return call.answer(src.substring(index, index + 1));
   }
 
-  private static Outcome find(Call call) throws ScriptError {
+  private static Outcome find(Call<?> call) throws ScriptError {
     int start = inBounds(call, 2, Integer.MAX_VALUE);
     String src = call.text(0);
     String target = call.text(1);
@@ -139,7 +140,7 @@ final class StringBuiltins {
     return call.answerInt(start > src.length() ? -1 : StringSearch.find(src, target, start));
   }
 
-  private static Outcome sub(Call call) throws ScriptError {
+  private static Outcome sub(Call<?> call) throws ScriptError {
     String src = call.text(0);
     int index = inBounds(call, 1, src.length());
     int rest = src.length() - index;
@@ -148,7 +149,7 @@ final class StringBuiltins {
     return call.answer(src.substring(index, index + length));
   }
 
-  private static int inBounds(Call call, int argument, int last) throws ScriptError {
+  private static int inBounds(Call<?> call, int argument, int last) throws ScriptError {
     int index = call.integer(argument);
     if (index < 0 || index > last) {
       throw new ScriptError(
@@ -162,7 +163,7 @@ final class StringBuiltins {
   }
 
   /** The text of an argument of a kind that the manual lists for conversion. */
-  private static String convertible(Call call, int argument) throws ScriptError {
+  private static String convertible(Call<?> call, int argument) throws ScriptError {
     // without a value object for the most usual case
     String text =
         call.kind(argument) == Kind.INT
@@ -172,7 +173,7 @@ final class StringBuiltins {
     return text;
   }
 
-  private static String start(Call call, int argument) throws ScriptError {
+  private static String start(Call<?> call, int argument) throws ScriptError {
     Value value = call.value(argument);
     boolean allowed =
         switch (value.kind()) {
@@ -190,7 +191,7 @@ final class StringBuiltins {
     return ValueText.start(value, MOST_CONVERTED);
   }
 
-  private static Outcome answerLimited(Call call, String text) throws ScriptError {
+  private static Outcome answerLimited(Call<?> call, String text) throws ScriptError {
     if (text.length() > MAX_LENGTH) {
       throw call.failure(
           "string-too-long",

@@ -1,14 +1,15 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Effect;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Effect;
 
 /** The methods of structs (manual 4.3.2). */
 final class StructMethods {
   private StructMethods() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declareMethod(Type.STRUCT, "length")
         .manual("core", "4.3.2")

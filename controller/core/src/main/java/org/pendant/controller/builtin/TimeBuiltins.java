@@ -4,18 +4,18 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.function.Wait;
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.StructValue;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
+import org.pendant.motion.FrameTime;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.function.Wait;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.StructValue;
+import org.pendant.script.value.Value;
 
 /** Waiting and clocks (manual 16.22, 16.54, 16.55, 16.62). */
 final class TimeBuiltins {
@@ -26,7 +26,7 @@ final class TimeBuiltins {
 
   private TimeBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("get_steptime")
         .manual(MODULE, "16.22")
@@ -58,7 +58,7 @@ final class TimeBuiltins {
         .does(TimeBuiltins::time);
   }
 
-  private static Outcome sleep(Call call) throws ScriptError {
+  private static Outcome sleep(Call<ControlBox> call) throws ScriptError {
     double durationS = MotionArguments.notNegative(call, 0);
     return until(call.frame() + FrameTime.framesFor(durationS));
   }
@@ -67,14 +67,14 @@ final class TimeBuiltins {
     return frame -> frame >= wakeFrame ? DONE : Optional.empty();
   }
 
-  private static Outcome time(Call call) throws ScriptError {
+  private static Outcome time(Call<ControlBox> call) throws ScriptError {
     return switch (call.integer(0)) {
       case 0 -> {
-        long ns = call.box().clock().timeNs();
+        long ns = call.host().clock().timeNs();
         yield call.answer(struct(ns / NS_PER_S, (int) (ns % NS_PER_S)));
       }
       case 2 -> {
-        Instant now = call.box().clock().systemTime();
+        Instant now = call.host().clock().systemTime();
         yield call.answer(struct(now.getEpochSecond(), now.getNano()));
       }
       default -> throw call.refuse(0, "must be 0 or 2");

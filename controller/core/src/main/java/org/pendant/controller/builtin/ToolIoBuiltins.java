@@ -1,14 +1,15 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Outcome;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.io.ToolConnector;
 import org.pendant.controller.io.ToolOutputMode;
 import org.pendant.controller.io.ToolPinMode;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** How the connector at the tool flange is set up (manual 18.51 to 18.53). */
 final class ToolIoBuiltins {
@@ -16,7 +17,7 @@ final class ToolIoBuiltins {
 
   private ToolIoBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("set_tool_digital_output_mode")
         .manual(MODULE, "18.51")
@@ -42,20 +43,20 @@ final class ToolIoBuiltins {
         .does(ToolIoBuiltins::setVoltage);
   }
 
-  private static Outcome setPin(Call call) throws ScriptError {
+  private static Outcome setPin(Call<ControlBox> call) throws ScriptError {
     int n = call.integer(0, 0, 1);
     ToolPinMode mode = ToolPinMode.of(call.integer(1, 1, ToolPinMode.values().length));
     return write(call, new SignalWrite.ToolPin(n, mode));
   }
 
-  private static Outcome setMode(Call call) throws ScriptError {
+  private static Outcome setMode(Call<ControlBox> call) throws ScriptError {
     return write(
         call,
         new SignalWrite.ToolOutputs(
             call.integer(0, 0, 1) == 0 ? ToolOutputMode.DIGITAL : ToolOutputMode.DUAL_PIN_POWER));
   }
 
-  private static Outcome setVoltage(Call call) throws ScriptError {
+  private static Outcome setVoltage(Call<ControlBox> call) throws ScriptError {
     int volts = call.integer(0);
     if (!ToolConnector.isVoltage(volts)) {
       throw call.refuse(0, "must be 0, 12 or 24");
@@ -63,8 +64,8 @@ final class ToolIoBuiltins {
     return write(call, new SignalWrite.ToolVoltage(volts));
   }
 
-  private static Outcome write(Call call, SignalWrite write) {
-    call.box().signals().write(write);
+  private static Outcome write(Call<ControlBox> call, SignalWrite write) {
+    call.host().signals().write(write);
     return call.answer();
   }
 }

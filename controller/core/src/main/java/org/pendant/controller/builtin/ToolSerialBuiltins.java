@@ -1,19 +1,20 @@
 package org.pendant.controller.builtin;
 
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.ToolLine;
 import org.pendant.controller.external.ToolSerialConnector;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Outcome;
 import org.pendant.controller.io.ToolCommunication;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** The serial line of the tool connector (manual 18.50). */
 final class ToolSerialBuiltins {
   private ToolSerialBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("set_tool_communication")
         .manual("interfaces", "18.50")
@@ -32,9 +33,9 @@ final class ToolSerialBuiltins {
         .does(ToolSerialBuiltins::setUp);
   }
 
-  private static Outcome setUp(Call call) throws ScriptError {
+  private static Outcome setUp(Call<ControlBox> call) throws ScriptError {
     ToolCommunication wanted = wanted(call);
-    ToolLine line = call.box().links().toolLine();
+    ToolLine line = call.host().links().toolLine();
     ToolSerialConnector.SetUp setUp = line.setUp(wanted);
     if (setUp.over() || !call.program().mayWait()) {
       return call.answer();
@@ -42,7 +43,7 @@ final class ToolSerialBuiltins {
     return new ToolSerialWait(line, setUp, call.frame());
   }
 
-  private static ToolCommunication wanted(Call call) throws ScriptError {
+  private static ToolCommunication wanted(Call<ControlBox> call) throws ScriptError {
     boolean enabled = call.bool(0);
     int baudRate = call.integer(1);
     if (!ToolCommunication.BAUD_RATES.contains(baudRate)) {
@@ -57,7 +58,7 @@ final class ToolSerialBuiltins {
         idleChars(call, 5, 0));
   }
 
-  private static float idleChars(Call call, int index, float least) throws ScriptError {
+  private static float idleChars(Call<ControlBox> call, int index, float least) throws ScriptError {
     double chars = call.number(index);
     if (!(chars >= least && chars <= ToolCommunication.MOST_IDLE_CHARS)) {
       throw call.refuse(

@@ -3,10 +3,10 @@ package org.pendant.controller.builtin;
 import java.util.Optional;
 import org.pendant.controller.box.ToolLine;
 import org.pendant.controller.external.ToolSerialConnector;
-import org.pendant.controller.function.Wait;
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.Value;
+import org.pendant.motion.FrameTime;
+import org.pendant.script.function.Wait;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.Value;
 
 /**
  * A script thread waits until the tool's serial line is set up, so that what it sends next arrives

@@ -3,14 +3,15 @@ package org.pendant.controller.builtin;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.motion.ToolWrenchLimit;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.ToolWrenchLimit;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
 
 /** Limits of what motion does to the thing that the tool holds (manual 15.53, 15.54). */
 final class ToolWrenchBuiltins {
@@ -19,7 +20,7 @@ final class ToolWrenchBuiltins {
 
   private ToolWrenchBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("tool_wrench_limit_set")
         .manual(MODULE, "15.53")
@@ -42,18 +43,18 @@ final class ToolWrenchBuiltins {
         .does(ToolWrenchBuiltins::disable);
   }
 
-  private static Outcome set(Call call) throws ScriptError {
+  private static Outcome set(Call<ControlBox> call) throws ScriptError {
     Pose frame = MotionArguments.pose(call, 0);
     List<Double> limits = new ArrayList<>();
     for (int i = 1; i <= Pose.SIZE; i++) {
       limits.add(call.given(i) ? MotionArguments.positive(call, i) : Double.POSITIVE_INFINITY);
     }
-    call.box().headroom().setToolWrenchLimit(Optional.of(new ToolWrenchLimit(frame, limits)));
+    call.host().headroom().setToolWrenchLimit(Optional.of(new ToolWrenchLimit(frame, limits)));
     return call.answer();
   }
 
-  private static Outcome disable(Call call) {
-    call.box().headroom().setToolWrenchLimit(Optional.empty());
+  private static Outcome disable(Call<ControlBox> call) {
+    call.host().headroom().setToolWrenchLimit(Optional.empty());
     return call.answer();
   }
 }

@@ -3,18 +3,18 @@ package org.pendant.controller.builtin;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.toolpath.ToolConfiguration;
-import org.pendant.controller.toolpath.Toolpaths;
-import org.pendant.controller.toolpath.nc.NcReader;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.toolpath.ToolConfiguration;
+import org.pendant.motion.toolpath.Toolpaths;
+import org.pendant.motion.toolpath.nc.NcFile;
+import org.pendant.motion.toolpath.nc.NcReader;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Remote TCP and toolpaths (manual 20). */
 final class ToolpathBuiltins {
@@ -22,13 +22,13 @@ final class ToolpathBuiltins {
 
   private ToolpathBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     declareSequence(builtins);
     declareMotions(builtins);
     declareFiles(builtins);
   }
 
-  private static void declareSequence(Builtins builtins) {
+  private static void declareSequence(Builtins<ControlBox> builtins) {
     builtins
         .declare("mc_initialize")
         .manual(MODULE, "20.6")
@@ -64,7 +64,7 @@ final class ToolpathBuiltins {
         .returns(Unit.METRE_PER_SECOND)
         .does(
             call -> {
-              ControlBox box = call.box();
+              ControlBox box = call.host();
               return call.answer(box.toolpaths().remoteSpeedMPerS(box.forward(), box.motion()));
             });
     builtins
@@ -78,7 +78,7 @@ final class ToolpathBuiltins {
         .does(ToolpathBuiltins::run);
   }
 
-  private static void declareMotions(Builtins builtins) {
+  private static void declareMotions(Builtins<ControlBox> builtins) {
     builtins
         .declare("mc_add_linear")
         .manual(MODULE, "20.3")
@@ -118,7 +118,7 @@ final class ToolpathBuiltins {
         .does(ToolpathBuiltins::addPath);
   }
 
-  private static void declareFiles(Builtins builtins) {
+  private static void declareFiles(Builtins<ControlBox> builtins) {
     builtins
         .declare("mc_load_path")
         .manual(MODULE, "20.7")
@@ -131,28 +131,15 @@ final class ToolpathBuiltins {
         .does(ToolpathBuiltins::loadPath);
   }
 
-  private static Toolpaths toolpaths(Call call) {
-    return call.box().toolpaths();
+  private static Toolpaths toolpaths(Call<ControlBox> call) {
+    return call.host().toolpaths();
   }
 
-  private interface Action<T> {
-    T run() throws ScriptError;
-  }
-
-  /** Does something; its errors carry the function's name. */
-  private static <T> T named(Call call, Action<T> action) throws ScriptError {
-    try {
-      return action.run();
-    } catch (ScriptError e) {
-      throw call.failure(e.code(), e.getMessage());
-    }
-  }
-
-  private static Outcome initialize(Call call) throws ScriptError {
+  private static Outcome initialize(Call<ControlBox> call) throws ScriptError {
     boolean remote = call.integer(0, 0, 1) == 1;
     Pose tcp = MotionArguments.pose(call, 1);
     boolean turnFree = call.integer(2, 5, 6) == 5;
-    return named(
+    return Planning.named(
         call,
         () -> {
           toolpaths(call).initialize(new ToolConfiguration(remote, tcp), turnFree);
@@ -160,9 +147,9 @@ final class ToolpathBuiltins {
         });
   }
 
-  private static Outcome setPcs(Call call) throws ScriptError {
+  private static Outcome setPcs(Call<ControlBox> call) throws ScriptError {
     Pose pcs = MotionArguments.pose(call, 0);
-    return named(
+    return Planning.named(
         call,
         () -> {
           toolpaths(call).setPcs(pcs);
@@ -170,7 +157,7 @@ final class ToolpathBuiltins {
         });
   }
 
-  private static Outcome setSpeedFactor(Call call) throws ScriptError {
+  private static Outcome setSpeedFactor(Call<ControlBox> call) throws ScriptError {
     double factor = call.number(0);
     if (!(factor >= 0 && factor <= 1)) {
       throw call.refuse(0, "must be 0 to 1");
@@ -179,25 +166,26 @@ final class ToolpathBuiltins {
     return call.answer();
   }
 
-  private static Outcome addLinear(Call call) throws ScriptError {
+  private static Outcome addLinear(Call<ControlBox> call) throws ScriptError {
     Pose to = MotionArguments.pose(call, 0);
     double a = MotionArguments.positive(call, 1);
     double v = MotionArguments.positive(call, 2);
     double r = MotionArguments.notNegative(call, 3);
-    return named(call, () -> call.answerInt(toolpaths(call).addLinear(to, a, v, r)));
+    return Planning.named(call, () -> call.answerInt(toolpaths(call).addLinear(to, a, v, r)));
   }
 
-  private static Outcome addCircular(Call call) throws ScriptError {
+  private static Outcome addCircular(Call<ControlBox> call) throws ScriptError {
     Pose via = MotionArguments.pose(call, 0);
     Pose to = MotionArguments.pose(call, 1);
     double a = MotionArguments.positive(call, 2);
     double v = MotionArguments.positive(call, 3);
     double r = MotionArguments.notNegative(call, 4);
     boolean fixed = call.integer(5, 0, 1) == 1;
-    return named(call, () -> call.answerInt(toolpaths(call).addCircular(via, to, a, v, r, fixed)));
+    return Planning.named(
+        call, () -> call.answerInt(toolpaths(call).addCircular(via, to, a, v, r, fixed)));
   }
 
-  private static Outcome addPath(Call call) throws ScriptError {
+  private static Outcome addPath(Call<ControlBox> call) throws ScriptError {
     int file = call.integer(0);
     Toolpaths toolpaths = toolpaths(call);
     Optional<Boolean> feeds = toolpaths.feeds(file);
@@ -213,7 +201,7 @@ final class ToolpathBuiltins {
         feeds.get() ? MotionArguments.notNegative(call, 2) : MotionArguments.positive(call, 2);
     double r = MotionArguments.notNegative(call, 3);
     if (toolpaths.queuedOtherwise(file, a, v)) {
-      call.box()
+      call.host()
           .log()
           .warnOnce(
               "mc_add_path: path_id "
@@ -221,28 +209,28 @@ final class ToolpathBuiltins {
                   + " was added with another a or v before; the manual wants mc_load_path to be"
                   + " called again for that");
     }
-    return named(call, () -> call.answerInt(toolpaths.addPath(file, a, v, r)));
+    return Planning.named(call, () -> call.answerInt(toolpaths.addPath(file, a, v, r)));
   }
 
-  private static Outcome loadPath(Call call) throws ScriptError {
+  private static Outcome loadPath(Call<ControlBox> call) throws ScriptError {
     String name = call.text(0);
     boolean feeds = call.bool(1);
-    ControlBox box = call.box();
-    return named(
+    ControlBox box = call.host();
+    return Planning.named(
         call,
         () -> {
-          ProgramsFolder.Found found =
-              box.programsFolder().find(name, ".nc", NcReader.LARGEST_BYTES);
+          NcFile found =
+              new FoundNcFile(box.programsFolder().find(name, ".nc", NcReader.LARGEST_BYTES));
           return Toolpaths.small(found)
               ? call.answerInt(LoadWait.keep(box, Toolpaths.read(found, feeds), feeds))
               : new LoadWait(box, box.toolpaths().load(found, feeds), feeds);
         });
   }
 
-  private static Outcome run(Call call) throws ScriptError {
+  private static Outcome run(Call<ControlBox> call) throws ScriptError {
     int id = call.integer(0);
-    ControlBox box = call.box();
-    return named(
+    ControlBox box = call.host();
+    return Planning.named(
         call,
         () -> {
           OptionalInt last = box.toolpaths().lastOf(id);

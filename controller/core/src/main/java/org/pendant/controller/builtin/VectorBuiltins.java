@@ -1,18 +1,19 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Effect;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.value.FloatValue;
-import org.pendant.controller.value.IntValue;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.PoseValue;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Rotations;
 import org.pendant.models.pose.Wrench;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Effect;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.value.FloatValue;
+import org.pendant.script.value.IntValue;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.PoseValue;
+import org.pendant.script.value.ScriptError;
 
 /**
  * Functions of vectors: lists of numbers that mean a direction, a rotation or a force (manual 17).
@@ -23,7 +24,7 @@ final class VectorBuiltins {
 
   private VectorBuiltins() {}
 
-  static void declareIn(Builtins builtins) {
+  static void declareIn(Builtins<ControlBox> builtins) {
     builtins
         .declare("norm")
         .manual("urmath", "17.17")
@@ -75,7 +76,7 @@ final class VectorBuiltins {
         .does(VectorBuiltins::wrenchSeenFrom);
   }
 
-  private static Outcome norm(Call call) throws ScriptError {
+  private static Outcome norm(Call<?> call) throws ScriptError {
     return switch (call.value(0)) {
       case IntValue i when i.value() == Integer.MIN_VALUE ->
           throw call.refuse(0, "its magnitude does not fit an int");
@@ -87,7 +88,7 @@ final class VectorBuiltins {
     };
   }
 
-  private static Outcome normalize(Call call) throws ScriptError {
+  private static Outcome normalize(Call<?> call) throws ScriptError {
     double[] v = call.numbers(0, -1);
     double squares = 0;
     for (double component : v) {
@@ -103,19 +104,19 @@ final class VectorBuiltins {
     return call.answer(NumberList.of(v));
   }
 
-  private static Outcome rollPitchYaw(Call call) throws ScriptError {
+  private static Outcome rollPitchYaw(Call<?> call) throws ScriptError {
     double[] v = call.numbers(0, SPACE);
     Rotations.vectorToRpy(v[0], v[1], v[2], v);
     return call.answer(NumberList.of(v));
   }
 
-  private static Outcome rotationVector(Call call) throws ScriptError {
+  private static Outcome rotationVector(Call<?> call) throws ScriptError {
     double[] v = call.numbers(0, SPACE);
     Rotations.rpyToVector(v[0], v[1], v[2], v);
     return call.answer(NumberList.of(v));
   }
 
-  private static Outcome wrenchSeenFrom(Call call) throws ScriptError {
+  private static Outcome wrenchSeenFrom(Call<?> call) throws ScriptError {
     double[] w = call.numbers(1, WRENCH);
     Wrench seen = new Wrench(w[0], w[1], w[2], w[3], w[4], w[5]).seenFrom(call.pose(0));
     return call.answer(

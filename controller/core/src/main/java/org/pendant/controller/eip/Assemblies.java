@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.value.ScriptError;
 
 /**
  * The configured assemblies, and the handles by which the running program reaches them. Assemblies

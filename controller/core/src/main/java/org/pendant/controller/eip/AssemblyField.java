@@ -2,12 +2,12 @@ package org.pendant.controller.eip;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import org.pendant.controller.value.BoolValue;
-import org.pendant.controller.value.FloatValue;
-import org.pendant.controller.value.IntValue;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.StringValue;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.BoolValue;
+import org.pendant.script.value.FloatValue;
+import org.pendant.script.value.IntValue;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.StringValue;
+import org.pendant.script.value.Value;
 
 /**
  * A part of an assembly that has a label (manual 21.3.1 to 21.3.4). Bits are counted from bit 0 of

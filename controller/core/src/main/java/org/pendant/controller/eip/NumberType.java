@@ -1,10 +1,10 @@
 package org.pendant.controller.eip;
 
 import java.nio.ByteBuffer;
-import org.pendant.controller.value.FloatValue;
-import org.pendant.controller.value.IntValue;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.FloatValue;
+import org.pendant.script.value.IntValue;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.Value;
 
 /** The numbers that an assembly can hold (manual 21.3.1). */
 public enum NumberType {

@@ -2,14 +2,15 @@ package org.pendant.controller.encoder;
 
 import java.util.Optional;
 import org.pendant.controller.io.DigitalIo;
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.value.Value;
+import org.pendant.motion.FrameTime;
+import org.pendant.motion.offset.BeltPosition;
+import org.pendant.script.value.Value;
 
 /**
  * One of the two encoders of a controller (manual 15.3 to 15.7). It counts nothing until it is told
  * where its ticks come from; the count is kept when that changes.
  */
-public final class Encoder {
+public final class Encoder implements BeltPosition {
   /** How far the filtered count goes before it wraps (manual 15.5). */
   public static final int FILTERED_SIZE = 65536;
 
@@ -181,6 +182,7 @@ public final class Encoder {
   }
 
   /** The filtered count without any wrapping, for who looks at differences. */
+  @Override
   public double filteredTotal() {
     return filter.position();
   }

@@ -1,6 +1,6 @@
 package org.pendant.controller.encoder;
 
-import org.pendant.controller.motion.FrameTime;
+import org.pendant.motion.FrameTime;
 
 /**
  * Follows a count smoothly: between two ticks, and between two readings of an encoder that is read

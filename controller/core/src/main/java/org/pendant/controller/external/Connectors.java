@@ -1,6 +1,6 @@
 package org.pendant.controller.external;
 
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.value.ScriptError;
 
 /**
  * Connectors of a controller to other computers and devices. The controller starts a request,

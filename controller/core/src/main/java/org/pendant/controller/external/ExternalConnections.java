@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.value.ScriptError;
 
 /**
  * External connections of the running program: sockets by name and servers of remote procedures by

@@ -1,7 +1,7 @@
 package org.pendant.controller.external;
 
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Something that was asked for and comes from outside. None of the methods waits. */
 public interface Pending {

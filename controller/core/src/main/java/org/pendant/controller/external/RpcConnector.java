@@ -1,6 +1,6 @@
 package org.pendant.controller.external;
 
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.value.ScriptError;
 
 /** Connector to servers of remote procedures. */
 @FunctionalInterface

@@ -1,8 +1,8 @@
 package org.pendant.controller.external;
 
 import java.util.List;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** One server of remote procedures. Calls are made one after the other. */
 public interface RpcLink {

@@ -1,6 +1,6 @@
 package org.pendant.controller.external;
 
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.value.ScriptError;
 
 /** Connector that opens TCP connections. */
 @FunctionalInterface

@@ -3,9 +3,9 @@ package org.pendant.controller.external;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.OptionalInt;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.Value;
 
 /** What one read of a script waits for, and what it makes of it. */
 public sealed interface SocketRead {

@@ -13,7 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.value.ScriptError;
 
 /**
  * The folder that takes the place of the real controller's {@code /programs}: the only one from

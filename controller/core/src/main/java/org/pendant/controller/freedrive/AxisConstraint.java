@@ -4,7 +4,6 @@ import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.decomposition.TriangularSolver_DDRM;
 import org.ejml.dense.row.misc.UnrolledCholesky_DDRM;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
@@ -12,6 +11,7 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
+import org.pendant.motion.FrameTime;
 
 /**
  * Axis constraint: holds the tool centre point along the axes that are not free in freedrive; the

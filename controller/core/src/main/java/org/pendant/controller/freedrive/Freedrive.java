@@ -6,17 +6,17 @@ import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.pendant.controller.arm.ArmCommand;
 import org.pendant.controller.arm.SimulatedArm;
-import org.pendant.controller.motion.MotionControl;
-import org.pendant.controller.motion.PathLimiter;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetySystem;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
+import org.pendant.motion.MotionControl;
+import org.pendant.motion.PathLimiter;
+import org.pendant.motion.PlanningException;
 
 /**
  * The arm is guided by hand (manual 15.18). Its drives hold the weight that the controller believes
@@ -105,7 +105,7 @@ public final class Freedrive {
     }
     try {
       motion.startGuidance();
-    } catch (ScriptError e) {
+    } catch (PlanningException e) {
       return new FreedriveStart.Refused(e.getMessage());
     }
     guided.sensors().copyPositionRad(q);

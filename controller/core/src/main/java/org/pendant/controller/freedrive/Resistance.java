@@ -1,10 +1,10 @@
 package org.pendant.controller.freedrive;
 
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.motion.PathLimiter;
 import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
+import org.pendant.motion.FrameTime;
+import org.pendant.motion.PathLimiter;
 
 /**
  * How a guided arm resists the hand: a little always, much when it gets too fast, and without end

@@ -1,18 +1,18 @@
 package org.pendant.controller.jog;
 
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.motion.Motion;
-import org.pendant.controller.motion.MotionPlan;
-import org.pendant.controller.motion.MoveJ;
-import org.pendant.controller.motion.MoveL;
-import org.pendant.controller.motion.MoveLimits;
-import org.pendant.controller.motion.ToolJog;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.JointLimits;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.kinematics.InverseResult;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.Motion;
+import org.pendant.motion.MotionPlan;
+import org.pendant.motion.MoveJ;
+import org.pendant.motion.MoveL;
+import org.pendant.motion.MoveLimits;
+import org.pendant.motion.PlanningException;
+import org.pendant.motion.ToolJog;
 
 /** Makes motions of what somebody wants by hand; refuses goals that the arm must not go to. */
 final class JogPlanner {
@@ -41,9 +41,9 @@ final class JogPlanner {
    * The motion for a move, once it is known where it begins.
    *
    * @param speedFraction above 0, at most 1
-   * @throws ScriptError when the goal is not allowed
+   * @throws PlanningException when the goal is not allowed
    */
-  MotionPlan plan(JogMove move, double speedFraction) throws ScriptError {
+  MotionPlan plan(JogMove move, double speedFraction) throws PlanningException {
     MoveLimits joints =
         new MoveLimits(JOINT_ACCELERATION_RAD_PER_S2, speedFraction * JOINT_SPEED_RAD_PER_S, 0);
     MoveLimits tool =
@@ -100,7 +100,7 @@ final class JogPlanner {
     return Math.min(arm.highestRad(), box.safety().limits().jointMaxRad().get(i));
   }
 
-  private Joints reach(Pose goal, Pose tcp, Joints from) throws ScriptError {
+  private Joints reach(Pose goal, Pose tcp, Joints from) throws PlanningException {
     requireFinite(goal);
     double error = InverseKinematics.DEFAULT_ERROR;
     Pose flange = InverseKinematics.flangeOf(goal, tcp);
@@ -110,23 +110,24 @@ final class JogPlanner {
         yield found.q();
       }
       case InverseResult.Unreachable none ->
-          throw new ScriptError("no-solution", "the goal is out of reach: " + none.cause().text());
+          throw new PlanningException(
+              "no-solution", "the goal is out of reach: " + none.cause().text());
     };
   }
 
-  private static void requireFinite(Pose goal) throws ScriptError {
+  private static void requireFinite(Pose goal) throws PlanningException {
     for (int i = 0; i < Pose.SIZE; i++) {
       if (!Double.isFinite(goal.get(i))) {
-        throw new ScriptError("no-solution", "the goal is " + goal + ", must be finite");
+        throw new PlanningException("no-solution", "the goal is " + goal + ", must be finite");
       }
     }
   }
 
-  private void requireAllowed(Joints goal) throws ScriptError {
+  private void requireAllowed(Joints goal) throws PlanningException {
     for (int i = 0; i < Joints.COUNT; i++) {
       double q = goal.get(i);
       if (!(q >= minRad(i) && q <= maxRad(i)) || Double.isInfinite(q)) {
-        throw new ScriptError(
+        throw new PlanningException(
             "joint-limit",
             "joint "
                 + i
@@ -140,7 +141,7 @@ final class JogPlanner {
       }
     }
     if (!box.safety().within(goal, box.flange().tool().inFlange())) {
-      throw new ScriptError(
+      throw new PlanningException(
           "safety-limit", "the goal is beyond a safety plane or tilts the tool too far");
     }
   }

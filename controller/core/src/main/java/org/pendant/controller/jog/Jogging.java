@@ -2,11 +2,11 @@ package org.pendant.controller.jog;
 
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.motion.FrameTime;
-import org.pendant.controller.motion.MotionTicket;
-import org.pendant.controller.motion.StopJ;
 import org.pendant.controller.safety.SafetyMode;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.motion.FrameTime;
+import org.pendant.motion.MotionTicket;
+import org.pendant.motion.PlanningException;
+import org.pendant.motion.StopJ;
 
 /**
  * Moves the arm as long as somebody repeats that it should. When the repetitions stay away for
@@ -78,7 +78,7 @@ public final class Jogging {
       hold = Optional.of(new Hold(move, ticket, box.clock().frame() + DEAD_MAN_FRAMES));
       underway = Optional.of(move);
       return Optional.empty();
-    } catch (ScriptError e) {
+    } catch (PlanningException e) {
       return Optional.of(e.getMessage());
     }
   }
@@ -164,7 +164,7 @@ public final class Jogging {
       box.motion()
           .takeOver((from, speed) -> new StopJ(from, speed, StopPrediction.STOP_RAD_PER_S2))
           .cancel();
-    } catch (ScriptError e) {
+    } catch (PlanningException e) {
       // another motion waits for the arm already, which comes to rest on its path
       box.log().warning("jogging: " + e.getMessage());
     }

@@ -3,11 +3,11 @@ package org.pendant.controller.jog;
 import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.motion.MotionControl;
 import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.Singularity;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.MotionControl;
 
 /**
  * Stop prediction: where the arm would come to rest if it stopped now, for limits that it must not

@@ -1,6 +1,7 @@
 package org.pendant.controller.message;
 
 import java.util.Optional;
+import org.pendant.script.function.ScriptPlace;
 
 /**
  * One line of the log.
@@ -19,7 +20,7 @@ public record LogEntry(
     Origin origin,
     String code,
     String text,
-    Optional<Place> place) {
+    Optional<ScriptPlace> place) {
 
   /** A line without code and place. */
   public LogEntry(long number, double timeS, Level level, Origin origin, String text) {
@@ -66,14 +67,4 @@ public record LogEntry(
     /** The controller, about what ended a program; the same stands in the program's ending. */
     ENDING
   }
-
-  /**
-   * What a program was at.
-   *
-   * @param source name of the text: the program's, or {@code interpreter}
-   * @param thread handle of the script thread, 0 for the main thread
-   * @param threadName name of the function that the thread began with
-   * @param line 1-based line that the thread had reached in that text
-   */
-  public record Place(String source, int thread, String threadName, int line) {}
 }

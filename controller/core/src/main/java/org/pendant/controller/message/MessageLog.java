@@ -9,6 +9,9 @@ import java.util.Set;
 import java.util.function.Supplier;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.LogEntry.Origin;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.ScriptPlace;
+import org.pendant.script.vm.RecentEntries;
 
 /**
  * The log. The frame loop alone writes; {@link #since} and {@link #newest} may be called by any
@@ -23,7 +26,7 @@ public final class MessageLog {
   public static final int KEPT_BYTES = 16 << 20;
 
   /** The longest text of an entry, bytes; a longer one is cut, and its end says so. */
-  public static final int LONGEST_TEXT = 4 << 20;
+  public static final int LONGEST_TEXT = Call.LONGEST_TEXT;
 
   /** Entries of a frame, errors not counted; more are left out, and one entry says how many. */
   public static final int MOST_IN_FRAME = 4096;
@@ -42,7 +45,7 @@ public final class MessageLog {
   private long bytesOfFrame;
   private long leftOut;
   private double timeS;
-  private Supplier<Optional<LogEntry.Place>> where = Optional::empty;
+  private Supplier<Optional<ScriptPlace>> where = Optional::empty;
 
   /** Entries written from now on carry this time, s. */
   public void setTime(double timeS) {
@@ -55,7 +58,7 @@ public final class MessageLog {
    *
    * @param where what a program is at just now, if one runs
    */
-  public void placeBy(Supplier<Optional<LogEntry.Place>> where) {
+  public void placeBy(Supplier<Optional<ScriptPlace>> where) {
     this.where = where;
   }
 
@@ -81,7 +84,7 @@ public final class MessageLog {
    *
    * @param place where it was
    */
-  public void error(String code, String text, LogEntry.Place place) {
+  public void error(String code, String text, ScriptPlace place) {
     add(Level.ERROR, Origin.CONTROLLER, code, text, Optional.of(place));
   }
 
@@ -91,7 +94,7 @@ public final class MessageLog {
    * @param code such as {@code C153A2}; empty for none
    */
   public void safety(Level level, String code, String text) {
-    Optional<LogEntry.Place> place = level == Level.INFO ? Optional.empty() : where.get();
+    Optional<ScriptPlace> place = level == Level.INFO ? Optional.empty() : where.get();
     add(level, Origin.SAFETY, code, text, place);
   }
 
@@ -106,7 +109,7 @@ public final class MessageLog {
    * @param code of the error
    * @param place where
    */
-  public void ending(String code, String text, Optional<LogEntry.Place> place) {
+  public void ending(String code, String text, Optional<ScriptPlace> place) {
     add(Level.ERROR, Origin.ENDING, code, text, place);
   }
 
@@ -173,7 +176,7 @@ public final class MessageLog {
   }
 
   private void add(
-      Level level, Origin origin, String code, String text, Optional<LogEntry.Place> place) {
+      Level level, Origin origin, String code, String text, Optional<ScriptPlace> place) {
     LogEntry entry =
         new LogEntry(recent.newest() + 1, timeS, level, origin, code, text, place)
             .shortened(LONGEST_TEXT);

@@ -13,7 +13,7 @@ import org.pendant.controller.external.ModbusExchange;
 import org.pendant.controller.external.Pending;
 import org.pendant.controller.io.RunStateAction;
 import org.pendant.controller.message.MessageLog;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.value.ScriptError;
 
 /**
  * The Modbus signals of a controller by their names (manual 18.18 to 18.31, 19.1). They outlive the

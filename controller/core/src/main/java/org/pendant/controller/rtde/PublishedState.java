@@ -7,9 +7,9 @@ import java.util.function.Supplier;
 import org.pendant.controller.box.Published;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.PortImage;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.Value;
 
 /**
  * Reads the newest snapshot for programs, exactly as clients get it. Belongs to the thread of the

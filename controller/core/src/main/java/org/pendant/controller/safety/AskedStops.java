@@ -2,7 +2,8 @@ package org.pendant.controller.safety;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.pendant.controller.motion.MotionFailure;
+import org.pendant.motion.MotionFailure;
+import org.pendant.motion.force.TaskDeviation;
 
 /** Protective stops that other parts of the controller have asked for since the last frame. */
 final class AskedStops {
@@ -54,7 +55,7 @@ final class AskedStops {
     }
     // no lambda: this is asked in every frame
     return aside.isPresent()
-        ? Optional.of(aside.get().stop(farthestJoint(seen), facts.timeS()))
+        ? Optional.of(aside(aside.get(), farthestJoint(seen), facts.timeS()))
         : Optional.empty();
   }
 
@@ -68,5 +69,13 @@ final class AskedStops {
       }
     }
     return farthest;
+  }
+
+  /** The stop on account of joint {@code joint} (0 to 5), which is farthest off. */
+  private static SafetyStop aside(TaskDeviation deviation, int joint, double timeS) {
+    StopReason reason =
+        deviation.turned() ? StopReason.FORCE_MODE_TURN : StopReason.FORCE_MODE_SHIFT;
+    return reason.alongAxis(
+        deviation.axisName(), joint, timeS, deviation.amount(), deviation.limit());
   }
 }

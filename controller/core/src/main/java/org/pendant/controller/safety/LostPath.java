@@ -1,8 +1,8 @@
 package org.pendant.controller.safety;
 
 import java.util.OptionalInt;
-import org.pendant.controller.motion.MotionFailure;
 import org.pendant.models.arm.Joints;
+import org.pendant.motion.MotionFailure;
 
 /** The stop that a path ends in which cannot be followed any further. */
 final class LostPath {

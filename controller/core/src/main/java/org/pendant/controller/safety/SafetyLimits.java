@@ -1,6 +1,7 @@
 package org.pendant.controller.safety;
 
 import org.pendant.models.arm.Joints;
+import org.pendant.motion.force.JointPositionLimits;
 
 /**
  * One set of limits.
@@ -28,7 +29,8 @@ public record SafetyLimits(
     double elbowForceN,
     Joints jointSpeedRadPerS,
     Joints jointMinRad,
-    Joints jointMaxRad) {
+    Joints jointMaxRad)
+    implements JointPositionLimits {
   /**
    * Checks the limits.
    *

@@ -6,11 +6,12 @@ import java.util.OptionalInt;
 import java.util.Set;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.MessageLog;
-import org.pendant.controller.motion.MotionFailure;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.MotionFailure;
+import org.pendant.motion.force.TaskDeviation;
 
 /**
  * Power, safety modes, limits and stops of one arm. The frame loop alone uses it: requests and

@@ -1,10 +1,10 @@
 package org.pendant.controller.safety;
 
-import org.pendant.controller.motion.PathLimiter;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.PathLimiter;
 
 /**
  * Slows paths down so that the arm stays clear of its limits on speeds, momentum, stopping time and

@@ -2,9 +2,9 @@ package org.pendant.controller.safety;
 
 import java.util.Arrays;
 import java.util.Optional;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
+import org.pendant.motion.FrameTime;
 
 /** Whether the target goes on from where it was (C204). */
 final class TargetCheck {

@@ -2,11 +2,11 @@ package org.pendant.controller.state;
 
 import java.util.Optional;
 import org.pendant.controller.box.ToolCentre;
-import org.pendant.controller.motion.MotionFailure;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.MotionFailure;
 
 /**
  * Where the arm should be and is. Poses are computed each time they are asked for; {@link

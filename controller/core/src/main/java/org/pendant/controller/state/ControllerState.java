@@ -1,7 +1,6 @@
 package org.pendant.controller.state;
 
 import java.util.List;
-import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.eip.AssemblyImage;
 import org.pendant.controller.encoder.Encoders;
 import org.pendant.controller.freedrive.FreedriveState;
@@ -12,9 +11,10 @@ import org.pendant.controller.message.LogLines;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.modbus.ModbusSignalState;
-import org.pendant.controller.variables.TracedVariables;
-import org.pendant.controller.variables.VariableSamples;
-import org.pendant.controller.vm.ProgramEvent;
+import org.pendant.script.debug.DebugState;
+import org.pendant.script.variables.TracedVariables;
+import org.pendant.script.variables.VariableSamples;
+import org.pendant.script.vm.ProgramEvent;
 
 /**
  * Everything about a controller at the end of one frame. Immutable: take the reference and keep it.

@@ -1,8 +1,8 @@
 package org.pendant.controller.state;
 
 import java.util.Optional;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * How the program is doing.

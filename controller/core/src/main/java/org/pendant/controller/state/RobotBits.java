@@ -8,7 +8,7 @@ import org.pendant.controller.safety.JointMode;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyStop;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 /** What a snapshot says in the numbers and bits that all interfaces report. */
 public final class RobotBits {

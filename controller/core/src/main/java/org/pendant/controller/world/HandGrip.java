@@ -1,8 +1,8 @@
 package org.pendant.controller.world;
 
 import org.pendant.controller.json.Range;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.models.arm.Joints;
+import org.pendant.motion.FrameTime;
 
 /**
  * A hand that holds the arm at a point of one of its links, and pushes it with a force or pulls it

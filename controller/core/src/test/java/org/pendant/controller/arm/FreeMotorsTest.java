@@ -13,6 +13,7 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.motion.servo.FrictionShare;
 
 class FreeMotorsTest {
   private static final ArmCommand FREE = new ArmCommand.Torque(Joints.ZERO, FrictionShare.MOST);

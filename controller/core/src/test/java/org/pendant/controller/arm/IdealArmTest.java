@@ -11,6 +11,7 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
+import org.pendant.motion.servo.FrictionShare;
 
 class IdealArmTest {
   private final IdealArm arm = new IdealArm(ArmLibrary.load("ur5e"), Rig.START);

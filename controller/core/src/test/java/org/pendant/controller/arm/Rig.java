@@ -2,7 +2,6 @@ package org.pendant.controller.arm;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.Actuator;
@@ -11,6 +10,7 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.motion.FrameTime;
 
 /** A simulated arm with everything that a test wants to turn. */
 final class Rig {

@@ -7,7 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.BaseLight;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.value.ScriptError;
 
 class BaseLightBuiltinsTest {
   @Test

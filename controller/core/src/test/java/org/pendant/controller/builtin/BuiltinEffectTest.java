@@ -10,28 +10,26 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.pendant.controller.function.Builtin;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Effect;
 import org.pendant.language.signature.Signature;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtin;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Effect;
 
 /** Each function says what it does, and that agrees with what else is declared of it. */
 final class BuiltinEffectTest {
   private static final Optional<Type> LIST = Optional.of(Type.LIST);
 
-  private final Builtins builtins = StandardBuiltins.create();
+  private final Builtins<?> builtins = StandardBuiltins.create();
 
-  private List<Builtin> having(Effect effect) {
+  private List<Builtin<?>> having(Effect effect) {
     return builtins.all().stream().map(this::of).filter(each -> each.effect() == effect).toList();
   }
 
-  private Builtin of(Signature signature) {
-    return signature
-        .receiver()
-        .map(type -> builtins.findMethod(type, signature.name()))
-        .orElseGet(() -> builtins.find(signature.name()))
-        .orElseThrow();
+  private Builtin<?> of(Signature signature) {
+    return signature.receiver().isPresent()
+        ? builtins.findMethod(signature.receiver().get(), signature.name()).orElseThrow()
+        : builtins.find(signature.name()).orElseThrow();
   }
 
   private Effect effect(String name) {
@@ -47,13 +45,13 @@ final class BuiltinEffectTest {
     }
   }
 
-  private static List<Builtin> concat(List<Builtin> some, List<Builtin> others) {
+  private static List<Builtin<?>> concat(List<Builtin<?>> some, List<Builtin<?>> others) {
     return Stream.concat(some.stream(), others.stream()).toList();
   }
 
   @Test
   void everyMoveTakesTime() {
-    List<Builtin> moves = having(Effect.MOVES);
+    List<Builtin<?>> moves = having(Effect.MOVES);
     assertEquals(
         List.of("movec", "movej", "movel", "movep", "optimovej", "optimovel"),
         moves.stream().map(Builtin::name).sorted().toList());
@@ -62,7 +60,7 @@ final class BuiltinEffectTest {
 
   @Test
   void whatOnlyTellsAnswersAtMostWhetherItDid() {
-    for (Builtin builtin : having(Effect.TELLS)) {
+    for (Builtin<?> builtin : having(Effect.TELLS)) {
       Type result = builtin.signature().result();
       assertTrue(result == Type.NONE || result == Type.BOOL, builtin.name() + ": " + result);
     }
@@ -70,7 +68,7 @@ final class BuiltinEffectTest {
 
   @Test
   void whatOnlyAsksHasAnAnswer() {
-    for (Builtin builtin : concat(having(Effect.ASKS), having(Effect.SENSES))) {
+    for (Builtin<?> builtin : concat(having(Effect.ASKS), having(Effect.SENSES))) {
       assertNotEquals(Type.NONE, builtin.signature().result(), builtin.name());
     }
   }

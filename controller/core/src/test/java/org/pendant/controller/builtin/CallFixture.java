@@ -4,22 +4,22 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.function.Builtin;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.function.Call;
-import org.pendant.controller.function.Outcome;
-import org.pendant.controller.function.Work;
-import org.pendant.controller.value.LongOperation;
-import org.pendant.controller.value.Make;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.Registers;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtin;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Call;
+import org.pendant.script.function.Outcome;
+import org.pendant.script.function.Work;
+import org.pendant.script.value.LongOperation;
+import org.pendant.script.value.Make;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.Registers;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Calls single functions and methods without a program around them. */
 final class CallFixture {
-  static final Builtins BUILTINS = StandardBuiltins.create();
+  static final Builtins<?> BUILTINS = StandardBuiltins.create();
 
   private final ControlBox box;
 
@@ -47,7 +47,7 @@ final class CallFixture {
     return run(BUILTINS.findMethod(receiver, name).orElseThrow(), 1, selfAndArguments);
   }
 
-  private Value run(Builtin builtin, int receivers, Object... arguments) throws ScriptError {
+  private Value run(Builtin<?> builtin, int receivers, Object... arguments) throws ScriptError {
     List<Optional<Value>> defaults = builtin.defaults();
     int result = receivers + defaults.size();
     Registers registers = new Registers(result + 1);
@@ -59,7 +59,7 @@ final class CallFixture {
       }
     }
     // no program: functions that control one are tested with the machine
-    Call call = new Call(box, null, registers, new Work());
+    Call<?> call = new Call<>(box, null, registers, new Work());
     Outcome outcome = call.run(builtin, 0, result);
     if (outcome instanceof Outcome.Begun begun) {
       outcome = call.resume(builtin, 0, result, LongOperation.finish(begun.operation()));

@@ -2,14 +2,14 @@ package org.pendant.controller.builtin;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.pendant.controller.builtin.Refusals.refuses;
-import static org.pendant.controller.value.Make.floats;
-import static org.pendant.controller.value.Make.pose;
+import static org.pendant.script.value.Make.floats;
+import static org.pendant.script.value.Make.pose;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.models.pose.Wrench;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 class ContactBuiltinsTest {
   private final CallFixture fixture = new CallFixture();

@@ -2,17 +2,17 @@ package org.pendant.controller.builtin;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.pendant.controller.builtin.Refusals.refuses;
-import static org.pendant.controller.value.Make.floats;
-import static org.pendant.controller.value.Make.pose;
+import static org.pendant.script.value.Make.floats;
+import static org.pendant.script.value.Make.pose;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.value.MatrixValue;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.PoseValue;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
+import org.pendant.script.value.MatrixValue;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.PoseValue;
+import org.pendant.script.value.ScriptError;
 
 class DynamicsBuiltinsTest {
   private static final int CASES = 50;

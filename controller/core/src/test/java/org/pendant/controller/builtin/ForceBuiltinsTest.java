@@ -4,12 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.pendant.controller.builtin.Refusals.refuses;
-import static org.pendant.controller.value.Make.floats;
-import static org.pendant.controller.value.Make.pose;
+import static org.pendant.script.value.Make.floats;
+import static org.pendant.script.value.Make.pose;
 
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 class ForceBuiltinsTest {
   private final CallFixture fixture = new CallFixture();

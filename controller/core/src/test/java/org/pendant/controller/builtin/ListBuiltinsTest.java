@@ -3,23 +3,23 @@ package org.pendant.controller.builtin;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.pendant.controller.builtin.Refusals.refuses;
-import static org.pendant.controller.value.Make.bools;
-import static org.pendant.controller.value.Make.floats;
-import static org.pendant.controller.value.Make.ints;
-import static org.pendant.controller.value.Make.list;
-import static org.pendant.controller.value.Make.matrix;
-import static org.pendant.controller.value.Make.pose;
-import static org.pendant.controller.value.Make.strings;
-import static org.pendant.controller.value.Make.struct;
+import static org.pendant.script.value.Make.bools;
+import static org.pendant.script.value.Make.floats;
+import static org.pendant.script.value.Make.ints;
+import static org.pendant.script.value.Make.list;
+import static org.pendant.script.value.Make.matrix;
+import static org.pendant.script.value.Make.pose;
+import static org.pendant.script.value.Make.strings;
+import static org.pendant.script.value.Make.struct;
 
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.value.ListValue;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.StructValue;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.ListValue;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.StructValue;
+import org.pendant.script.value.Value;
 
 class ListBuiltinsTest {
   private final CallFixture fixture = new CallFixture();

@@ -3,12 +3,12 @@ package org.pendant.controller.builtin;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.pendant.controller.builtin.Refusals.refuses;
-import static org.pendant.controller.value.Make.ints;
+import static org.pendant.script.value.Make.ints;
 
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.value.FloatValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.FloatValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 class MathBuiltinsTest {
   private final CallFixture fixture = new CallFixture();

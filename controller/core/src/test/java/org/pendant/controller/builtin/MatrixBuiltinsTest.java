@@ -2,20 +2,20 @@ package org.pendant.controller.builtin;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.pendant.controller.builtin.Refusals.refuses;
-import static org.pendant.controller.value.Make.bools;
-import static org.pendant.controller.value.Make.floats;
-import static org.pendant.controller.value.Make.ints;
-import static org.pendant.controller.value.Make.matrix;
+import static org.pendant.script.value.Make.bools;
+import static org.pendant.script.value.Make.floats;
+import static org.pendant.script.value.Make.ints;
+import static org.pendant.script.value.Make.matrix;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.value.MatrixValue;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.Operators;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
 import org.pendant.language.signature.Type;
 import org.pendant.language.syntax.Expression.BinaryOperator;
+import org.pendant.script.value.MatrixValue;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.Operators;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 class MatrixBuiltinsTest {
   private final CallFixture fixture = new CallFixture();

@@ -2,11 +2,11 @@ package org.pendant.controller.builtin;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.pendant.controller.builtin.Refusals.refuses;
-import static org.pendant.controller.value.Make.floats;
+import static org.pendant.script.value.Make.floats;
 
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ScriptError;
 
 class MountingBuiltinsTest {
   private final CallFixture fixture = new CallFixture();

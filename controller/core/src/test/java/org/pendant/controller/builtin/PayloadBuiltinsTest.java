@@ -3,24 +3,24 @@ package org.pendant.controller.builtin;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.pendant.controller.builtin.Refusals.refuses;
-import static org.pendant.controller.value.Make.floats;
-import static org.pendant.controller.value.Make.list;
-import static org.pendant.controller.value.Make.pose;
+import static org.pendant.script.value.Make.floats;
+import static org.pendant.script.value.Make.list;
+import static org.pendant.script.value.Make.pose;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.value.FloatValue;
-import org.pendant.controller.value.MatrixValue;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.PoseValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.StructValue;
-import org.pendant.controller.value.Value;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.script.value.FloatValue;
+import org.pendant.script.value.MatrixValue;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.PoseValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.StructValue;
+import org.pendant.script.value.Value;
 
 class PayloadBuiltinsTest {
   private static final NumberList COG = floats(0.01, -0.02, 0.1);
@@ -154,7 +154,7 @@ class PayloadBuiltinsTest {
   }
 
   @Test
-  void aPayloadIsEstimatedFromWhatTheSensorReadInFourPoses() throws ScriptError {
+  void aPayloadIsEstimatedFromWhatTheSensorReadInFourPoses() throws Exception {
     fixture.call("set_tcp", pose(0.02, 0, 0.15, 0.3, 0, 0.2));
     fixture.box().flange().attachLoad(Payload.of(1.8, 0.02, -0.01, 0.07));
     fixture.call("zero_ftsensor");

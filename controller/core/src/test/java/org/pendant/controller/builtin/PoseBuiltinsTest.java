@@ -3,13 +3,13 @@ package org.pendant.controller.builtin;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.pendant.controller.builtin.Refusals.refuses;
-import static org.pendant.controller.value.Make.floats;
-import static org.pendant.controller.value.Make.pose;
+import static org.pendant.script.value.Make.floats;
+import static org.pendant.script.value.Make.pose;
 
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.value.FloatValue;
-import org.pendant.controller.value.PoseValue;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.value.FloatValue;
+import org.pendant.script.value.PoseValue;
+import org.pendant.script.value.ScriptError;
 
 class PoseBuiltinsTest {
   private static final PoseValue FIRST = pose(.2, .5, .1, 1.57, 0, 0);

@@ -2,15 +2,14 @@ package org.pendant.controller.builtin;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.pendant.controller.builtin.Refusals.refuses;
-import static org.pendant.controller.value.Make.floats;
+import static org.pendant.script.value.Make.floats;
 
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.motion.MoveJ;
-import org.pendant.controller.motion.MoveLimits;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.MoveJ;
+import org.pendant.motion.MoveLimits;
 
 class RevolutionCounterTest {
   private static final double TURN = 2 * Math.PI;
@@ -28,7 +27,7 @@ class RevolutionCounterTest {
   }
 
   @Test
-  void theEndlessJointIsCountedFromTheTurnNearestToZero() throws ScriptError {
+  void theEndlessJointIsCountedFromTheTurnNearestToZero() throws Exception {
     endless.box().drive().jumpTo(turned(5 * TURN + 1));
     endless.call("reset_revolution_counter");
     at(turned(1), endless);
@@ -38,14 +37,14 @@ class RevolutionCounterTest {
   }
 
   @Test
-  void aGivenPositionSaysWhichTurn() throws ScriptError {
+  void aGivenPositionSaysWhichTurn() throws Exception {
     endless.box().drive().jumpTo(turned(5 * TURN + 1));
     endless.call("reset_revolution_counter", floats(0, 0, 0, 0, 0, 3 * TURN));
     at(turned(3 * TURN + 1), endless);
   }
 
   @Test
-  void jointsWithLimitsStayAsTheyAre() throws ScriptError {
+  void jointsWithLimitsStayAsTheyAre() throws Exception {
     CallFixture limited = new CallFixture("ur5e");
     limited.box().drive().jumpTo(turned(6));
     limited.call("reset_revolution_counter");
@@ -53,7 +52,7 @@ class RevolutionCounterTest {
   }
 
   @Test
-  void aMovingArmIsNotCountedAnew() throws ScriptError {
+  void aMovingArmIsNotCountedAnew() throws Exception {
     ControlBox box = endless.box();
     box.drive().jumpTo(turned(5 * TURN));
     box.motion()

@@ -3,16 +3,16 @@ package org.pendant.controller.builtin;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.pendant.controller.builtin.Refusals.refuses;
-import static org.pendant.controller.value.Make.floats;
+import static org.pendant.script.value.Make.floats;
 
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.BoxSetup;
-import org.pendant.controller.value.FloatValue;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.PoseValue;
-import org.pendant.controller.value.ScriptError;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.script.value.FloatValue;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.PoseValue;
+import org.pendant.script.value.ScriptError;
 
 class SensorBuiltinsTest {
   private static final double WEIGHT_N = 2 * 9.82;
@@ -38,7 +38,7 @@ class SensorBuiltinsTest {
   }
 
   @Test
-  void theRightPayloadIsNoForce() throws ScriptError {
+  void theRightPayloadIsNoForce() throws Exception {
     fixture.box().flange().attachLoad(Payload.of(2, 0, 0, 0.1));
     fixture.call("set_target_payload", 2, floats(0, 0, 0.1));
     fixture.box().drive().jumpTo(new Joints(0.3, -1, 1, 0.4, 0.5, 0.6));
@@ -72,7 +72,7 @@ class SensorBuiltinsTest {
   }
 
   @Test
-  void thePositionsOfPastFramesAreKept() throws ScriptError {
+  void thePositionsOfPastFramesAreKept() throws Exception {
     Joints there = new Joints(0, -1, -1, -1, 1, 0);
     NumberList start = floats(BoxSetup.START_RAD.toArray());
     NumberList goal = floats(there.toArray());

@@ -3,17 +3,17 @@ package org.pendant.controller.builtin;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.pendant.controller.builtin.Refusals.refuses;
-import static org.pendant.controller.value.Make.bools;
-import static org.pendant.controller.value.Make.floats;
-import static org.pendant.controller.value.Make.ints;
-import static org.pendant.controller.value.Make.pose;
-import static org.pendant.controller.value.Make.strings;
+import static org.pendant.script.value.Make.bools;
+import static org.pendant.script.value.Make.floats;
+import static org.pendant.script.value.Make.ints;
+import static org.pendant.script.value.Make.pose;
+import static org.pendant.script.value.Make.strings;
 
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.value.FloatValue;
-import org.pendant.controller.value.NumberList;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.FloatValue;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 class VectorBuiltinsTest {
   private final CallFixture fixture = new CallFixture();

@@ -3,9 +3,9 @@ package org.pendant.controller.external;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.value.NoneValue;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** A server of remote procedures without a network: a test says what it answers. */
 public final class FakeServer implements RpcLink {

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.value.Value;
+import org.pendant.script.value.Value;
 
 class SocketReadTest {
   private static final SocketRead MESSAGE = new SocketRead.Text(">", "<");

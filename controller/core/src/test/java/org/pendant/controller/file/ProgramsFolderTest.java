@@ -12,7 +12,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.value.ScriptError;
+import org.pendant.script.value.ScriptError;
 
 class ProgramsFolderTest {
   private static final byte[] CONTENT = {'G', '0'};

@@ -9,10 +9,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.script.value.Value;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramState;
 
 class VariableLiteralTest {
   /** What a program leaves in a variable to which it has assigned a literal. */

@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.LogEntry.Origin;
+import org.pendant.script.function.ScriptPlace;
 
 final class MessageLogTest {
   private final MessageLog log = new MessageLog();
@@ -124,7 +125,7 @@ final class MessageLogTest {
 
   @Test
   void linesOfProgramsAndErrorsSayWhatTheProgramWasAt() {
-    LogEntry.Place place = new LogEntry.Place("p.script", 3, "watch", 12);
+    ScriptPlace place = new ScriptPlace("p.script", 3, "watch", 12);
     log.placeBy(() -> Optional.of(place));
     log.script("a");
     log.safety(Level.ERROR, "C153A2", "C153A2 protective stop");

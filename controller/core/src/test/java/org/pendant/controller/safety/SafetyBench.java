@@ -5,13 +5,13 @@ import java.util.List;
 import org.pendant.controller.arm.SensorReadings;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.MessageLog;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
+import org.pendant.motion.FrameTime;
 
 /** A safety system and the arm, target and program that a test makes up for it. */
 final class SafetyBench {

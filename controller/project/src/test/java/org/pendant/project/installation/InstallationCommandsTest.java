@@ -31,11 +31,11 @@ import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyPlane;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.project.installation.text.InstallationText;
 import org.pendant.project.installation.text.ReadInstallation;
+import org.pendant.script.vm.ProgramState;
 
 class InstallationCommandsTest {
   private static final String WAIT = "def wait():\n  sleep(10)\nend\n";

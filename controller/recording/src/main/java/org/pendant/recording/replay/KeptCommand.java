@@ -2,8 +2,8 @@ package org.pendant.recording.replay;
 
 import java.util.Optional;
 import org.pendant.controller.Command;
-import org.pendant.controller.debug.DebugRequest;
-import org.pendant.controller.vm.Program;
+import org.pendant.script.debug.DebugRequest;
+import org.pendant.script.vm.Program;
 
 /**
  * A command as a journal keeps it: as data that can be given to another controller. All kinds are

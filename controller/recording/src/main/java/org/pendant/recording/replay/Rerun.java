@@ -8,8 +8,8 @@ import java.util.function.Consumer;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.Determinism;
-import org.pendant.controller.motion.FrameTime;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.motion.FrameTime;
 
 /**
  * Brings a fresh controller to the end of a frame of another one's run, as fast as the processor

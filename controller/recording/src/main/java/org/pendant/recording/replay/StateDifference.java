@@ -5,8 +5,8 @@ import java.util.Objects;
 import java.util.Optional;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.variables.VariableSample;
 import org.pendant.models.arm.Joints;
+import org.pendant.script.variables.VariableSample;
 
 /** Tells whether two runs are the same one, by snapshots of the same frame. */
 public final class StateDifference {

@@ -14,11 +14,11 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.debug.Breakpoint;
-import org.pendant.controller.debug.Debugger;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.value.ScriptError;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.vm.ProgramState;
 
 /** Runs that a debugger held and changed are repeated with all that it did. */
 final class HeldRerunTest {

@@ -12,10 +12,10 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.variables.VariableSample;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.Program;
 import org.pendant.language.source.Source;
+import org.pendant.script.variables.VariableSample;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Program;
 
 /** A controller, what somebody does to it in which frame, and what comes of it in each. */
 final class Play {

@@ -18,13 +18,13 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.layout.Squeeze;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Words;
 import org.pendant.gui.shell.theme.Badge;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.script.vm.ProgramState;
 
 /** Which program and robot this is, and the modes. */
 @SuppressWarnings("serial") // never written to a stream

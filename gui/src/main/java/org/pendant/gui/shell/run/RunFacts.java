@@ -6,14 +6,14 @@ import java.util.Locale;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.pendant.controller.debug.DebugState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
-import org.pendant.controller.vm.Ending;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.session.Words;
 import org.pendant.language.source.ByteText;
 import org.pendant.models.pose.Pose;
+import org.pendant.script.debug.DebugState;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * What the Run screen says about a snapshot, in words.

@@ -2,7 +2,7 @@ package org.pendant.gui.shell.run;
 
 import java.util.Locale;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
+import org.pendant.script.vm.ProgramState;
 
 /** How long the program has run, in robot time. */
 final class RunTimer {

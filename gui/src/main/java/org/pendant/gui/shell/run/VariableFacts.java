@@ -9,12 +9,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
-import org.pendant.controller.debug.Variable;
 import org.pendant.controller.installation.InstallationVariable;
-import org.pendant.controller.value.Kind;
-import org.pendant.controller.variables.VariableSample;
-import org.pendant.controller.variables.VariableSamples;
 import org.pendant.language.source.ByteText;
+import org.pendant.script.debug.Variable;
+import org.pendant.script.value.Kind;
+import org.pendant.script.variables.VariableSample;
+import org.pendant.script.variables.VariableSamples;
 
 /**
  * What the Run screen says about the variables of a program.

@@ -9,11 +9,11 @@ import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.variables.VariableSamples;
 import org.pendant.gui.debug.Favourites;
 import org.pendant.gui.debug.Star;
 import org.pendant.gui.shell.theme.Card;
 import org.pendant.gui.workbench.Palette;
+import org.pendant.script.variables.VariableSamples;
 
 /** A card with the variables of the running or last program, favourites first. */
 final class VariablesPanel {

@@ -3,8 +3,8 @@ package org.pendant.gui.shell.start;
 import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.gui.workbench.Settings;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * What is asked when a program shall start and the arm is not where it goes first: whether it goes

@@ -15,8 +15,8 @@ import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.message.Answer;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.Popup.Severity;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
+import org.pendant.script.vm.ProgramState;
 
 final class PromptsTest {
   private final Controller controller =

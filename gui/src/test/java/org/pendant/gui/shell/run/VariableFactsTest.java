@@ -9,8 +9,8 @@ import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.InstallationVariable;
-import org.pendant.controller.variables.VariableSamples;
 import org.pendant.language.source.Source;
+import org.pendant.script.variables.VariableSamples;
 
 final class VariableFactsTest {
 

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.pendant.controller.builtin.StandardBuiltins;
-import org.pendant.controller.function.Builtins;
 import org.pendant.controller.installation.Installation;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.ExternalControl;
@@ -20,6 +19,7 @@ import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
 import org.pendant.project.program.Step;
 import org.pendant.project.program.TemplateStep;
+import org.pendant.script.function.Builtins;
 
 /**
  * Finds everything that keeps a tree from running, at the node and field where people can change
@@ -50,7 +50,7 @@ public final class ProgramCheck {
 
   /** As {@link #problems(ProgramTree, Installation)}, with a catalogue that is there already. */
   public static List<NodeProblem> problems(
-      ProgramTree tree, Installation installation, Builtins builtins) {
+      ProgramTree tree, Installation installation, Builtins<?> builtins) {
     Findings findings = new Findings(tree, installation, builtins);
     new ProgramCheck(findings).tree();
     new Expressions(findings, builtins).check();

@@ -7,8 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.pendant.controller.function.Builtins;
-import org.pendant.controller.vm.ProgramLoader;
 import org.pendant.language.check.Checker;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
@@ -21,6 +19,8 @@ import org.pendant.project.program.TreeNames;
 import org.pendant.project.program.check.Findings.TypedText;
 import org.pendant.project.program.script.GeneratedScript;
 import org.pendant.project.program.script.ScriptGenerator;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.vm.ProgramLoader;
 
 /**
  * Finds what shows only in the script of the whole tree, such as variables that nothing assigns and
@@ -33,9 +33,9 @@ final class ScriptCheck {
   private static final String UNASSIGNED_VARIABLE = "unassigned-variable";
 
   private final Findings findings;
-  private final Builtins builtins;
+  private final Builtins<?> builtins;
 
-  ScriptCheck(Findings findings, Builtins builtins) {
+  ScriptCheck(Findings findings, Builtins<?> builtins) {
     this.findings = findings;
     this.builtins = builtins;
   }

@@ -23,7 +23,6 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.PreparedAnswer;
-import org.pendant.controller.vm.Ending;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.ActionStep.InputKind;
@@ -36,6 +35,7 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Setting;
 import org.pendant.project.program.WaitFor;
+import org.pendant.script.vm.Ending;
 
 /** What nodes do on a controller that neither move nor decide. */
 final class ActionRunTest {

@@ -18,9 +18,6 @@ import org.pendant.controller.installation.NamedTool;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.value.Value;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
@@ -34,6 +31,9 @@ import org.pendant.models.pose.Poses;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.check.ProgramCheck;
+import org.pendant.script.value.Value;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramState;
 
 /** A tree that runs on an arm with mass, which holds a tool of 150 mm straight down. */
 final class ArmRun {

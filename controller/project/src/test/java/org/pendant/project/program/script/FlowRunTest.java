@@ -16,12 +16,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
-import org.pendant.controller.vm.Ending;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.FlowStep;
 import org.pendant.project.program.LoopRule;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
+import org.pendant.script.vm.Ending;
 
 /** What decisions and loops do on a controller. */
 final class FlowRunTest {

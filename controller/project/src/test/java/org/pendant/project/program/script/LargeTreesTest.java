@@ -15,12 +15,12 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.vm.ProgramLoader;
 import org.pendant.language.source.Source;
 import org.pendant.project.program.FlowStep;
 import org.pendant.project.program.LoopRule;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
+import org.pendant.script.vm.ProgramLoader;
 
 /** Programs with very many nodes, and very deep ones. */
 final class LargeTreesTest {

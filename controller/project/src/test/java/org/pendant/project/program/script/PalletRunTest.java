@@ -13,7 +13,6 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationVariable;
-import org.pendant.controller.value.Value;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.project.program.FlowStep;
@@ -28,6 +27,7 @@ import org.pendant.project.program.TemplateStep.PartKind;
 import org.pendant.project.program.TemplateStep.PatternPoint;
 import org.pendant.project.program.TemplateStep.PatternRole;
 import org.pendant.project.program.WaypointPosition;
+import org.pendant.script.value.Value;
 
 /** Palletizing goes to each place of its pattern in turn. */
 final class PalletRunTest {

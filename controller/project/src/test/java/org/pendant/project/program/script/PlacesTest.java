@@ -23,9 +23,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
-import org.pendant.controller.debug.Breakpoint;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.vm.ProgramLabel;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.ActionStep.TimerAction;
 import org.pendant.project.program.FlowStep;
@@ -34,6 +32,8 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
 import org.pendant.project.program.script.GeneratedScript.Place;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.vm.ProgramLabel;
 
 /** Which lines of a script belong to which node. */
 final class PlacesTest {

@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.value.Value;
 import org.pendant.project.program.FlowStep;
 import org.pendant.project.program.LoopRule;
 import org.pendant.project.program.MoveKind;
@@ -24,6 +23,7 @@ import org.pendant.project.program.TemplateStep.PatternPoint;
 import org.pendant.project.program.TemplateStep.PatternRole;
 import org.pendant.project.program.TemplateStep.Seek;
 import org.pendant.project.program.WaypointPosition;
+import org.pendant.script.value.Value;
 
 /** Searching along a stack for the next item. */
 final class SeekRunTest {

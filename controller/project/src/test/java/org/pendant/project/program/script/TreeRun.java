@@ -16,12 +16,12 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.vm.LoadResult;
-import org.pendant.controller.vm.Program;
-import org.pendant.controller.vm.ProgramLabel;
-import org.pendant.controller.vm.ProgramState;
 import org.pendant.language.source.Source;
 import org.pendant.project.program.ProgramTree;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramLabel;
+import org.pendant.script.vm.ProgramState;
 
 /** A tree that runs on a controller with an ideal arm, by the script that is generated from it. */
 final class TreeRun {

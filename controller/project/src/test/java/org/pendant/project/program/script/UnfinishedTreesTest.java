@@ -10,7 +10,6 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.installation.Installation;
-import org.pendant.controller.vm.ProgramLoader;
 import org.pendant.language.source.Source;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.program.ActionStep;
@@ -33,6 +32,7 @@ import org.pendant.project.program.ToolChoice;
 import org.pendant.project.program.UntilRule;
 import org.pendant.project.program.WaitFor;
 import org.pendant.project.program.WaypointTarget;
+import org.pendant.script.vm.ProgramLoader;
 
 /** Scripts of trees that nobody has filled in yet. */
 final class UnfinishedTreesTest {

@@ -1,6 +1,0 @@
-/**
- * What a built-in function is to the machine: its declaration, one call of it, and what it answers.
- * Open {@link org.pendant.controller.function.Builtins} first, then {@link
- * org.pendant.controller.function.Call}.
- */
-package org.pendant.controller.function;

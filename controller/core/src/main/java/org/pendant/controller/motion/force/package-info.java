@@ -1,5 +1,0 @@
-/**
- * Pressing with a force instead of following the path alone, and noticing that the tool has met
- * something. Open {@link org.pendant.controller.motion.force.ForceMode} first.
- */
-package org.pendant.controller.motion.force;

@@ -1,6 +1,0 @@
-/**
- * What carries the TCP aside from the path of moves by a program's wish: conveyors ({@link
- * org.pendant.controller.motion.offset.ConveyorTracking}) and path offsets ({@link
- * org.pendant.controller.motion.offset.PathOffsetting}).
- */
-package org.pendant.controller.motion.offset;

@@ -1,6 +1,0 @@
-/**
- * How targets for the joints come about: motions are closed forms over time, asked for a point
- * every frame. Open {@link org.pendant.controller.motion.MotionControl} first, then {@link
- * org.pendant.controller.motion.Motion} and its kinds.
- */
-package org.pendant.controller.motion;

@@ -1,5 +1,0 @@
-/**
- * Toolpath files (.nc) in the dialect of the manual's sample (manual 20.12). Open {@link
- * org.pendant.controller.toolpath.nc.NcReader} first.
- */
-package org.pendant.controller.toolpath.nc;

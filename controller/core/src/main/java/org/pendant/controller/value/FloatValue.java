@@ -1,9 +1,0 @@
-package org.pendant.controller.value;
-
-/** A 64-bit floating point number. */
-public record FloatValue(double value) implements Value {
-  @Override
-  public Kind kind() {
-    return Kind.FLOAT;
-  }
-}

@@ -1,9 +1,0 @@
-package org.pendant.controller.value;
-
-/** A 32-bit signed integer. */
-public record IntValue(int value) implements Value {
-  @Override
-  public Kind kind() {
-    return Kind.INT;
-  }
-}

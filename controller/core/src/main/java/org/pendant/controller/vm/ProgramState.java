@@ -1,8 +1,0 @@
-package org.pendant.controller.vm;
-
-/** Whether a program runs. */
-public enum ProgramState {
-  STOPPED,
-  RUNNING,
-  PAUSED
-}

@@ -1,0 +1,12 @@
+package org.pendant.motion;
+
+/**
+ * The most that an arm can do along a whole path.
+ *
+ * @param rate highest first derivative of the path's parameter by time, per s, above 0
+ * @param rate2 highest second derivative, per s², above 0
+ */
+record PathCaps(double rate, double rate2) {
+  /** No cap at all. */
+  static final PathCaps NONE = new PathCaps(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+}

@@ -1,0 +1,12 @@
+package org.pendant.motion.force;
+
+import org.pendant.models.arm.Joints;
+
+/** Between which positions each joint must stay. */
+public interface JointPositionLimits {
+  /** The smallest position of each joint, rad; minus infinity for none. */
+  Joints jointMinRad();
+
+  /** The largest position of each joint, rad; infinity for none. */
+  Joints jointMaxRad();
+}

@@ -1,0 +1,18 @@
+package org.pendant.motion.force;
+
+/** Where the arm is, as its sensors say. */
+public interface MeasuredArm {
+  /**
+   * Writes the positions of the joints into six numbers, rad.
+   *
+   * @param q overwritten
+   */
+  void copyPositionRad(double[] q);
+
+  /**
+   * Where the flange truly is in the base frame.
+   *
+   * @param flange12 overwritten, as {@link org.pendant.models.pose.Transforms} has it
+   */
+  void copyFlangeInBase(double[] flange12);
+}

@@ -1,0 +1,5 @@
+/**
+ * Distance over time along a path, whatever the path is: speeds, accelerations and jerks within
+ * limits. Open {@link org.pendant.motion.profile.ProfileLimits} first.
+ */
+package org.pendant.motion.profile;

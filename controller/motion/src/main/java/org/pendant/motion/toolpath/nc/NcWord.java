@@ -1,0 +1,14 @@
+package org.pendant.motion.toolpath.nc;
+
+/**
+ * A letter with its number.
+ *
+ * @param letter in upper case
+ * @param text as it stands in the file
+ */
+record NcWord(char letter, double number, String text) {
+  /** Whether the number is {@code code} exactly. */
+  boolean is(int code) {
+    return number == code;
+  }
+}

@@ -1,0 +1,34 @@
+package org.pendant.script.debug;
+
+import java.util.List;
+import java.util.Optional;
+import org.pendant.script.vm.ThreadSnapshot;
+
+/**
+ * Whether a program is held, and where its threads stand then.
+ *
+ * @param stop empty while nothing is held
+ * @param threads the main thread first; empty while nothing is held
+ */
+public record DebugState(Optional<Stop> stop, List<ThreadSnapshot> threads) {
+  /** Nothing is held. */
+  public static final DebugState FREE = new DebugState(Optional.empty(), List.of());
+
+  public DebugState {
+    threads = List.copyOf(threads);
+  }
+
+  /**
+   * One stop.
+   *
+   * @param number counts the stops of a debugger, from 1
+   * @param thread handle of the thread that caused it, 0 for the main thread
+   * @param line 1-based line where that thread stands
+   */
+  public record Stop(long number, StopReason reason, int thread, int line) {}
+
+  /** Whether scripts and time are held. */
+  public boolean held() {
+    return stop.isPresent();
+  }
+}

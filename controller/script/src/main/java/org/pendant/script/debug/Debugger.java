@@ -1,0 +1,262 @@
+package org.pendant.script.debug;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
+import org.pendant.script.vm.Machine;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramProbe;
+import org.pendant.script.vm.ThreadSnapshot;
+
+/**
+ * Holds the primary program of one machine at breakpoints, after steps, on request and before it
+ * fails. While it is held no thread runs and no time passes, so the program does what it would have
+ * done without.
+ *
+ * <p>Only the thread that drives the frames may call this, between two frames or at their begin.
+ * What cannot be done is refused with an {@link IllegalArgumentException}. Calls of functions are
+ * named by their thread and their depth, 1 for the outermost; {@link #MAIN} and {@link #OUTERMOST}
+ * name the one where all global variables can be seen.
+ */
+public final class Debugger {
+  /** The main thread. */
+  public static final int MAIN = 0;
+
+  /** The depth of the call that a thread began with. */
+  public static final int OUTERMOST = 1;
+
+  private final ProgramProbe probe;
+  private final Breakpoints breakpoints = new Breakpoints();
+  private final Stops stops;
+  private Consumer<DebugRequest> journal = request -> {};
+
+  /** A debugger of what {@code machine} will run; there can be one at a time. */
+  public Debugger(Machine machine) {
+    probe = machine.probe();
+    stops = new Stops(probe, breakpoints);
+    machine.attach(stops);
+  }
+
+  /** Has {@code journal} told what is asked from now on, before it is carried out. */
+  public void noteIn(Consumer<DebugRequest> journal) {
+    this.journal = journal;
+  }
+
+  // --- breakpoints
+
+  /** Sets a breakpoint, in place of the one on its line, and tells where it is. */
+  public BreakpointState set(Breakpoint breakpoint) {
+    journal.accept(new DebugRequest.SetBreakpoint(breakpoint));
+    BreakpointState set = breakpoints.set(breakpoint);
+    stops.setTraps();
+    return set;
+  }
+
+  /** Removes the breakpoint that was set on {@code line}; whether there was one. */
+  public boolean remove(int line) {
+    journal.accept(new DebugRequest.RemoveBreakpoint(line));
+    boolean removed = breakpoints.remove(line);
+    stops.setTraps();
+    return removed;
+  }
+
+  /** Removes every breakpoint. */
+  public void removeBreakpoints() {
+    journal.accept(new DebugRequest.RemoveBreakpoints());
+    breakpoints.removeAll();
+    stops.setTraps();
+  }
+
+  /** All breakpoints in the order of their lines. */
+  public List<BreakpointState> breakpoints() {
+    return breakpoints.states();
+  }
+
+  /** Whether a program that fails is held before it ends; not so at first. */
+  public void stopOnErrors(boolean wanted) {
+    journal.accept(new DebugRequest.StopOnErrors(wanted));
+    stops.onErrors(wanted);
+  }
+
+  // --- holding and going on
+
+  /** Holds the running program before anything of the next frame has run. */
+  public void pause() {
+    journal.accept(new DebugRequest.Pause());
+    refuseHeld();
+    probe.hold();
+    if (!probe.held()) {
+      throw new IllegalArgumentException("no program is running");
+    }
+    stops.stop(new StopReason.PauseRequested(), MAIN);
+  }
+
+  /** Lets the program go on; one that has failed ends now. */
+  public void resume() {
+    journal.accept(new DebugRequest.Resume());
+    refuseUnlessHeld();
+    go(Optional.empty());
+  }
+
+  /** The step of a thread that stopped where it stands is over what it stands before. */
+  private void standBefore(int thread) {
+    if (stops.state().stop().orElseThrow().thread() == thread) {
+      probe.standBefore(thread);
+    }
+  }
+
+  /** Lets the program go on until {@code thread} comes to its next statement in any function. */
+  public void stepInto(int thread) {
+    journal.accept(new DebugRequest.StepInto(thread));
+    refuseUnlessSteppable();
+    standBefore(thread);
+    probe.mark(thread);
+    go(Optional.of(new Step.Into(thread)));
+  }
+
+  /**
+   * Lets the program go on until {@code thread} comes to its next statement in the function that it
+   * is in, or in the caller if that returns.
+   */
+  public void stepOver(int thread) {
+    journal.accept(new DebugRequest.StepOver(thread));
+    refuseUnlessSteppable();
+    standBefore(thread);
+    go(Optional.of(new Step.Over(thread, probe.mark(thread))));
+  }
+
+  /**
+   * Lets the program go on until {@code thread} has left its function and comes to the next
+   * statement of a caller.
+   */
+  public void stepOut(int thread) {
+    journal.accept(new DebugRequest.StepOut(thread));
+    refuseUnlessSteppable();
+    standBefore(thread);
+    go(Optional.of(new Step.Out(thread, probe.mark(thread))));
+  }
+
+  /**
+   * Lets the program go on until {@code thread} comes to the statement that a breakpoint on {@code
+   * line} would mean.
+   */
+  public void runTo(int thread, int line) {
+    journal.accept(new DebugRequest.RunTo(thread, line));
+    refuseUnlessSteppable();
+    probe.mark(thread);
+    int start =
+        program()
+            .statementFrom(line)
+            .orElseThrow(
+                () ->
+                    new IllegalArgumentException(
+                        "line is " + line + ", no statement begins there or after it"));
+    go(Optional.of(new Step.To(thread, start)));
+  }
+
+  private Program program() {
+    return probe.program().orElseThrow(() -> new IllegalArgumentException("no program is running"));
+  }
+
+  /** Ends a thread of a held program, and those that it started. */
+  public void kill(int thread) {
+    journal.accept(new DebugRequest.Kill(thread));
+    refuseUnlessSteppable();
+    probe.kill(thread);
+    stops.threadKilled();
+  }
+
+  private void go(Optional<Step> step) {
+    stops.go(step);
+    probe.release();
+  }
+
+  private void refuseHeld() {
+    if (probe.held()) {
+      throw new IllegalArgumentException("the program is held already");
+    }
+  }
+
+  private void refuseUnlessHeld() {
+    if (!probe.held()) {
+      throw new IllegalArgumentException("the program is not held");
+    }
+  }
+
+  private void refuseUnlessSteppable() {
+    refuseUnlessHeld();
+    if (probe.failure().isPresent()) {
+      throw new IllegalArgumentException("the program has failed, it can only be ended");
+    }
+  }
+
+  // --- looking
+
+  /** Whether the program is held, and where; the same object while nothing changes. */
+  public DebugState state() {
+    return stops.state();
+  }
+
+  /** Where the threads of the program are now, also while it is not held. */
+  public List<ThreadSnapshot> threads() {
+    return probe.threads();
+  }
+
+  /** Parameters and local variables of a call. */
+  public List<Variable> variables(int thread, int depth) {
+    return Variables.of(probe.variables(thread, depth));
+  }
+
+  /** The global variables. */
+  public List<Variable> globals() {
+    return Variables.of(probe.globals());
+  }
+
+  /**
+   * Elements or members of a value.
+   *
+   * @param expression what yields it in the call, see {@link Variable#expression}
+   * @param from index of the first that is wanted
+   * @param count how many are wanted, 1 to 1000
+   * @throws ScriptError as for {@link #evaluate}
+   */
+  public List<Variable> children(int thread, int depth, String expression, int from, int count)
+      throws ScriptError {
+    return Variables.children(expression, value(thread, depth, expression), from, count);
+  }
+
+  /**
+   * The value of an expression in the scope of a call. Variables stay as they are whatever it does.
+   *
+   * @throws ScriptError when it is no expression, fails, or would take robot time
+   */
+  public Variable evaluate(int thread, int depth, String expression) throws ScriptError {
+    return Variables.of(expression, expression, value(thread, depth, expression));
+  }
+
+  private Value value(int thread, int depth, String expression) throws ScriptError {
+    if (expression.indexOf('(') >= 0) {
+      // it may call something
+      journal.accept(new DebugRequest.Evaluate(thread, depth, expression));
+    }
+    return probe.evaluate(thread, depth, expression);
+  }
+
+  /**
+   * Changes a variable, or an element or member of one, by the rules of an assignment in the call.
+   * A program that is not held goes on with the new value: to it, nothing happens between two
+   * frames.
+   *
+   * @param expression a literal or any other expression
+   * @return what it is now
+   * @throws ScriptError when the rules refuse it, or as for {@link #evaluate}; nothing has changed
+   */
+  public Variable assign(int thread, int depth, String target, String expression)
+      throws ScriptError {
+    journal.accept(new DebugRequest.Assign(thread, depth, target, expression));
+    probe.assign(thread, depth, target, expression);
+    return Variables.of(target, target, probe.evaluate(thread, depth, target));
+  }
+}

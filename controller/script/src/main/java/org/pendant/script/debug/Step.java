@@ -1,0 +1,25 @@
+package org.pendant.script.debug;
+
+import org.pendant.script.vm.StackMark;
+
+/** What a thread was let go for. */
+sealed interface Step {
+  /** The thread that steps. */
+  int thread();
+
+  /** To its next statement, wherever that is. */
+  record Into(int thread) implements Step {}
+
+  /** To the next statement of a call that it is in now. */
+  record Over(int thread, StackMark calls) implements Step {}
+
+  /** To the next statement of a call around the innermost one. */
+  record Out(int thread, StackMark calls) implements Step {}
+
+  /**
+   * To one statement.
+   *
+   * @param start its first offset in the program's text
+   */
+  record To(int thread, int start) implements Step {}
+}

@@ -1,0 +1,31 @@
+package org.pendant.script.debug;
+
+import org.pendant.script.vm.ScriptFailure;
+
+/** Why a program is held. */
+public sealed interface StopReason {
+
+  /**
+   * A breakpoint.
+   *
+   * @param line as it was set
+   * @param hits how often this run came to it so far
+   */
+  record AtBreakpoint(int line, long hits) implements StopReason {}
+
+  /**
+   * The condition of a breakpoint could not be computed.
+   *
+   * @param line of the breakpoint, as it was set
+   */
+  record ConditionFailed(int line, String message) implements StopReason {}
+
+  /** A step or a run to a line is over. */
+  record Stepped() implements StopReason {}
+
+  /** Somebody asked for it. */
+  record PauseRequested() implements StopReason {}
+
+  /** The program failed; it ends with this failure when it is let go. */
+  record Failed(ScriptFailure failure) implements StopReason {}
+}

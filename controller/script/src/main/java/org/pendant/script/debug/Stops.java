@@ -1,0 +1,169 @@
+package org.pendant.script.debug;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Set;
+import org.pendant.script.value.Operators;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
+import org.pendant.script.vm.DebugHook;
+import org.pendant.script.vm.ProgramProbe;
+import org.pendant.script.vm.ScriptFailure;
+import org.pendant.script.vm.ThreadSnapshot;
+
+/** Decides where a program stops, and remembers where it did. */
+final class Stops implements DebugHook {
+  private final ProgramProbe probe;
+  private final Breakpoints breakpoints;
+  private Optional<Step> step = Optional.empty();
+  private boolean trapsForStep;
+  private boolean onErrors;
+  private long count;
+  private DebugState state = DebugState.FREE;
+
+  Stops(ProgramProbe probe, Breakpoints breakpoints) {
+    this.probe = probe;
+    this.breakpoints = breakpoints;
+  }
+
+  DebugState state() {
+    return state;
+  }
+
+  void onErrors(boolean wanted) {
+    onErrors = wanted;
+  }
+
+  /** The program goes on, to stop again after {@code step}. */
+  void go(Optional<Step> step) {
+    this.step = step;
+    setTraps();
+    state = DebugState.FREE;
+  }
+
+  /** A thread of the held program has gone, perhaps the one that stopped it. */
+  void threadKilled() {
+    DebugState.Stop stop = state.stop().orElseThrow();
+    List<ThreadSnapshot> threads = probe.threads();
+    ThreadSnapshot main = threads.getFirst();
+    boolean gone = threads.stream().noneMatch(each -> each.id() == stop.thread());
+    DebugState.Stop now =
+        gone ? new DebugState.Stop(stop.number(), stop.reason(), main.id(), main.line()) : stop;
+    state = new DebugState(Optional.of(now), threads);
+  }
+
+  /** Sets the traps that breakpoints and the present step need. */
+  void setTraps() {
+    Set<Integer> starts = breakpoints.starts();
+    trapsForStep = step.isPresent();
+    if (step.isEmpty()) {
+      probe.trap(starts);
+      return;
+    }
+    switch (step.get()) {
+      case Step.Into into -> probe.trapEverything();
+      case Step.Over over -> probe.trapCalls(starts, over.thread());
+      case Step.Out out -> probe.trapCalls(starts, out.thread());
+      case Step.To to -> {
+        Set<Integer> both = new HashSet<>(starts);
+        both.add(to.start());
+        probe.trap(both);
+      }
+    }
+  }
+
+  /** Notes a stop, and where everything stands. */
+  void stop(StopReason reason, int thread) {
+    step = Optional.empty();
+    int line =
+        reason instanceof StopReason.Failed failed
+            ? failed.failure().line()
+            : probe.snapshot(thread).line();
+    state =
+        new DebugState(
+            Optional.of(new DebugState.Stop(++count, reason, thread, line)), probe.threads());
+  }
+
+  private boolean completes(Step wanted, int thread, OptionalInt start) {
+    return thread == wanted.thread()
+        && switch (wanted) {
+          case Step.Into into -> true;
+          case Step.Over over -> probe.depthSince(over.calls(), thread) > 0;
+          case Step.Out out -> {
+            int depth = probe.depthSince(out.calls(), thread);
+            yield depth > 0 && depth < out.calls().depth();
+          }
+          case Step.To to -> start.equals(OptionalInt.of(to.start()));
+        };
+  }
+
+  private Optional<StopReason> hit(Breakpoints.Entry entry, int thread) {
+    Breakpoint breakpoint = entry.breakpoint();
+    if (!breakpoint.condition().isEmpty()) {
+      try {
+        Value value = probe.evaluate(thread, probe.depth(thread), breakpoint.condition());
+        if (!Operators.truth(value)) {
+          return Optional.empty();
+        }
+      } catch (ScriptError e) {
+        return Optional.of(new StopReason.ConditionFailed(breakpoint.line(), e.getMessage()));
+      }
+    }
+    long hits = entry.countHit();
+    return hits >= breakpoint.fromHit()
+        ? Optional.of(new StopReason.AtBreakpoint(breakpoint.line(), hits))
+        : Optional.empty();
+  }
+
+  // --- what the machine asks and tells
+
+  @Override
+  public boolean stopsAt(int thread) {
+    OptionalInt start = probe.statementStart(thread);
+    Optional<StopReason> reason = Optional.empty();
+    if (start.isPresent()) {
+      for (Breakpoints.Entry entry : breakpoints.at(start.getAsInt())) {
+        Optional<StopReason> why = hit(entry, thread);
+        reason = reason.isPresent() ? reason : why;
+      }
+    }
+    if (reason.isEmpty() && step.isPresent() && completes(step.get(), thread, start)) {
+      reason = Optional.of(new StopReason.Stepped());
+    }
+    reason.ifPresent(why -> stop(why, thread));
+    if (reason.isEmpty() && step.isEmpty() && trapsForStep) {
+      // the thread that made the step has ended
+      setTraps();
+    }
+    return reason.isPresent();
+  }
+
+  @Override
+  public boolean stopsAtFailure(int thread, ScriptFailure failure) {
+    if (onErrors) {
+      stop(new StopReason.Failed(failure), thread);
+    }
+    return onErrors;
+  }
+
+  @Override
+  public void programStarted() {
+    step = Optional.empty();
+    state = DebugState.FREE;
+    probe.program().ifPresent(breakpoints::bind);
+    setTraps();
+  }
+
+  @Override
+  public void programEnded() {
+    step = Optional.empty();
+    state = DebugState.FREE;
+  }
+
+  @Override
+  public void threadEnded(int thread) {
+    step = step.filter(each -> each.thread() != thread);
+  }
+}

@@ -1,0 +1,15 @@
+package org.pendant.script.function;
+
+import org.pendant.script.value.ScriptError;
+
+/** The code of all methods of a kind of value whose names only somebody outside knows. */
+@FunctionalInterface
+public interface AnyMethodCode<H extends Host> {
+  /**
+   * Runs a method.
+   *
+   * @param method its name
+   * @param count how many arguments there are behind the receiver
+   */
+  Outcome run(Call<H> call, String method, int count) throws ScriptError;
+}

@@ -1,0 +1,12 @@
+package org.pendant.script.value;
+
+/** {@code True} or {@code False}. */
+public record BoolValue(boolean value) implements Value {
+  static final BoolValue TRUE = new BoolValue(true);
+  static final BoolValue FALSE = new BoolValue(false);
+
+  @Override
+  public Kind kind() {
+    return Kind.BOOL;
+  }
+}

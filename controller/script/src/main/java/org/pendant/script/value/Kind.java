@@ -1,0 +1,44 @@
+package org.pendant.script.value;
+
+/** The fundamental kinds of values (manual 3 to 5). */
+public enum Kind {
+  NONE("none"),
+  BOOL("bool"),
+  INT("int"),
+  FLOAT("float"),
+  STRING("string"),
+  POSE("pose"),
+  LIST("list"),
+  MATRIX("matrix"),
+  STRUCT("struct"),
+  HANDLE("handle");
+
+  private final String text;
+
+  Kind(String text) {
+    this.text = text;
+  }
+
+  /** The name for messages. */
+  public String text() {
+    return text;
+  }
+
+  /** The name with its article, e.g. {@code an int}; {@code None} has none. */
+  public String described() {
+    return switch (this) {
+      case NONE -> "None";
+      case INT -> "an int";
+      default -> "a " + text;
+    };
+  }
+
+  public boolean isNumber() {
+    return this == INT || this == FLOAT;
+  }
+
+  /** Whether a variable of this kind may take a value of {@code other}: int and float are one. */
+  public boolean accepts(Kind other) {
+    return this == other || (isNumber() && other.isNumber());
+  }
+}

@@ -1,0 +1,11 @@
+package org.pendant.script.value;
+
+/** The value of a function that returns nothing, and of {@code None}. */
+public enum NoneValue implements Value {
+  NONE;
+
+  @Override
+  public Kind kind() {
+    return Kind.NONE;
+  }
+}

@@ -1,0 +1,17 @@
+package org.pendant.script.vm;
+
+/** How a program came to its end. */
+public sealed interface Ending {
+
+  /** The main level ran past its last statement, or returned. */
+  record Finished() implements Ending {}
+
+  /** A {@code halt} was executed. */
+  record Halted() implements Ending {}
+
+  /** Somebody outside stopped it: a button, a command, a safety stop. */
+  record Stopped() implements Ending {}
+
+  /** A runtime error. */
+  record Failed(ScriptFailure failure) implements Ending {}
+}

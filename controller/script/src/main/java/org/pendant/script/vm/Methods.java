@@ -1,0 +1,91 @@
+package org.pendant.script.vm;
+
+import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.pendant.language.signature.Type;
+import org.pendant.script.function.Builtin;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.value.Kind;
+import org.pendant.script.value.ScriptError;
+
+/** Finds methods by the kind of their receiver, which is known only when the call runs. */
+final class Methods {
+  private final Builtins<?> builtins;
+  private final Map<Kind, Map<String, Builtin<?>>> known = new EnumMap<>(Kind.class);
+  private final Map<Type, Map<String, Builtin<?>>> ofHandles = new EnumMap<>(Type.class);
+
+  Methods(Builtins<?> builtins) {
+    this.builtins = builtins;
+  }
+
+  /** What a method call is compiled to: the method's name and how many arguments it passes. */
+  static String key(String name, int argumentCount) {
+    return name + "/" + argumentCount;
+  }
+
+  /**
+   * The method that {@code key} means for a receiver of {@code kind}.
+   *
+   * @throws ScriptError when there is none, or it takes another number of arguments
+   */
+  Builtin<?> find(String key, Kind kind) throws ScriptError {
+    Map<String, Builtin<?>> table = known.computeIfAbsent(kind, k -> new HashMap<>());
+    Builtin<?> found = table.get(key);
+    if (found == null) {
+      found =
+          look(key, receiver(kind).orElseThrow(() -> unknown(kind.text(), name(key))), kind.text());
+      table.put(key, found);
+    }
+    return found;
+  }
+
+  /** As {@link #find(String, Kind)}, for a receiver that is a handle of {@code type}. */
+  Builtin<?> find(String key, Type type) throws ScriptError {
+    Map<String, Builtin<?>> table = ofHandles.computeIfAbsent(type, t -> new HashMap<>());
+    Builtin<?> found = table.get(key);
+    if (found == null) {
+      found = look(key, type, type.text());
+      table.put(key, found);
+    }
+    return found;
+  }
+
+  private static String name(String key) {
+    return key.substring(0, key.lastIndexOf('/'));
+  }
+
+  private Builtin<?> look(String key, Type type, String receiver) throws ScriptError {
+    String name = name(key);
+    int count = Integer.parseInt(key.substring(name.length() + 1));
+    Builtin<?> method =
+        builtins.findMethod(type, name, count).orElseThrow(() -> unknown(receiver, name));
+    int most = method.signature().parameters().size();
+    int least = method.signature().requiredCount();
+    if (count < least || count > most) {
+      throw new ScriptError(
+          "argument-count",
+          method.signature().head()
+              + " takes "
+              + (least < most ? least + " to " + most : most)
+              + " arguments, not "
+              + count);
+    }
+    return count < most ? method.withFirst(count) : method;
+  }
+
+  private static ScriptError unknown(String receiver, String name) {
+    String article = receiver.startsWith("e") ? "an " : "a ";
+    return new ScriptError("unknown-method", article + receiver + " has no method " + name);
+  }
+
+  private static Optional<Type> receiver(Kind kind) {
+    return switch (kind) {
+      case LIST -> Optional.of(Type.LIST);
+      case MATRIX -> Optional.of(Type.MATRIX);
+      case STRUCT -> Optional.of(Type.STRUCT);
+      default -> Optional.empty();
+    };
+  }
+}

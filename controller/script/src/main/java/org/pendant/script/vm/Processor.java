@@ -1,0 +1,158 @@
+package org.pendant.script.vm;
+
+import org.pendant.script.function.Call;
+import org.pendant.script.value.Registers;
+import org.pendant.script.value.ScriptError;
+
+/**
+ * Executes instructions of one thread until it stops for a reason: translated functions by their
+ * own {@link TranslatedCode}, all others in the {@link InstructionLoop}.
+ */
+final class Processor {
+  /** Why code returned to whoever ran it; the first three never leave {@link #execute}. */
+  enum Stop {
+    /** Nothing has stopped; only single instructions answer this. */
+    GOES_ON,
+    /** A frame was left, its caller's is the innermost one now. */
+    RETURNED,
+    /** A frame was pushed that has to be run next. */
+    CALLED,
+    /** A wait began; it stands in the thread. */
+    WAITING,
+    JOINING,
+    /** The budget of this frame is used up. */
+    EXHAUSTED,
+    ENDED,
+    HALTED,
+    PAUSED,
+    /** An interpreted statement was executed to its end. */
+    INTERPRETED,
+    /** A statement is about to begin that a trap stands before. */
+    TRAPPED
+  }
+
+  /**
+   * Translated functions call each other without coming back here, except at depths that are a
+   * multiple of this: it bounds the use of the Java stack.
+   */
+  private static final int NESTING = 128;
+
+  /** The tag bits that keep a number from being stored into a variable without further ado. */
+  static final int NOT_FOR_NUMBER = Registers.BOOL | Registers.NONE | Registers.OBJECT;
+
+  private final ProgramRun run;
+  private final Registers registers;
+  private final GeneralOperations general;
+  private final SlowPath slow;
+  private final HotFunctions hot;
+  private final InstructionLoop loop;
+  private Stop refusal = Stop.CALLED;
+
+  Processor(ProgramRun run, Call<?> call, HotFunctions hot) {
+    this.run = run;
+    this.registers = run.registers();
+    this.general = new GeneralOperations(run);
+    this.slow = new SlowPath(run, general, call);
+    this.hot = hot;
+    this.loop = new InstructionLoop(run, general, slow, hot);
+  }
+
+  /**
+   * Runs {@code thread} on from where it is.
+   *
+   * @throws ScriptError for a runtime error; the thread's instruction pointers tell where
+   */
+  Stop execute(ScriptThread thread) throws ScriptError {
+    while (true) {
+      int top = thread.depth - 1;
+      TranslatedCode code = thread.interrupted ? null : hot.code(thread.functions[top]);
+      Stop stop =
+          code != null
+              ? code.run(this, thread, thread.bases[top], thread.pcs[top])
+              : loop.run(thread);
+      if (stop.compareTo(Stop.CALLED) > 0) {
+        slow.settle(thread);
+        return stop;
+      }
+    }
+  }
+
+  // --- what translated code needs
+
+  Registers registers() {
+    return registers;
+  }
+
+  SlowPath slow() {
+    return slow;
+  }
+
+  /**
+   * Counts a call and pushes its frame.
+   *
+   * @param pc behind the call
+   * @param offset of the callee's first slot from {@code base}
+   * @return the callee's code, to be run at once; null when the caller has to return {@link
+   *     #refusal}
+   */
+  TranslatedCode enter(ScriptThread thread, int base, int pc, int number, int offset, int result)
+      throws ScriptError {
+    int depth = thread.depth;
+    thread.pcs[depth - 1] = pc;
+    if (thread.budget < 0) {
+      refusal = stop(thread, pc - 1, Stop.EXHAUSTED);
+      return null;
+    }
+    ScriptFunction callee = run.functions()[number];
+    thread.budget -= callee.callNs();
+    int first = base + offset;
+    if (depth >= ScriptThread.MAX_DEPTH || first + callee.slotCount() > thread.segmentEnd) {
+      general.makeRoom(thread, callee, first);
+      first = thread.base() + offset;
+    }
+    byte[] tag = registers.tags();
+    for (int i = first + callee.parameterCount(), end = first + callee.variableCount();
+        i < end;
+        i++) {
+      tag[i] = Registers.UNASSIGNED;
+    }
+    thread.push(callee, first, result);
+    TranslatedCode code = callee.translated();
+    if (code == null || (depth & (NESTING - 1)) == 0) {
+      refusal = Stop.CALLED;
+      return null;
+    }
+    return code;
+  }
+
+  /** Why {@link #enter} answered no code. */
+  Stop refusal() {
+    return refusal;
+  }
+
+  /** Leaves the innermost frame with a value that is assigned; its object is in {@code source}. */
+  Stop leave(ScriptThread thread, int tag, double number, int source) {
+    int depth = --thread.depth;
+    if (depth == 0) {
+      return Stop.ENDED;
+    }
+    int d = thread.bases[depth - 1] + thread.results[depth];
+    registers.tags()[d] = (byte) tag;
+    registers.numbers()[d] = number;
+    if (tag == Registers.OBJECT) {
+      registers.objects()[d] = registers.objects()[source];
+    }
+    return Stop.RETURNED;
+  }
+
+  /** Ends a thread's turn for this frame before instruction {@code pc}. */
+  static Stop exhausted(ScriptThread thread, int pc) {
+    return stop(thread, pc, Stop.EXHAUSTED);
+  }
+
+  /** Stops {@code thread} before instruction {@code pc}. */
+  static Stop stop(ScriptThread thread, int pc, Stop stop) {
+    thread.pcs[thread.depth - 1] = pc;
+    return stop;
+  }
+}

@@ -1,0 +1,67 @@
+package org.pendant.script.vm;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.language.check.Checker;
+import org.pendant.language.check.MissingNames;
+import org.pendant.language.check.ProgramForm;
+import org.pendant.language.check.Scopes;
+import org.pendant.language.parse.ParseResult;
+import org.pendant.language.parse.ScriptParser;
+import org.pendant.language.source.Diagnostic;
+import org.pendant.language.source.Source;
+import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Statement;
+import org.pendant.language.syntax.Statement.Definition;
+import org.pendant.script.function.Builtins;
+
+/** The way from text to a program: parse, check, compile. Pure; any thread may call it. */
+public final class ProgramLoader {
+  private ProgramLoader() {}
+
+  /** Why none of a library runs. */
+  private static Diagnostic noProgram(ProgramForm library) {
+    List<Definition> functions =
+        library.body().stream()
+            .filter(Definition.class::isInstance)
+            .map(Definition.class::cast)
+            .filter(each -> each.kind() == Statement.DefinitionKind.FUNCTION)
+            .toList();
+    Definition last = functions.getLast();
+    return Diagnostic.error(
+        LoadResult.LIBRARY,
+        last.nameRange(),
+        library.name()
+            + " is a library: it holds "
+            + (functions.size() == 1 ? "a function" : functions.size() + " functions")
+            + " and no program; a program is a last def without parameters",
+        "");
+  }
+
+  /** Loads a program file or a program received over a socket. */
+  public static LoadResult load(Source source, Builtins<?> builtins) {
+    ParseResult parsed = ScriptParser.parseProgram(source);
+    List<Diagnostic> diagnostics = new ArrayList<>(parsed.diagnostics());
+    if (diagnostics.stream().anyMatch(Diagnostic::isError)) {
+      return new LoadResult(Optional.empty(), diagnostics);
+    }
+    ProgramForm form = ProgramForm.of(parsed.script());
+    Scopes scopes = Scopes.of(form);
+    diagnostics.addAll(MissingNames.together(source, Checker.check(form, scopes, builtins)));
+    if (form.kind() == ProgramForm.Kind.LIBRARY) {
+      diagnostics.add(noProgram(form));
+    }
+    if (diagnostics.stream().anyMatch(Diagnostic::isError)) {
+      return new LoadResult(Optional.empty(), diagnostics);
+    }
+    try {
+      Program program = new Compiler(source, form, scopes, builtins).compile();
+      return new LoadResult(Optional.of(program), diagnostics);
+    } catch (ProgramTooLarge e) {
+      diagnostics.add(
+          Diagnostic.error("program-too-large", new SourceRange(0, 0), e.getMessage(), ""));
+      return new LoadResult(Optional.empty(), diagnostics);
+    }
+  }
+}

@@ -1,0 +1,10 @@
+package org.pendant.script.vm;
+
+/** A program exceeds one of the machine's sizes. */
+final class ProgramTooLarge extends RuntimeException {
+  private static final long serialVersionUID = 1L;
+
+  ProgramTooLarge(String message) {
+    super(message);
+  }
+}

@@ -1,0 +1,60 @@
+package org.pendant.script.vm;
+
+import java.util.BitSet;
+import org.pendant.script.function.Builtin;
+import org.pendant.script.value.ScriptError;
+
+/** Looks through the code of an expression, and of all functions that it may come to call. */
+final class SideEffects {
+  private final Program.Tables tables;
+  private final BitSet seen = new BitSet();
+  private boolean changing;
+
+  private SideEffects(Program.Tables tables) {
+    this.tables = tables;
+  }
+
+  /**
+   * Whether {@code expression} may change the content of a list, matrix or struct.
+   *
+   * @throws ScriptError when it may take robot time, or start, end or stop threads
+   */
+  static boolean changes(ScriptFunction expression, Program.Tables tables) throws ScriptError {
+    SideEffects effects = new SideEffects(tables);
+    effects.look(expression);
+    return effects.changing;
+  }
+
+  private void look(ScriptFunction function) throws ScriptError {
+    for (long w : function.instructions()) {
+      int b = Instruction.b(w);
+      switch (Instruction.operation(w)) {
+        case Op.CALL_BUILTIN -> {
+          Builtin<?> builtin = tables.builtins().get(b);
+          if (builtin.signature().physicalTime()) {
+            throw refused(builtin.name() + " takes robot time");
+          }
+        }
+        case Op.CALL_METHOD, Op.CALL_PART_METHOD -> changing = true;
+        case Op.CALL -> {
+          changing = true;
+          if (!seen.get(b)) {
+            seen.set(b);
+            look(tables.functions().get(b).original());
+          }
+        }
+        case Op.RUN -> throw refused("run starts a thread");
+        case Op.JOIN -> throw refused("join waits for a thread");
+        case Op.KILL -> throw refused("kill ends a thread");
+        case Op.HALT -> throw refused("halt ends the program");
+        case Op.PAUSE -> throw refused("pause stops the program");
+        default -> {}
+      }
+    }
+  }
+
+  private static ScriptError refused(String what) {
+    return new ScriptError(
+        "not-while-stopped", what + ", an expression must be over at once and leave threads alone");
+  }
+}

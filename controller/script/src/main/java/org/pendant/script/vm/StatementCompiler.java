@@ -1,0 +1,146 @@
+package org.pendant.script.vm;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Expression;
+import org.pendant.language.syntax.Node;
+import org.pendant.language.syntax.ParameterDeclaration;
+import org.pendant.language.syntax.Statement;
+import org.pendant.script.function.Builtins;
+
+/** Compiles the statements of one function. */
+final class StatementCompiler {
+  /** Where leaving and repeating the innermost loops lead. */
+  private record Loop(List<Integer> breaks, List<Integer> continues) {}
+
+  private final FunctionContext context;
+  private final ExpressionCompiler expressions;
+  private final ConditionCompiler conditions;
+  private final AssignmentCompiler assignments;
+  private final CodeBuilder code;
+  private final Deque<Loop> loops = new ArrayDeque<>();
+
+  StatementCompiler(FunctionContext context, Builtins<?> builtins) {
+    this.context = context;
+    code = context.code();
+    expressions = new ExpressionCompiler(context, builtins);
+    conditions = expressions.conditions();
+    assignments = new AssignmentCompiler(context, expressions);
+  }
+
+  ScriptFunction finish(String name, int parameterCount) {
+    code.emit(Op.RETURN_NONE, 0, 0, 0);
+    return context.function(name, parameterCount);
+  }
+
+  /** Ends an interpreted line, whose variables all stay as they are when it is entered. */
+  ScriptFunction finishLine() {
+    code.emit(Op.INTERPRETED, 0, 0, 0);
+    return context.function("interpreter", 0);
+  }
+
+  /** Gives the global variable {@code name} its first value. */
+  void initialise(String name, Expression value) {
+    assignments.initialise(context.linkage().statics().global(name), value);
+  }
+
+  /** Gives parameters that a call has left out the values that only a call can find out. */
+  void defaults(List<ParameterDeclaration> parameters) {
+    for (int i = 0; i < parameters.size(); i++) {
+      Optional<Expression> value = parameters.get(i).defaultValue();
+      if (value.isPresent() && ConstantValues.of(value.get()).isEmpty()) {
+        int parameter = Instruction.local(i);
+        code.at(value.get().range());
+        int given = code.emitJump(Op.JUMP_IF_GIVEN, parameter);
+        assignments.initialise(parameter, value.get());
+        code.land(given, code.size());
+      }
+    }
+  }
+
+  void statements(List<Statement> statements) {
+    for (Statement statement : statements) {
+      statement(statement);
+    }
+  }
+
+  private void statement(Statement statement) {
+    code.at(statement.range());
+    if (isSimple(statement)) {
+      code.beginStatement(statement.range());
+    }
+    switch (statement) {
+      case Statement.Assign assign -> assignments.assign(assign);
+      case Statement.Evaluate evaluate -> expressions.effect(evaluate.expression());
+      case Statement.If choice -> choice(choice);
+      case Statement.While loop -> loop(loop);
+      case Statement.Break leave -> loops.peek().breaks().add(code.emitJump(Op.JUMP, 0));
+      case Statement.Continue next -> loops.peek().continues().add(code.emitJump(Op.JUMP, 0));
+      case Statement.Halt halt -> code.emit(Op.HALT, 0, 0, 0);
+      case Statement.Pause pause -> code.emit(Op.PAUSE, 0, 0, 0);
+      case Statement.Return leave -> giveBack(leave);
+      case Statement.Join join -> expressions.handle(Op.JOIN, join.handle());
+      case Statement.Kill kill -> expressions.handle(Op.KILL, kill.handle());
+      case Statement.EnterCritical enter -> code.emit(Op.ENTER_CRITICAL, 0, 0, 0);
+      case Statement.ExitCritical exit -> code.emit(Op.EXIT_CRITICAL, 0, 0, 0);
+      case Statement.Label label -> context.label(label);
+      case Statement.Definition definition -> {}
+    }
+  }
+
+  /** Whether it is one step, which has no blocks and does something. */
+  private static boolean isSimple(Statement statement) {
+    return !(statement instanceof Statement.If
+        || statement instanceof Statement.While
+        || statement instanceof Statement.Label
+        || statement instanceof Statement.Definition);
+  }
+
+  private void giveBack(Statement.Return leave) {
+    if (leave.value().isPresent()) {
+      expressions.giveBack(leave.value().get());
+    } else {
+      code.emit(Op.RETURN_NONE, 0, 0, 0);
+    }
+  }
+
+  private void choice(Statement.If choice) {
+    List<Integer> ends = new ArrayList<>();
+    for (Statement.Branch branch : choice.branches()) {
+      List<Integer> otherwise = new ArrayList<>();
+      code.beginStatement(head(branch, branch.condition()));
+      conditions.condition(branch.condition(), false, otherwise);
+      statements(branch.body());
+      ends.add(code.emitJump(Op.JUMP, 0));
+      otherwise.forEach(jump -> code.land(jump, code.size()));
+    }
+    choice.otherwise().ifPresent(this::statements);
+    ends.forEach(jump -> code.land(jump, code.size()));
+  }
+
+  private void loop(Statement.While loop) {
+    int top = code.size();
+    code.beginStatement(head(loop, loop.condition()));
+    Loop ways = new Loop(new ArrayList<>(), new ArrayList<>());
+    conditions.condition(loop.condition(), false, ways.breaks());
+    int body = code.size();
+    loops.push(ways);
+    statements(loop.body());
+    loops.pop();
+    ways.continues().forEach(jump -> code.land(jump, code.size()));
+    code.at(loop.condition().range());
+    if (ConditionCompiler.repeatsInPlace(loop.condition())) {
+      code.beginStatement(head(loop, loop.condition()));
+    }
+    conditions.repeat(loop.condition(), top, body);
+    ways.breaks().forEach(jump -> code.land(jump, code.size()));
+  }
+
+  private static SourceRange head(Node whole, Expression condition) {
+    return new SourceRange(whole.range().start(), condition.range().end());
+  }
+}

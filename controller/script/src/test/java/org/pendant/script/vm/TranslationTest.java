@@ -1,0 +1,519 @@
+package org.pendant.script.vm;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** A program does the same whether its functions are interpreted or translated. */
+class TranslationTest {
+  private static final String FIBONACCI =
+      """
+      def prog():
+        def fib(n):
+          if n < 2:
+            return n
+          end
+          return fib(n - 1) + fib(n - 2)
+        end
+        textmsg(fib(24))
+      end
+      """;
+
+  static List<String> scripts() {
+    return List.of(
+        FIBONACCI,
+        """
+        def arithmetic():
+          local i = 7
+          local f = 2.5
+          textmsg(i + 2, i - 9)
+          textmsg(i * f, i / 2)
+          textmsg(i % 4, -i)
+          textmsg(-f, -(i - 7))
+          textmsg(0 * -1, 0.0 * -1)
+          textmsg(-7 % 3, 7.5 % 2)
+          textmsg(i == 7.0, i != 7)
+          textmsg(i < f, i <= 7)
+          textmsg(i > f, not (i >= 8))
+          textmsg(True == 1, False == "x")
+          textmsg(True xor i < f, None == None)
+          local b = i > 3 and f < 3 or i == 0
+          textmsg(b, not b)
+          local s = "a"
+          s = s + "b"
+          textmsg(s + "c", s == "ab")
+          local n = f
+          n = 3
+          textmsg(n, [i, f])
+          global g = 1
+          while g < 1000:
+            g = g * 3
+            g = g - 1
+          end
+          textmsg(g)
+        end
+        """,
+        """
+        def overflow():
+          local i = 1
+          while i > 0:
+            i = i * 5 + 1
+            textmsg(i)
+          end
+        end
+        """,
+        """
+        def division(): local x = 0
+          while x < 3:
+            textmsg(6 / (2 - x))
+            x = x + 1
+          end
+        end
+        """,
+        """
+        def kinds():
+          def f(y):
+            local x = 1
+            textmsg(x + 1)
+            x = y
+            return x
+          end
+          textmsg(f(1.5))
+          textmsg(f(True))
+        end
+        """,
+        """
+        def ordered():
+          local l = [1, 2, 3]
+          def f(a, b):
+            return a < b
+          end
+          textmsg(f(1, 2), f(2.5, 2))
+          textmsg(f(1, l))
+        end
+        """,
+        """
+        def condition():
+          def f(a):
+            if a:
+              return 1
+            end
+          end
+          textmsg(f(True), f(0))
+          textmsg(f("x"), f(""))
+          textmsg(f([1]))
+        end
+        """,
+        """
+        def missing():
+          def f(a, b):
+            return a
+          end
+          def g(n):
+            if n == 3:
+              return f(n)
+            end
+            return f(n, 0)
+          end
+          local i = 0
+          while True:
+            textmsg(g(i))
+            i = i + 1
+          end
+        end
+        """,
+        """
+        def defaults():
+          global calls = 0
+          def next(n=calls):
+            calls = n + 1
+            return calls
+          end
+          def f(a=next(), b=a * 2, c=[a, b]):
+            c[0] = b
+            return a + c[0] + c[1]
+          end
+          local i = 0
+          while i < 20000:
+            i = i + f(1)
+            i = i + f(b=next())
+          end
+          textmsg(i, calls)
+          textmsg(f("x"))
+        end
+        """,
+        """
+        def texts():
+          def f(x):
+            return not x
+          end
+          local s = ""
+          local i = 0
+          local counted = 0
+          while i < 20 and (i < 10 or s):
+            if not s:
+              s = "a"
+            elif s and "" or not (s xor ""):
+              counted = -1
+            end
+            if s:
+              counted = counted + 1
+              s = ""
+            end
+            local kept = not s
+            i = i + 1
+          end
+          textmsg(counted, kept)
+          textmsg(not f([1]))
+        end
+        """,
+        """
+        def unassigned():
+          def f(a):
+            if a > 1:
+              local x = a
+            end
+            return x + 1
+          end
+          textmsg(f(2))
+          textmsg(f(1))
+        end
+        """,
+        """
+        def lists():
+          local l = [1, 2, 3]
+          local m = [1.5, 2.5]
+          local i = 0
+          while i < 3:
+            l[i] = l[i] * 2
+            i = i + 1
+          end
+          local k = l
+          k[0] = 9.5
+          m[1] = l[2]
+          l[1] = m[0]
+          textmsg(l, k)
+          textmsg(m)
+          local a = [[1, 2], [3, 4]]
+          a[1, 0] = 7
+          textmsg(a * a, a[0])
+          local t = ["a", "b"]
+          t[1] = t[0] + "c"
+          textmsg(t, t[1])
+          local p = p[1, 2, 3, 0, 0, 0]
+          p[2] = p[0] * 4
+          textmsg(p)
+          local s = struct(a = 1, b = [2, 3])
+          s.a = s.b[1]
+          s.b[0] = 8
+          textmsg(s)
+          textmsg(l[i])
+        end
+        """,
+        """
+        def elements():
+          def trace(m, n):
+            local sum = 0
+            local i = 0
+            while i < n:
+              sum = sum + m[i, i] * m[i, 1]
+              i = i + 1
+            end
+            return sum
+          end
+          local ints = [[1, 2], [3, 4]]
+          local floats = [[1.5, 2.5], [3.5, 4.5]]
+          ints[0, 1] = 7
+          textmsg(trace(ints, 2), trace(floats, 2))
+          floats[1, 1] = ints[0, 1]
+          textmsg(floats, [1, 2][trace([[1, 1], [0, 0]], 2)])
+          textmsg(trace(ints, 3))
+        end
+        """,
+        """
+        def wrong_element():
+          local l = [1, 2]
+          l[0] = 3
+          l[1] = True
+        end
+        """,
+        """
+        def float_index():
+          local l = [1, 2, 3]
+          textmsg(l[1.0])
+          textmsg(l[0.5])
+        end
+        """,
+        """
+        def threads():
+          global n = 0
+          thread counter():
+            local i = 0
+            while True:
+              n = n + 1
+              i = i + 1
+              if i % 3 == 0:
+                sync()
+              end
+            end
+          end
+          thread once():
+            n = n + 100
+            return 5
+          end
+          local a = run counter()
+          local b = run once()
+          join b
+          sync()
+          sync()
+          kill a
+          textmsg(n, a)
+          enter_critical
+          n = 0
+          while n < 120000:
+            n = n + 1
+          end
+          exit_critical
+          textmsg(n)
+          join a
+        end
+        """,
+        """
+        def crowd():
+          global turns = 0
+          thread worker():
+            local i = 0
+            while i < 30000:
+              i = i + 1
+              turns = turns + i % 7
+            end
+          end
+          local i = 0
+          while i < 12:
+            local h = run worker()
+            i = i + 1
+          end
+          join h
+          textmsg(turns)
+        end
+        """,
+        """
+        def suicide():
+          thread t():
+            sync()
+            kill 1
+            textmsg("never")
+          end
+          local h = run t()
+          sync()
+          sync()
+          sync()
+          textmsg("alive")
+        end
+        """,
+        """
+        def too_deep():
+          def down(n):
+            return down(n + 1) + 1
+          end
+          textmsg(down(0))
+        end
+        """,
+        """
+        def deep():
+          def down(n):
+            if n == 0:
+              sync()
+              return 0
+            end
+            local x = [n, 1.5]
+            return down(n - 1) + x[1]
+          end
+          local i = 0
+          while i < 3:
+            textmsg(down(900))
+            textmsg(down(100 + 20 * i))
+            i = i + 1
+          end
+        end
+        """,
+        """
+        def failing_inside():
+          def inner(l, i):
+            return l[i] + 1
+          end
+          def outer(n):
+            local s = 0
+
+            while True:
+              s = s + inner([1, 2, 3], n)
+              n = n + 1
+            end
+          end
+          textmsg(outer(0))
+        end
+        """,
+        """
+        def nested_loops():
+          local s = 0.5
+          local i = 0
+          while i < 700:
+            local j = 0
+            while j <= 700:
+              if j == 350:
+                j = j + 2
+                continue
+              end
+              s = s + i * j
+              j = j + 1
+              if j > 690:
+                break
+              end
+            end
+            i = i + 1
+          end
+          textmsg(s)
+        end
+        """,
+        """
+        def calls_exhaust():
+          def nothing(x, y=[1, 2]):
+            return y
+          end
+          local i = 0
+          while i < 90000:
+            nothing(i)
+            i = i + 1
+          end
+          textmsg(i, nothing(1))
+        end
+        """,
+        """
+        def halting():
+          local i = 0
+          while True:
+            i = i + 1
+            if i == 70000:
+              textmsg(i)
+              halt
+            end
+          end
+        end
+        """,
+        """
+        def pausing():
+          textmsg("before")
+          pause
+          textmsg("after")
+        end
+        """,
+        """
+        def interpreting():
+          global g = 1
+          local x = 2.5
+          local y = [1, 2]
+          def twice(a):
+            return 2 * a
+          end
+          textmsg("in")
+          interpreter_mode()
+          textmsg(g, x)
+          textmsg(y)
+          x = x + 1
+          textmsg(x)
+        end
+        """);
+  }
+
+  private static final List<String> LINES =
+      List.of(
+          "x = x + 1",
+          "g = twice(x)",
+          "local z = 1",
+          "def thrice(a): return 3 * a end",
+          "while z < 70000: z = z + 1 end",
+          "y[1] = thrice(z)",
+          "h = run nothing()",
+          "end_interpreter()");
+
+  @ParameterizedTest
+  @MethodSource("scripts")
+  void aTranslatedProgramDoesTheSame(String script) {
+    TranslationRuns runs = new TranslationRuns(script, LINES);
+    assertEquals(runs.interpreted(), runs.translated());
+  }
+
+  @ParameterizedTest
+  @MethodSource("scripts")
+  void bothFormsTakeOverFromEachOther(String script) {
+    TranslationRuns runs = new TranslationRuns(script, LINES);
+    TranslationRuns.Shown expected = runs.interpreted();
+    for (int seed = 0; seed < 10; seed++) {
+      assertEquals(expected, runs.mixed(new Random(seed)), "seed " + seed);
+    }
+  }
+
+  @Test
+  void randomProgramsDoTheSameInEveryForm() {
+    int valid = 0;
+    for (int seed = 0; valid < 200; seed++) {
+      String script = new RandomScript(new Random(seed)).text();
+      TranslationRuns runs = new TranslationRuns(script, List.of());
+      if (!runs.valid()) {
+        continue;
+      }
+      valid++;
+      TranslationRuns.Shown expected = runs.interpreted();
+      assertEquals(expected, runs.translated(), () -> script);
+      assertEquals(expected, runs.mixed(new Random(seed)), () -> script);
+    }
+  }
+
+  @Test
+  void aProgramThatRunsWithoutTranslationIgnoresOneThatIsThere() {
+    MachineFixture translating = new MachineFixture(Translation.ALWAYS);
+    Program program = translating.compile(FIBONACCI);
+    ScriptFunction fib = program.tables().functions().get(1);
+    assertNull(fib.translated());
+    translating.machine.start(program);
+    translating.finish();
+    assertNotNull(fib.translated());
+    MachineFixture interpreting = new MachineFixture(Translation.NEVER);
+    interpreting.machine.start(program);
+    interpreting.finish();
+    assertEquals(List.of("46368", "46368"), translating.messages);
+    assertEquals(translating.frames, interpreting.frames);
+  }
+
+  @Test
+  void aFunctionTooLargeForTheJvmStaysInterpreted() {
+    String sum =
+        IntStream.range(0, 300).mapToObj(i -> "x * " + i).collect(Collectors.joining(" + "));
+    MachineFixture fixture = new MachineFixture(Translation.ALWAYS);
+    Program program = fixture.compile("def prog():", "local x = 2", "textmsg(" + sum + ")", "end");
+    fixture.machine.start(program);
+    fixture.finish();
+    assertEquals(List.of("89700"), fixture.messages);
+    assertTrue(program.tables().functions().getFirst().untranslatable);
+  }
+
+  @Test
+  void nothingIsTranslatedBeforeItIsHot() {
+    MachineFixture fixture = new MachineFixture();
+    Program program = fixture.compile("def prog():", "local x = 2", "textmsg(x)", "end");
+    fixture.machine.start(program);
+    fixture.finish();
+    assertNull(program.tables().functions().getFirst().translated());
+    assertFalse(program.tables().functions().getFirst().untranslatable);
+  }
+}
