@@ -12,6 +12,7 @@ import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.message.Operator;
+import org.pendant.controller.safety.FittedSafety;
 import org.pendant.controller.safety.PowerTimes;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.world.Scene;
@@ -217,9 +218,14 @@ public final class ControllerOptions {
 
   /** Limits and planes. */
   public SafetyConfiguration safety() {
-    return safety
-        .or(() -> installation.flatMap(Installation::safety))
-        .orElseGet(() -> SafetyConfiguration.standard(ArmLibrary.load(robotId)));
+    return safety.orElseGet(
+        () -> {
+          ArmDescription arm = ArmLibrary.load(robotId);
+          return installation
+              .flatMap(Installation::safety)
+              .map(wanted -> FittedSafety.of(wanted, arm).configuration())
+              .orElseGet(() -> SafetyConfiguration.standard(arm));
+        });
   }
 
   /** What the controller is set up as. */

@@ -20,10 +20,12 @@ import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.WatchdogAction;
 import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.safety.FittedSafety;
 import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.world.Vector3;
 import org.pendant.language.source.ByteText;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.vm.Machine;
@@ -65,7 +67,25 @@ final class InstallationHandler {
             why -> {
               throw new IllegalArgumentException("installation: " + why);
             });
+    FittedSafety safety = fitted(installation);
+    // the box may have been made with limits from elsewhere
+    if (SafetyChecksum.of(safety.configuration()).equals(box.safety().checksum())) {
+      tellChanges(safety);
+    }
     apply(installation);
+  }
+
+  /** The limits that it sets, or those that are standard, as the arm can have them. */
+  private FittedSafety fitted(Installation installation) {
+    ArmDescription arm = box.armDescription();
+    return FittedSafety.of(
+        installation.safety().orElseGet(() -> SafetyConfiguration.standard(arm)), arm);
+  }
+
+  private void tellChanges(FittedSafety safety) {
+    for (FittedSafety.Change each : safety.changes()) {
+      box.log().safety(Level.WARNING, "", "safety." + each.field() + ": " + each.message());
+    }
   }
 
   /**
@@ -79,12 +99,12 @@ final class InstallationHandler {
   }
 
   private void followSafety(Installation installation) {
-    SafetyConfiguration wanted =
-        installation.safety().orElseGet(() -> SafetyConfiguration.standard(box.armDescription()));
+    FittedSafety wanted = fitted(installation);
     SafetyChecksum before = box.safety().checksum();
-    SafetyChecksum after = SafetyChecksum.of(wanted);
+    SafetyChecksum after = SafetyChecksum.of(wanted.configuration());
     if (!after.equals(before)) {
-      box.safety().configure(wanted);
+      box.safety().configure(wanted.configuration());
+      tellChanges(wanted);
       box.log()
           .safety(
               Level.INFO,

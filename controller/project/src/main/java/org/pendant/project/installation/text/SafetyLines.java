@@ -115,7 +115,7 @@ final class SafetyLines {
     boolean any = false;
     for (String key : NUMBERS) {
       if (fields.has(key)) {
-        put(fields, into, key, new double[] {fields.number(key)});
+        put(fields, into, key, new double[] {fields.limit(key)});
         any = true;
       }
     }
