@@ -66,6 +66,8 @@ final class InstallationReader {
               parts.homeRad = home().orElse(parts.homeRad);
               parts.controlHost =
                   new ContributionReader(top("Contributions"), remarks).controlHost();
+              parts.safety =
+                  top("SafetySettings").flatMap(each -> SafetySettingsReader.read(each, remarks));
               parts.transitionHardness = hardness().orElse(parts.transitionHardness);
             });
     actionsOfOlderFiles();

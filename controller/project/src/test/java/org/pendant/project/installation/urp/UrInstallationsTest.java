@@ -50,8 +50,9 @@ class UrInstallationsTest {
         </TCPSettings>
         <SafetySettings>
       [SafetyLimits Normal Values]
-      maxTcpSpeed = 1.5
+      maxTcpSpeed = 0.9
         </SafetySettings>
+        <Profinet enabled="true"/>
         <SafeHomeSettings enabled="true" position="0.0, -1.5, -1.5, -1.5, 1.5, 0.5"/>
         <Features><CameraView><worldTransform>
           <WorldtoMarshal baseAngle="0.3" tiltAngle="1.2"/>
@@ -85,6 +86,7 @@ class UrInstallationsTest {
     assertEquals("Grip", cell.activePayload());
     assertEquals(new BaseMounting(1.2, 0.3), cell.mounting());
     assertEquals(new Joints(0, -1.5, -1.5, -1.5, 1.5, 0.5), cell.homeRad());
+    assertEquals(0.9, cell.safety().orElseThrow().normal().toolSpeedMPerS());
     assertEquals(
         List.of(
             "digital_in[1] Part here", "configurable_out[0] Lamp", "tool_in[0] a", "tool_in[1] b"),
@@ -105,7 +107,12 @@ class UrInstallationsTest {
     assertEquals(
         List.of(
             "line 6: this TCP has no name or no offset of six numbers",
-            "not understood, and as in a new installation: SafetySettings"),
+            "the normal limits lack maxPower, maxMomentum, maxStoppingTime, maxStoppingDistance,"
+                + " maxForce, maxElbowSpeed, maxElbowForce, maxJointSpeed, minJointPosition with"
+                + " minJointRevolutions, maxJointPosition with maxJointRevolutions; those of the"
+                + " arm hold",
+            "the reduced limits lack maxTcpSpeed; those of normal mode hold",
+            "not understood, and as in a new installation: Profinet"),
         UrInstallations.read(bytes(CELL)).remarks());
   }
 
