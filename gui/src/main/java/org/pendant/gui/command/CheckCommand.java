@@ -37,6 +37,7 @@ final class CheckCommand implements Subcommand {
       throw new UsageException("no file given");
     }
     List<RunnableFile> files = RunnableFile.read(arguments);
+    InstallationOption.tell(arguments, console);
     Builtins<?> builtins = StandardBuiltins.create();
     ExitCode code = ExitCode.DONE;
     for (RunnableFile file : files) {

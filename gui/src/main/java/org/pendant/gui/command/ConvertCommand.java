@@ -115,6 +115,7 @@ final class ConvertCommand implements Subcommand {
       e.reports().forEach(console::complain);
       return Result.none(ExitCode.DOES_NOT_COMPILE);
     }
+    InstallationOption.tell(arguments, console);
     read.notes().forEach(console::complain);
     TreeFile file = read.file();
     if (ends(to, ProgramText.ENDING)) {

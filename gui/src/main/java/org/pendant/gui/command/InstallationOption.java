@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.Installation;
@@ -15,6 +16,7 @@ import org.pendant.controller.installation.InstallationProblem;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.project.installation.file.InstallationFile;
 import org.pendant.project.installation.file.InstallationTrouble;
+import org.pendant.project.installation.file.LoadedInstallation;
 
 /** {@code --installation FILE}: how the robot is set up. */
 final class InstallationOption {
@@ -26,11 +28,25 @@ final class InstallationOption {
   /** The installation that the command line names; empty if it names none. */
   static Optional<Installation> of(Arguments arguments) throws UsageException {
     Optional<String> name = arguments.value(OPTION);
-    return name.isPresent() ? Optional.of(read(name.get(), arguments.files())) : Optional.empty();
+    return name.isPresent()
+        ? Optional.of(read(name.get(), arguments.files()).installation())
+        : Optional.empty();
+  }
+
+  /** Says what of the installation that the command line names was not understood. */
+  static void tell(Arguments arguments, Console console) throws UsageException {
+    Optional<String> name = arguments.value(OPTION);
+    if (name.isPresent()) {
+      notes(name.get(), read(name.get(), arguments.files())).forEach(console::complain);
+    }
+  }
+
+  private static List<String> notes(String name, LoadedInstallation read) {
+    return read.remarks().stream().map(each -> name + ": note: " + each).toList();
   }
 
   /** Reads an installation from a file, and the values of its variables from the one beside it. */
-  static Installation read(String name, SourceFiles files) throws UsageException {
+  private static LoadedInstallation read(String name, SourceFiles files) throws UsageException {
     try {
       Optional<String> variables =
           InstallationFile.variablesOf(name).filter(file -> Files.isRegularFile(Path.of(file)));
@@ -38,8 +54,7 @@ final class InstallationOption {
           variables.isPresent()
               ? Optional.of(bytes(files.path("the file of variables", variables.get())))
               : Optional.empty();
-      return InstallationFile.read(name, bytes(files.path("the installation", name)), values)
-          .installation();
+      return InstallationFile.read(name, bytes(files.path("the installation", name)), values);
     } catch (InstallationTrouble e) {
       throw new UsageException(e.getMessage());
     } catch (NoSuchFileException e) {
@@ -58,8 +73,10 @@ final class InstallationOption {
    *
    * @param program file name of the program
    * @param installation name of the installation, with an ending or without; empty for none
+   * @param notes takes what of it was not understood
    */
-  static Optional<Installation> beside(String program, String installation, SourceFiles files)
+  static Optional<Installation> beside(
+      String program, String installation, SourceFiles files, List<String> notes)
       throws UsageException {
     if (installation.isEmpty()) {
       return Optional.empty();
@@ -68,7 +85,9 @@ final class InstallationOption {
       try {
         Path file = Path.of(program).resolveSibling(each);
         if (Files.isRegularFile(file)) {
-          return Optional.of(read(file.toString(), files));
+          LoadedInstallation read = read(file.toString(), files);
+          notes.addAll(notes(file.toString(), read));
+          return Optional.of(read.installation());
         }
       } catch (InvalidPathException e) {
         throw new UsageException(

@@ -60,7 +60,9 @@ final class OpenCommand implements Subcommand {
         throw new UsageException(each + " is no name of a file: " + e.getReason());
       }
     }
-    return new DesktopStart(console).run(files, ports(arguments), installation(arguments));
+    Optional<StartInstallation> installation = installation(arguments);
+    InstallationOption.tell(arguments, console);
+    return new DesktopStart(console).run(files, ports(arguments), installation);
   }
 
   private static Optional<StartInstallation> installation(Arguments arguments)

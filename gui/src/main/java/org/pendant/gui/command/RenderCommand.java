@@ -49,6 +49,7 @@ final class RenderCommand implements Subcommand {
     }
     RunnableFile file = RunnableFile.read(arguments).getFirst();
     RenderOptions options = RenderOptions.of(arguments, file.installation(), file.robot());
+    InstallationOption.tell(arguments, console);
     file.tell(console);
     try (ScriptConnectors scriptConnectors = new ScriptConnectors(options.run().hosts())) {
       Controller controller =

@@ -63,6 +63,7 @@ final class RunCommand implements Subcommand {
     }
     List<RunnableFile> files = RunnableFile.read(arguments);
     Recorded recorded = new Recorded(OutputFile.of(RunOptions.RECORD, arguments), columns);
+    InstallationOption.tell(arguments, console);
     Builtins<ControlBox> builtins = StandardBuiltins.create();
     ExitCode code = ExitCode.DONE;
     try (Interruption interruption = Interruption.listen("the run")) {

@@ -31,6 +31,7 @@ final class ServeCommand implements Subcommand {
       throw new UsageException("takes no file, it was given " + arguments.operands().getFirst());
     }
     List<ServeOptions> robots = ServeOptions.of(arguments);
+    InstallationOption.tell(arguments, console);
     Interruption interruption = Interruption.listen("the server");
     try (interruption) {
       interruption.hold();

@@ -31,10 +31,12 @@ record TreeOfFile(TreeFile file, Optional<Installation> own, List<String> notes)
       throws BrokenTree, UsageException {
     TreeFile bare = TreeFile.read(name, bytes);
     String wanted = bare.tree().installation();
+    List<String> ofInstallation = new ArrayList<>();
     Optional<Installation> found =
-        given.isPresent() ? given : InstallationOption.beside(name, wanted, files);
+        given.isPresent() ? given : InstallationOption.beside(name, wanted, files, ofInstallation);
     TreeFile tree = found.map(bare::in).orElse(bare);
     List<String> notes = new ArrayList<>(tree.remarks());
+    notes.addAll(ofInstallation);
     if (!wanted.isEmpty() && found.isEmpty()) {
       notes.add(name + ": note: its installation " + wanted + " is not there, none is used");
     }
