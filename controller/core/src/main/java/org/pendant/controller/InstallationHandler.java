@@ -84,7 +84,11 @@ final class InstallationHandler {
 
   private void tellChanges(FittedSafety safety) {
     for (FittedSafety.Change each : safety.changes()) {
-      box.log().safety(Level.WARNING, "", "safety." + each.field() + ": " + each.message());
+      box.log()
+          .safety(
+              Level.WARNING,
+              "",
+              "safety." + each.field() + ": " + each.message() + "; taken back to that");
     }
   }
 

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.gui.session.ActiveInstallation;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
@@ -85,5 +86,28 @@ final class SafetyDraftTest {
                     STANDARD, LimitKind.TOOL_SPEED.with(STANDARD.normal(), 0.25)))));
     assertFalse(draft.unlocked());
     assertEquals(0.25, draft.shown().normal().toolSpeedMPerS());
+  }
+
+  @Test
+  void limitsBeyondTheArmAreShownAsTheArmHasThem() {
+    active.set(
+        Installation.NONE.withSafety(
+            Optional.of(SafetyConfiguration.standard(ArmLibrary.load("ur3e")))));
+    assertEquals(Math.PI + 0.2, draft.shown().normal().jointSpeedRadPerS().get(3), 1e-9);
+  }
+
+  @Test
+  void refusesToTypeALimitBeyondTheArm() {
+    SafetyLimits normal = STANDARD.normal();
+    SafetyLimits faster =
+        LimitKind.limits(
+            LimitKind.values(normal),
+            normal.jointSpeedRadPerS().with(3, 6),
+            normal.jointMinRad(),
+            normal.jointMaxRad());
+    assertTrue(
+        draft
+            .refusal(STANDARD.withLimits(faster, STANDARD.reduced()))
+            .startsWith("joint 3 may turn at 6.0 rad/s, must be at most 3.34"));
   }
 }

@@ -22,7 +22,7 @@ public record FittedSafety(SafetyConfiguration configuration, List<Change> chang
    * A limit that does not hold as it was wanted.
    *
    * @param field which, such as {@code normal.jointMinRad}
-   * @param message what was wanted, and what holds
+   * @param message what was wanted, and what the arm can do
    */
   public record Change(String field, String message) {}
 
@@ -86,8 +86,7 @@ public record FittedSafety(SafetyConfiguration configuration, List<Change> chang
                     + " rad/s, must be at most "
                     + most
                     + " on "
-                    + arm.id()
-                    + ", which holds instead"));
+                    + arm.id()));
       }
       fitRange(i, min, max, arm, changes);
     }
@@ -132,12 +131,7 @@ public record FittedSafety(SafetyConfiguration configuration, List<Change> chang
                 + " to "
                 + most
                 + " on "
-                + arm.id()
-                + "; "
-                + min[i]
-                + " to "
-                + max[i]
-                + " holds instead"));
+                + arm.id()));
   }
 
   /** The tighter one of each limit; a range that would be empty is the normal one. */
