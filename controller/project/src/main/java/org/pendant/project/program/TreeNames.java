@@ -77,13 +77,24 @@ public final class TreeNames {
   }
 
   /**
-   * A name of the language as near to one of people as can be.
+   * A name of the language as near to one of people as can be. Letters that the language does not
+   * have are written by their number, as robots do: \u5faa as {@code u24490}.
    *
    * @param fallback when nothing of {@code wanted} can be used
    */
   public static String word(String wanted, String fallback) {
-    String plain = Normalizer.normalize(wanted.strip(), Normalizer.Form.NFD);
-    String name = plain.replaceAll("\\p{M}+", "").replaceAll("[^A-Za-z0-9_]+", "_");
+    StringBuilder plain = new StringBuilder();
+    Normalizer.normalize(wanted.strip(), Normalizer.Form.NFC)
+        .chars()
+        .forEach(
+            each -> {
+              if (each < 128 || !Character.isLetterOrDigit(each)) {
+                plain.append((char) each);
+              } else {
+                plain.append('u').append(each);
+              }
+            });
+    String name = plain.toString().replaceAll("[^A-Za-z0-9_]+", "_");
     if (name.isEmpty() || name.chars().allMatch(c -> c == '_')) {
       return fallback;
     }

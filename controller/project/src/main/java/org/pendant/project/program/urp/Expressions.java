@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.polyscope.xml.XmlElement;
+import org.pendant.project.program.TreeNames;
 
 /** Reads expressions, which files keep as rows of single characters, tokens and names. */
 final class Expressions {
@@ -96,9 +97,9 @@ final class Expressions {
     XmlElement inner = part.children().isEmpty() ? part : part.children().getFirst();
     return switch (part.name()) {
       case "ExpressionIO", "ExpressionPin" -> UrpSignals.expression(signals.named(inner));
-      case "ExpressionWaypoint" -> name(inner) + "_p";
+      case "ExpressionWaypoint" -> TreeNames.place(name(inner)) + "_p";
       case "ExpressionGeomFeature" -> Features.here(name(inner));
-      case "ExpressionVariable" -> name(inner);
+      case "ExpressionVariable" -> word(name(inner));
       default -> {
         remarks.add(part, part.name() + " in an expression is taken as a name");
         yield name(inner);
@@ -131,6 +132,11 @@ final class Expressions {
   /** The name of the variable in an element; empty if there is none. */
   String variable(XmlElement element) throws UnreadableFile {
     Optional<XmlElement> found = element.child("variable", "ProgramVariable", "loopVariable");
-    return found.isEmpty() ? "" : name(found.get());
+    return found.isEmpty() ? "" : word(name(found.get()));
+  }
+
+  /** A variable that is called by letters of another language has a name of digits in scripts. */
+  static String word(String name) {
+    return name.chars().allMatch(each -> each < 128) ? name : TreeNames.word(name, name);
   }
 }

@@ -33,8 +33,8 @@ final class NamesTest {
   void programsHaveLegalNames() {
     assertEquals("pick_and_place", program("pick and place"));
     assertEquals("_3_boxes", program("3 boxes"));
-    assertEquals("Gro_e_2", program("Gr\u00f6\u00dfe 2"));
-    assertEquals("program", program("\u4e2d\u6587"));
+    assertEquals("Gru246u223e_2", program("Gr\u00f6\u00dfe 2"));
+    assertEquals("u20013u25991", program("\u4e2d\u6587"));
     assertEquals("program", program(""));
     assertEquals("while_2", program("while"));
     assertEquals("movej_2", program("movej"));
