@@ -10,8 +10,17 @@ public sealed interface FlowStep extends Step {
    */
   record If(String condition, boolean continuously) implements FlowStep {}
 
-  /** Follows an {@link If} or another one of its kind beside it. */
-  record ElseIf(String condition) implements FlowStep {}
+  /**
+   * Follows an {@link If} or another one of its kind beside it.
+   *
+   * @param continuously whether the children end as soon as the condition holds no more
+   */
+  record ElseIf(String condition, boolean continuously) implements FlowStep {
+    /** Whose condition is looked at once. */
+    public ElseIf(String condition) {
+      this(condition, false);
+    }
+  }
 
   /** Follows an {@link If} or {@link ElseIf} beside it. */
   record Else() implements FlowStep {}

@@ -116,7 +116,8 @@ public final class StepCode {
     return switch (step) {
       case FlowStep.If(String condition, boolean continuously) ->
           new FlowStep.If(change.apply(condition), continuously);
-      case FlowStep.ElseIf(String condition) -> new FlowStep.ElseIf(change.apply(condition));
+      case FlowStep.ElseIf(String condition, boolean continuously) ->
+          new FlowStep.ElseIf(change.apply(condition), continuously);
       case FlowStep.Loop(LoopRule.Times(String count, String variable)) ->
           new FlowStep.Loop(new LoopRule.Times(change.apply(count), variable));
       case FlowStep.Loop(LoopRule.While(String condition, boolean continuously)) ->

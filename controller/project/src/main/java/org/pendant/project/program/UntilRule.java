@@ -1,10 +1,21 @@
 package org.pendant.project.program;
 
+import java.util.OptionalDouble;
+
 /** What ends a way early. */
 public sealed interface UntilRule {
 
-  /** The tool has come so far, m. */
-  record Distance(double distanceM) implements UntilRule {}
+  /**
+   * The tool has come so far.
+   *
+   * @param blendRadiusM of the corner there; empty for a stop
+   */
+  record Distance(double distanceM, OptionalDouble blendRadiusM) implements UntilRule {
+    /** With a stop there. */
+    public Distance(double distanceM) {
+      this(distanceM, OptionalDouble.empty());
+    }
+  }
 
   /**
    * The tool touches something.

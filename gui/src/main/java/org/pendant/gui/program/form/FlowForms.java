@@ -18,17 +18,7 @@ final class FlowForms {
   static Form of(FormContext context, FlowStep step) {
     return switch (step) {
       case FlowStep.If when -> when(context, when);
-      case FlowStep.ElseIf(String condition) ->
-          branches(
-                  new FormBuilder(
-                          context,
-                          "else-if",
-                          "Else if",
-                          "Runs its nodes if nothing before it in the group did and the condition"
-                              + " is true.")
-                      .condition(
-                          "condition", "Condition", condition, CONDITION, FlowStep.ElseIf::new))
-              .build();
+      case FlowStep.ElseIf other -> otherwise(context, other);
       case FlowStep.Else _ ->
           new FormBuilder(
                   context, "else", "Else", "Runs its nodes if nothing before it in the group did.")
@@ -80,6 +70,28 @@ final class FlowForms {
                 when.continuously(),
                 value -> new FlowStep.If(when.condition(), value));
     continuously(form, when.continuously());
+    return branches(form).build();
+  }
+
+  private static Form otherwise(FormContext context, FlowStep.ElseIf other) {
+    FormBuilder form =
+        new FormBuilder(
+                context,
+                "else-if",
+                "Else if",
+                "Runs its nodes if nothing before it in the group did and the condition is true.")
+            .condition(
+                "condition",
+                "Condition",
+                other.condition(),
+                CONDITION,
+                text -> new FlowStep.ElseIf(text, other.continuously()))
+            .check(
+                "continuously",
+                "Check continuously",
+                other.continuously(),
+                value -> new FlowStep.ElseIf(other.condition(), value));
+    continuously(form, other.continuously());
     return branches(form).build();
   }
 

@@ -270,14 +270,14 @@ final class MotionForms {
             },
             chosen -> new MotionStep.Until(rule(kept, chosen)));
     switch (rule) {
-      case UntilRule.Distance(double distanceM) ->
+      case UntilRule.Distance(double distanceM, OptionalDouble blendRadiusM) ->
           form.number(
               "rule.distanceM",
               "Distance",
               distanceM,
               Measure.MILLIMETRE,
               Range.upTo(10),
-              value -> new MotionStep.Until(new UntilRule.Distance(value)));
+              value -> new MotionStep.Until(new UntilRule.Distance(value, blendRadiusM)));
       case UntilRule.Contact(double retractM, double decelerationMPerS2) ->
           form.number(
                   "rule.retractM",

@@ -10,6 +10,9 @@ import org.pendant.project.program.Step;
 
 /** Understands the elements that decide what runs, or how what is below them runs. */
 final class FlowReader {
+  /** The value of what runs when no case fits. */
+  static final String DEFAULT_CASE = Integer.toString(Integer.MAX_VALUE);
+
   private final Expressions expressions;
 
   FlowReader(Expressions expressions) {
@@ -34,7 +37,7 @@ final class FlowReader {
     boolean continuously = Values.yes(element, "checkContinuously");
     return switch (element.attribute("type").orElse("If")) {
       case "If" -> Optional.of(new FlowStep.If(condition, continuously));
-      case "ElseIf" -> Optional.of(new FlowStep.ElseIf(condition));
+      case "ElseIf" -> Optional.of(new FlowStep.ElseIf(condition, continuously));
       case "Else" -> Optional.of(new FlowStep.Else());
       default -> Optional.empty();
     };
@@ -55,8 +58,10 @@ final class FlowReader {
   }
 
   private static Step caseOf(XmlElement element) {
-    return element.text("type").toLowerCase(Locale.ROOT).equals("default")
+    String value = element.text("caseValue");
+    return value.equals(DEFAULT_CASE)
+            || element.text("type").toLowerCase(Locale.ROOT).equals("default")
         ? new FlowStep.DefaultCase()
-        : new FlowStep.Case(element.text("caseValue"));
+        : new FlowStep.Case(value);
   }
 }

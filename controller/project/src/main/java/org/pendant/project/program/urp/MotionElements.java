@@ -219,8 +219,15 @@ final class MotionElements {
   private void until(UntilRule rule) {
     switch (rule) {
       case UntilRule.Distance distance -> {
-        out.open("Until", MotionReader.UNTIL_TYPE, "DISTANCE", "distanceNodeType", "STOP");
+        boolean blends = distance.blendRadiusM().isPresent();
+        out.open("Until", MotionReader.UNTIL_TYPE, "DISTANCE");
+        out.attribute(MotionReader.DISTANCE_ENDS, blends ? MotionReader.BLENDS : "STOP");
         out.text(MotionReader.DISTANCE, Double.toString(distance.distanceM()));
+        if (blends) {
+          out.open("motionParameters");
+          elements.optional("blendRadius", distance.blendRadiusM());
+          out.close();
+        }
       }
       case UntilRule.Expression expression -> {
         out.open("Until", "type", "Expression");

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.pendant.project.polyscope.xml.UnreadableFile;
@@ -31,6 +32,8 @@ final class MotionReader {
   static final String RETRACTION = "retraction";
   static final String CONTACT_STOP = "decelerationAcceleration";
   static final String DISTANCE = "Distance";
+  static final String DISTANCE_ENDS = "distanceNodeType";
+  static final String BLENDS = "BLEND";
 
   /** How long a way takes, s. */
   static final String MOTION_TIME = "nextMotionTime";
@@ -43,6 +46,11 @@ final class MotionReader {
   private static final String MOTION_TYPE = "motionType";
   private static final String PROCESS = "MoveP";
   private static final String WAYPOINT = "Waypoint";
+  private static final String CIRCLE = "CircleMove";
+
+  /** What moves the arm in a move; others stand between them, also such that are switched off. */
+  private static final Set<String> WAYS = Set.of(WAYPOINT, CIRCLE, DIRECTION);
+
   private static final double JOINT_SPEED_RAD_PER_S = Math.toRadians(60);
   private static final double JOINT_ACCELERATION_RAD_PER_S2 = Math.toRadians(80);
   private static final double TOOL_SPEED_M_PER_S = 0.25;
@@ -68,7 +76,7 @@ final class MotionReader {
     return switch (SwitchedOff.kind(element)) {
       case "Move" -> Optional.of(move(element));
       case WAYPOINT -> waypoint(element, within);
-      case "CircleMove" ->
+      case CIRCLE ->
           Optional.of(
               new MotionStep.CircleMove(
                   element.text("OrientationMode").toLowerCase(Locale.ROOT).startsWith("fix"),
@@ -97,14 +105,15 @@ final class MotionReader {
     };
   }
 
-  /** Whether it goes to a waypoint at once, and not as a process move. */
+  /** Whether the first way of it leads to a waypoint, and not as a process move. */
   static boolean isOtherMove(XmlElement element) {
     return element.name().equals("Move")
         && !element.text(MOTION_TYPE).equals(PROCESS)
-        && element
-            .child("children")
-            .filter(each -> !each.children().isEmpty())
-            .map(each -> each.children().getFirst().name())
+        && element.child("children").stream()
+            .flatMap(each -> each.children().stream())
+            .map(XmlElement::name)
+            .filter(WAYS::contains)
+            .findFirst()
             .filter(WAYPOINT::equals)
             .isPresent();
   }
@@ -287,17 +296,16 @@ final class MotionReader {
   }
 
   /** The way ends exactly there, so that its deceleration is that of the move. */
-  private Optional<UntilRule> distance(XmlElement element, XmlElement distance) {
+  private static Optional<UntilRule> distance(XmlElement element, XmlElement distance) {
     var _ = element.attribute("deceleration");
-    double radiusM =
-        element.child("motionParameters").map(MotionReader::blend).orElse(NONE).orElse(0);
-    if (element.text("distanceNodeType").equals("BLEND")) {
-      remarks.add(element, "the way ends with a stop, not with its blend of " + radiusM + " m");
-    }
+    // the radius stands there in any case
+    OptionalDouble radiusM =
+        element.child("motionParameters").map(MotionReader::blend).orElse(NONE);
+    boolean blends = element.text(DISTANCE_ENDS).equals(BLENDS);
     OptionalDouble metres = Values.number(distance.text());
     return metres.isEmpty()
         ? Optional.empty()
-        : Optional.of(new UntilRule.Distance(metres.getAsDouble()));
+        : Optional.of(new UntilRule.Distance(metres.getAsDouble(), blends ? radiusM : NONE));
   }
 
   private static MotionStep.Home home(XmlElement element) {

@@ -76,7 +76,7 @@ final class StepElements {
   void open(FlowStep step) {
     switch (step) {
       case FlowStep.If branch -> branch("If", branch.condition(), branch.continuously());
-      case FlowStep.ElseIf branch -> branch("ElseIf", branch.condition(), false);
+      case FlowStep.ElseIf branch -> branch("ElseIf", branch.condition(), branch.continuously());
       case FlowStep.Else _ -> branch("Else", "", false);
       case FlowStep.Loop loop -> loop(loop.rule());
       case FlowStep.Switch choice -> {

@@ -109,7 +109,7 @@ final class UrpSignals {
     if (parts.matches() && SCRIPT.containsKey(parts.group(1))) {
       return SCRIPT.get(parts.group(1)) + "(" + parts.group(2) + ")";
     }
-    return "modbus_get_signal_status(\"" + signal + "\", False)";
+    return "modbus_get_signal_status(\"" + signal + "\")";
   }
 
   /** What a signal with our name is called in files. */

@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.installation.Installation;
 import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.FlowStep;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.Section;
@@ -215,14 +216,15 @@ class UrpFormsTest {
   }
 
   @Test
-  void tellsThatAWayDoesNotBlend() throws UnreadableFile {
+  void aDistanceMayEndWithABlend() throws UnreadableFile {
+    ImportedProgram read =
+        main(
+            "<Until type=\"DISTANCE\" distanceNodeType=\"BLEND\"><Distance>0.1</Distance>"
+                + "<motionParameters blendRadius=\"0.05\"/></Until>");
+    assertEquals(List.of(), read.remarks());
     assertEquals(
-        List.of(
-            "line 1, URProgram/children/MainProgram/children/Until: the way ends with a stop, not"
-                + " with its blend of 0.05 m"),
-        main("<Until type=\"DISTANCE\" distanceNodeType=\"BLEND\"><Distance>0.1</Distance>"
-                + "<motionParameters blendRadius=\"0.05\"/></Until>")
-            .remarks());
+        new MotionStep.Until(new UntilRule.Distance(0.1, OptionalDouble.of(0.05))),
+        read.tree().sections().getFirst().children().getFirst().step());
   }
 
   /** The blend of each waypoint and circle of the first move. */
@@ -269,6 +271,35 @@ class UrpFormsTest {
                 "<gui.program.direction.MoveDirectionNode selectedDirection=\"XPlus\"/>")));
     assertEquals(List.of(shared, shared, NONE), blends(move("MoveL", waypoint)));
     assertEquals(List.of(shared, shared, NONE), blends(move("MoveJ", waypoint)));
+    // what does not move, or is switched off, may stand before the waypoint
+    assertEquals(
+        List.of(shared, shared, NONE),
+        blends(
+            move(
+                "MoveJ",
+                "<Halt/><SuppressedNode><suppressedNode class=\"Waypoint\" type=\"Fixed\""
+                    + " name=\"off\"/></SuppressedNode>"
+                    + waypoint)));
+  }
+
+  @Test
+  void theLargestNumberIsTheCaseThatRunsWhenNoOtherDoes() throws UnreadableFile {
+    assertEquals(new FlowStep.Case("7"), step("<Case caseValue=\"7\"/>"));
+    assertEquals(new FlowStep.DefaultCase(), step("<Case caseValue=\"2147483647\"/>"));
+  }
+
+  @Test
+  void namesInOtherLettersHaveInExpressionsTheNameThatTheyHaveInScripts() throws UnreadableFile {
+    assertEquals(
+        new ActionStep.Assignment("u24490_1", "u24490_1+u1050_p"),
+        step(
+            """
+            <Assignment valueSource="Expression"><variable name="\u5faa_1"/><expression>
+              <ExpressionVariable><variable name="\u5faa_1"/></ExpressionVariable>
+              <ExpressionChar character="+"/>
+              <ExpressionWaypoint><waypoint name="\u041a"/></ExpressionWaypoint>
+            </expression></Assignment>
+            """));
   }
 
   @ParameterizedTest

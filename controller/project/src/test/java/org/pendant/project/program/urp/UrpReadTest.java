@@ -410,7 +410,7 @@ class UrpReadTest {
             "<Script type=\"File\"><cachedContents>a()\n\n# &lt;b&gt;\n</cachedContents>"
                 + "<file resolves-to=\"file\">/programs/a.script</file></Script>"));
     assertEquals(
-        new FlowStep.ElseIf("a"),
+        new FlowStep.ElseIf("a", true),
         step(
             "<If type=\"ElseIf\" checkContinuously=\"true\"><expression>%s</expression></If>"
                 .formatted(chars("a"))));
