@@ -46,11 +46,9 @@ final class ActionWriter {
       case ActionStep.Call call -> call(call.subProgram());
       case ActionStep.ScriptLine line -> {
         line.code().lines().forEach(lines::code);
-        tool.forget();
       }
       case ActionStep.ScriptFile file -> {
         file.lines().forEach(lines::code);
-        tool.forget();
       }
       case ActionStep.Timer timer -> timer(timer);
     }
@@ -173,7 +171,7 @@ final class ActionWriter {
     }
     String text =
         popup.isExpression()
-            ? ScriptText.oneLine(popup.text().strip())
+            ? "str_cat(\"\", " + ScriptText.oneLine(popup.text().strip()) + ")"
             : ScriptText.string(popup.text());
     String kind =
         switch (popup.kind()) {
@@ -215,7 +213,6 @@ final class ActionWriter {
     } else {
       lines.line("# there is no such subprogram: " + ScriptText.oneLine(subProgram));
     }
-    tool.forget();
   }
 
   private void timer(ActionStep.Timer timer) {
@@ -226,7 +223,7 @@ final class ActionWriter {
     switch (timer.action()) {
       case START -> lines.line(context.counting(timer.name()) + " = True");
       case STOP -> lines.line(context.counting(timer.name()) + " = False");
-      case RESET -> lines.line("global " + context.names().variable(timer.name()) + " = 0.0");
+      case RESET -> lines.line(context.names().variable(timer.name()) + " = 0.0");
     }
   }
 }

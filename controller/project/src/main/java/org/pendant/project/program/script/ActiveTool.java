@@ -6,39 +6,24 @@ import org.pendant.controller.installation.NamedTool;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.program.ToolChoice;
 
-/** Which TCP is active at the place of the script that is being written, as far as that is sure. */
+/** Writes which TCP is active. */
 final class ActiveTool {
   private final Installation installation;
   private final ScriptLines lines;
-  private final boolean everChanges;
-  private Optional<Pose> known;
 
   ActiveTool(ScriptContext context) {
     installation = context.installation();
     lines = context.lines();
-    Pose first = installation.activeToolInFlange();
-    known = Optional.of(first);
-    everChanges =
-        context.survey().setsTool()
-            || context.survey().tools().stream()
-                .anyMatch(each -> pose(each).filter(pose -> !pose.equals(first)).isPresent());
   }
 
-  /** Writes what makes the chosen TCP the active one, if it may be another one. */
+  /** Writes what makes the chosen TCP the active one; nothing for whichever is active. */
   void use(ToolChoice choice) {
-    pose(choice).ifPresent(this::set);
-  }
-
-  private void set(Pose wanted) {
-    if (known.isEmpty() || !known.get().equals(wanted)) {
-      change(wanted);
-    }
+    pose(choice).ifPresent(this::change);
   }
 
   /** Writes that a TCP is active from here on. */
   void change(Pose wanted) {
     lines.line("set_tcp(" + ScriptText.pose(wanted) + ")");
-    known = Optional.of(wanted);
   }
 
   /**
@@ -50,12 +35,5 @@ final class ActiveTool {
       case ToolChoice.Flange _ -> Optional.of(Pose.ZERO);
       case ToolChoice.Named named -> installation.tool(named.name()).map(NamedTool::inFlange);
     };
-  }
-
-  /** From here on it depends on the way that the program has come. */
-  void forget() {
-    if (everChanges) {
-      known = Optional.empty();
-    }
   }
 }

@@ -1,8 +1,8 @@
 package org.pendant.project.program.script;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MoveKind;
 import org.pendant.project.program.ProgramNode;
@@ -20,11 +20,8 @@ final class DirectionWriter {
   /** From a contact back to where it began. */
   private static final double RETRACTION_M_PER_S = 0.1;
 
-  /** Below it nobody can say where the tool is going. */
-  private static final String STANDING = "0.001";
-
-  /** How long one order to go on without an end lasts, s. */
-  private static final String LONG_S = "10.0";
+  /** Farther than any arm reaches, m: for ways that something else ends. */
+  private static final double ENDLESS_M = 1000;
 
   private final ScriptContext context;
   private final StepWriter steps;
@@ -41,18 +38,16 @@ final class DirectionWriter {
   /**
    * What is being watched.
    *
-   * @param way variable with the direction of the tool in the base frame, of length 1; empty where
-   *     it is not known beforehand
+   * @param start variable with the pose of the TCP where it began; empty for a direction
    * @param accelerationMPerS2 with which it is stopped
    */
-  private record Watched(
-      WatchedMove move, Optional<String> way, String start, double accelerationMPerS2) {
-    String stop() {
-      return stop(accelerationMPerS2);
+  private record Watched(WatchedMove move, Optional<String> start, double accelerationMPerS2) {
+    void stop() {
+      stop(accelerationMPerS2);
     }
 
-    static String stop(double decelerationMPerS2) {
-      return "stopl(" + ScriptText.number(decelerationMPerS2) + ")";
+    void stop(double decelerationMPerS2) {
+      move.stop("stopl(" + ScriptText.number(decelerationMPerS2) + ")");
     }
   }
 
@@ -63,13 +58,9 @@ final class DirectionWriter {
    */
   void write(ProgramNode node, MotionStep.Direction direction, MotionStep.Move move) {
     List<ProgramNode> untils = untils(node.children());
-    boolean computed = !direction.expression().isBlank();
-    String given = computed ? context.names().numbered("move_direction") : "";
-    Optional<String> vector =
-        computed
-            ? along(direction.feature(), unit(given))
-            : vector(direction.feature(), direction.x(), direction.y(), direction.z());
-    if (untils.isEmpty() || vector.isEmpty()) {
+    Optional<String> frame = frame(direction.feature());
+    String vector = vector(direction);
+    if (untils.isEmpty() || frame.isEmpty() || vector.isEmpty()) {
       lines.begin(node, ScriptLines.NO_BREAK);
       lines.line("# this direction needs a length and something that ends it");
       lines.end();
@@ -79,35 +70,76 @@ final class DirectionWriter {
     double speed = direction.speedMPerS().orElse(joint ? SPEED_M_PER_S : move.speed());
     double acceleration =
         direction.accelerationMPerS2().orElse(joint ? ACCELERATION_M_PER_S2 : move.acceleration());
-    String way = context.names().numbered("move_way");
-    OptionalDouble distance = distance(untils);
+    Optional<UntilRule.Distance> distance = distance(untils);
     lines.begin(node);
-    if (computed) {
-      String expression = ScriptText.oneLine(direction.expression().strip());
-      lines.line("global " + given + " = " + expression);
-      lines.line("global " + given + " = normalize(" + first(given) + ")");
-    }
-    lines.line("global " + way + " = " + vector.get());
-    WatchedMove watched = new WatchedMove(context);
+    WatchedMove watched = new WatchedMove(context, node);
     watched.startMove(
         () -> {
-          if (distance.isPresent()) {
-            lines.line(line(way, distance.getAsDouble(), speed, acceleration));
-          } else {
-            endless(way, speed, acceleration);
-          }
+          lines.line(
+              "local towardsPos = "
+                  + context.pointTowards()
+                  + "("
+                  + frame.get()
+                  + ", "
+                  + vector
+                  + ", "
+                  + ScriptText.number(distance.map(UntilRule.Distance::distanceM).orElse(ENDLESS_M))
+                  + ")");
+          lines.line(
+              "movel(towardsPos, a="
+                  + ScriptText.number(acceleration)
+                  + ", v="
+                  + ScriptText.number(speed)
+                  + distance
+                      .map(UntilRule.Distance::blendRadiusM)
+                      .map(MotionWriter::blend)
+                      .orElse("")
+                  + ")");
         });
-    watch(new Watched(watched, Optional.of(way), "", acceleration), untils, distance);
+    watch(new Watched(watched, Optional.empty(), acceleration), untils, distance);
     lines.end();
+  }
+
+  /** The axes of a direction; those of the tool are where it really is. */
+  private Optional<String> frame(String feature) {
+    return feature.equals(WaypointPosition.TOOL)
+        ? Optional.of("get_forward_kin()")
+        : steps.motion().frame(feature);
+  }
+
+  /** An expression for three numbers, or for a pose that begins with them; empty for none. */
+  private static String vector(MotionStep.Direction direction) {
+    String expression = ScriptText.oneLine(direction.expression().strip());
+    double length = Math.hypot(Math.hypot(direction.x(), direction.y()), direction.z());
+    if (expression.isEmpty() && length > 0 && Double.isFinite(length)) {
+      return ScriptText.list(direction.x(), direction.y(), direction.z());
+    }
+    return expression;
+  }
+
+  /** Defines the function that says where a direction leads. */
+  static void define(ScriptLines lines, String function) {
+    lines.open("def " + function + "(feature, direction, position_distance):");
+    lines.line("local posDir = [direction[0], direction[1], direction[2]]");
+    lines.open("if (norm(posDir) < 1e-6):");
+    lines.line("return get_target_waypoint()");
+    lines.close();
+    lines.line("local unit = normalize(posDir)");
+    lines.line("local displacement = p" + scaled("unit", "position_distance"));
+    lines.line("local inBase = pose_sub(pose_trans(feature, displacement), feature)");
+    lines.line("return pose_add(get_target_waypoint(), inBase)");
+    lines.close();
   }
 
   /**
    * The way to a waypoint that something may end early; the node is begun and ended by who calls.
    *
+   * @param node the waypoint
    * @param statement what goes there, without anything else
    * @param children of the waypoint that are not suppressed
    */
   void writeWaypoint(
+      ProgramNode node,
       MotionStep.Waypoint waypoint,
       MotionStep.Move move,
       String statement,
@@ -120,12 +152,9 @@ final class DirectionWriter {
     List<ProgramNode> untils = untils(children);
     String start = context.names().numbered("move_start");
     lines.line("global " + start + " = get_target_tcp_pose()");
-    WatchedMove watched = new WatchedMove(context);
+    WatchedMove watched = new WatchedMove(context, node);
     watched.startMove(() -> lines.line(statement));
-    watch(
-        new Watched(watched, Optional.empty(), start, acceleration),
-        untils,
-        OptionalDouble.empty());
+    watch(new Watched(watched, Optional.of(start), acceleration), untils, Optional.empty());
   }
 
   private static List<ProgramNode> untils(List<ProgramNode> children) {
@@ -138,12 +167,13 @@ final class DirectionWriter {
     return ((MotionStep.Until) until.step()).rule();
   }
 
-  /** The shortest distance after which something ends. */
-  private static OptionalDouble distance(List<ProgramNode> untils) {
+  /** The shortest way after which something ends. */
+  private static Optional<UntilRule.Distance> distance(List<ProgramNode> untils) {
     return untils.stream()
-        .filter(each -> rule(each) instanceof UntilRule.Distance)
-        .mapToDouble(each -> ((UntilRule.Distance) rule(each)).distanceM())
-        .min();
+        .map(DirectionWriter::rule)
+        .filter(UntilRule.Distance.class::isInstance)
+        .map(UntilRule.Distance.class::cast)
+        .min(Comparator.comparingDouble(UntilRule.Distance::distanceM));
   }
 
   /**
@@ -156,11 +186,6 @@ final class DirectionWriter {
       return Optional.empty();
     }
     return along(feature, "p" + ScriptText.list(x / length, y / length, z / length, 0, 0, 0));
-  }
-
-  /** A variable with three numbers as a pose. */
-  private static String unit(String three) {
-    return "p[" + three + "[0], " + three + "[1], " + three + "[2], 0, 0, 0]";
   }
 
   /** A direction in a feature, seen from the base frame; empty if there is no such feature. */
@@ -190,99 +215,71 @@ final class DirectionWriter {
         + ", 0, 0, 0]";
   }
 
-  private static String line(
-      String way, double distanceM, double speedMPerS, double accelerationMPerS2) {
-    return "movel(pose_add(get_target_tcp_pose(), p"
-        + scaled(way, ScriptText.number(distanceM))
-        + "), a="
-        + ScriptText.number(accelerationMPerS2)
-        + ", v="
-        + ScriptText.number(speedMPerS)
-        + ")";
-  }
-
-  /** A target far away would be out of reach from the start; a speed leads as far as it goes. */
-  private void endless(String way, double speedMPerS, double accelerationMPerS2) {
-    lines.open("while (True):");
-    lines.line(
-        "speedl("
-            + scaled(way, ScriptText.number(speedMPerS))
-            + ", "
-            + ScriptText.number(accelerationMPerS2)
-            + ", "
-            + LONG_S
-            + ")");
-    lines.close();
-  }
-
-  private void watch(Watched watched, List<ProgramNode> untils, OptionalDouble goalM) {
+  private void watch(Watched watched, List<ProgramNode> untils, Optional<UntilRule.Distance> goal) {
     watched.move().watch();
     boolean ends = false;
     for (ProgramNode until : untils) {
       switch (rule(until)) {
-        case UntilRule.Distance distance when goalM.isPresent() -> {
-          if (distance.distanceM() == goalM.getAsDouble() && !ends) {
+        case UntilRule.Distance distance when goal.isPresent() -> {
+          if (distance.equals(goal.get()) && !ends) {
             ends = true;
-            watched.move().when("(" + watched.move().done() + ")");
-            lines.begin(until);
-            watched.move().join();
-            then(until);
+            reached(until, watched);
           }
         }
-        case UntilRule.Distance distance -> {
-          watched.move().when(travelled(watched, distance.distanceM()));
-          stopped(until, watched);
-        }
+        case UntilRule.Distance distance -> stopped(until, watched, travelled(watched, distance));
         case UntilRule.Contact contact -> contact(until, watched, contact);
-        case UntilRule.Expression expression -> {
-          watched.move().when(ScriptText.condition(expression.condition()));
-          stopped(until, watched);
-        }
-        case UntilRule.DigitalInput input -> {
-          watched
-              .move()
-              .when(
-                  signals
-                      .read(input.signal())
-                      .map(level -> "(" + level + " == " + ScriptText.bool(input.level()) + ")")
-                      .orElse("(False)"));
-          stopped(until, watched);
-        }
+        case UntilRule.Expression expression ->
+            stopped(until, watched, ScriptText.condition(expression.condition()));
+        case UntilRule.DigitalInput input ->
+            stopped(
+                until,
+                watched,
+                signals
+                    .read(input.signal())
+                    .map(level -> "(" + level + " == " + ScriptText.bool(input.level()) + ")")
+                    .orElse("(False)"));
       }
     }
-    if (watched.way().isEmpty()) {
-      watched.move().when("(" + watched.move().done() + ")");
+    if (watched.start().isPresent()) {
+      watched.move().when(watched.move().done());
       watched.move().leave();
     }
     watched.move().close();
   }
 
-  private void stopped(ProgramNode until, Watched watched) {
+  private void reached(ProgramNode until, Watched watched) {
+    lines.line("sleep(1.0E-10)");
+    watched.move().when(watched.move().done());
+    watched.move().join();
     lines.begin(until);
-    watched.move().stop(watched.stop());
+    then(until);
+  }
+
+  private void stopped(ProgramNode until, Watched watched, String condition) {
+    watched.move().when(condition);
+    watched.stop();
+    lines.begin(until);
     then(until);
   }
 
   /** What is below an Until runs once the arm rests. */
   private void then(ProgramNode until) {
-    steps.motion().tool().forget();
     steps.writeAll(until.children());
-    steps.motion().tool().forget();
-    lines.end();
     lines.last("break");
+    lines.end();
     lines.close();
   }
 
   /** Whether the tool will have come so far from the start when it is stopped now. */
-  private static String travelled(Watched watched, double distanceM) {
+  private static String travelled(Watched watched, UntilRule.Distance distance) {
     return "(point_dist("
-        + watched.start()
+        + watched.start().orElseThrow()
         + ", get_target_tcp_pose()) + pow(norm("
         + first(TCP_SPEED)
         + "), 2) / "
         + ScriptText.number(2 * watched.accelerationMPerS2())
         + " >= "
-        + ScriptText.number(distanceM)
+        + ScriptText.number(distance.distanceM())
         + ")";
   }
 
@@ -290,42 +287,31 @@ final class DirectionWriter {
     return "[" + six + "[0], " + six + "[1], " + six + "[2]]";
   }
 
+  /** Back along the joint positions that the arm truly had, then the retraction further. */
   private void contact(ProgramNode until, Watched watched, UntilRule.Contact contact) {
-    String back = context.names().numbered("contact_steps");
-    String joints = context.names().numbered("contact_q");
-    String way = watched.way().orElseGet(() -> context.names().numbered("contact_way"));
-    if (watched.way().isPresent()) {
-      lines.line("global " + back + " = tool_contact(direction=" + way + ")");
-    } else {
-      lines.line("global " + way + " = " + TCP_SPEED);
-      lines.line("global " + back + " = 0");
-      lines.open("if (norm(" + first(way) + ") > " + STANDING + "):");
-      lines.line(back + " = tool_contact(direction=" + way + ")");
-      lines.close();
-    }
-    watched.move().when("(" + back + " > 0)");
-    lines.begin(until);
-    lines.line("global " + joints + " = get_actual_joint_positions_history(" + back + ")");
-    watched.move().stop(Watched.stop(contact.stopDecelerationMPerS2()));
-    String touched = "get_forward_kin(" + joints + ")";
-    String place = touched;
-    if (contact.retractM() != 0) {
-      String away = ScriptText.number(-contact.retractM());
-      String unit = way;
-      if (watched.way().isEmpty()) {
-        unit = context.names().numbered("contact_unit");
-        lines.line("global " + unit + " = normalize(" + first(way) + ")");
-      }
-      place = "pose_add(" + touched + ", p" + scaled(unit, away) + ")";
-    }
+    String deceleration = ScriptText.number(contact.stopDecelerationMPerS2());
+    lines.line("local targetTcpDirection = " + TCP_SPEED);
+    lines.line("local stepsToRetract = tool_contact(direction=targetTcpDirection)");
+    watched.move().when("(stepsToRetract > 0)");
+    watched.stop(contact.stopDecelerationMPerS2());
+    lines.line("local backTrackMovement = get_actual_joint_positions_history(stepsToRetract)");
+    lines.line("local contactPose = get_forward_kin(backTrackMovement)");
+    lines.line("local posDir = " + first("targetTcpDirection"));
+    lines.line("local retractTo = contactPose");
+    lines.open("if (norm(posDir) > 1e-6):");
+    lines.line("local normalizedPosDir = normalize(posDir)");
     lines.line(
-        "movel("
-            + place
-            + ", a="
-            + ScriptText.number(contact.stopDecelerationMPerS2())
+        "local additionalRetraction = p"
+            + scaled("normalizedPosDir", ScriptText.number(contact.retractM())));
+    lines.line("retractTo = pose_sub(contactPose, additionalRetraction)");
+    lines.close();
+    lines.line(
+        "movel(retractTo, a="
+            + deceleration
             + ", v="
             + ScriptText.number(RETRACTION_M_PER_S)
             + ")");
+    lines.begin(until);
     then(until);
   }
 }

@@ -14,12 +14,10 @@ final class FlowWriter {
   private final StepWriter steps;
   private final ScriptLines lines;
   private final ScriptNames names;
-  private final ActiveTool tool;
 
-  FlowWriter(ScriptContext context, StepWriter steps, ActiveTool tool) {
+  FlowWriter(ScriptContext context, StepWriter steps) {
     this.context = context;
     this.steps = steps;
-    this.tool = tool;
     lines = context.lines();
     names = context.names();
   }
@@ -60,25 +58,24 @@ final class FlowWriter {
     }
     lines.begin(first);
     lines.open("if " + ScriptText.condition(step.condition()) + ":");
-    branch(first);
+    steps.writeAll(first.children());
     lines.end();
     writeOthers(others);
     lines.close();
-  }
-
-  /** The children of a branch; which TCP is active is not sure in there, nor afterwards. */
-  private void branch(ProgramNode node) {
-    tool.forget();
-    steps.writeAll(node.children());
-    tool.forget();
   }
 
   /** The alternatives of an if that is open; after it is still open. */
   private void writeOthers(List<ProgramNode> others) {
     boolean nested = others.size() <= MOST_NESTED;
     int open = 0;
-    for (ProgramNode other : others) {
+    for (int i = 0; i < others.size(); i++) {
+      ProgramNode other = others.get(i);
       if (other.step() instanceof FlowStep.ElseIf each) {
+        if (each.continuously()) {
+          lines.between("else:");
+          writeContinuousIf(other, each.condition(), others.subList(i + 1, others.size()));
+          break;
+        }
         String head = "if " + ScriptText.condition(each.condition()) + ":";
         if (nested) {
           lines.between("else:");
@@ -93,7 +90,7 @@ final class FlowWriter {
         lines.between("else:");
         lines.begin(other, ScriptLines.NO_BREAK);
       }
-      branch(other);
+      steps.writeAll(other.children());
       lines.end();
       if (other.step() instanceof FlowStep.Else) {
         break;
@@ -104,41 +101,26 @@ final class FlowWriter {
     }
   }
 
-  /** The alternatives, the first of which needs no else. */
-  private void writeFirstOther(List<ProgramNode> others) {
-    ProgramNode first = others.getFirst();
-    if (first.step() instanceof FlowStep.ElseIf each) {
-      lines.begin(first);
-      lines.open("if " + ScriptText.condition(each.condition()) + ":");
-      branch(first);
-      lines.end();
-      writeOthers(others.subList(1, others.size()));
-      lines.close();
-    } else {
-      lines.begin(first, ScriptLines.NO_BREAK);
-      branch(first);
-      lines.end();
-    }
-  }
-
   /**
    * The children run in a thread of their own, which is killed when the condition holds no more.
+   * The alternatives are tried as well when it is.
    */
   private void writeContinuousIf(ProgramNode node, String condition, List<ProgramNode> others) {
-    String flag = names.numbered("thread_flag");
-    String handle = names.numbered("thread_handler");
-    String thread = names.numbered("Thread_if");
+    String number = "_" + lines.number(node);
+    String flag = names.unique("thread_flag" + number, "thread_flag");
+    String handle = names.unique("thread_handler" + number, "thread_handler");
+    String thread = names.unique("Thread_if" + number, "Thread_if");
     String holds = ScriptText.condition(condition);
     lines.begin(node);
     lines.line("global " + flag + " = 0");
     lines.open("thread " + thread + "():");
-    branch(node);
-    lines.last(flag + " = 1");
+    steps.writeAll(node.children());
+    lines.line(flag + " = 1");
     lines.close();
     lines.open("if " + holds + ":");
     lines.line("global " + handle + " = run " + thread + "()");
     lines.open("while (" + flag + " == 0):");
-    lines.open("if (not" + holds + "):");
+    lines.open("if not" + holds + ":");
     lines.line("kill " + handle);
     lines.line(flag + " = 2");
     lines.between("else:");
@@ -156,6 +138,26 @@ final class FlowWriter {
     }
   }
 
+  /** The alternatives, the first of which needs no else. */
+  private void writeFirstOther(List<ProgramNode> others) {
+    ProgramNode first = others.getFirst();
+    List<ProgramNode> rest = others.subList(1, others.size());
+    if (!(first.step() instanceof FlowStep.ElseIf each)) {
+      lines.begin(first, ScriptLines.NO_BREAK);
+      steps.writeAll(first.children());
+      lines.end();
+    } else if (each.continuously()) {
+      writeContinuousIf(first, each.condition(), rest);
+    } else {
+      lines.begin(first);
+      lines.open("if " + ScriptText.condition(each.condition()) + ":");
+      steps.writeAll(first.children());
+      lines.end();
+      writeOthers(rest);
+      lines.close();
+    }
+  }
+
   private void writeLoop(ProgramNode node, LoopRule rule) {
     lines.begin(node);
     switch (rule) {
@@ -165,28 +167,18 @@ final class FlowWriter {
           writeContinuousLoop(node, ScriptText.condition(each.condition()));
       case LoopRule.While each when each.condition().strip().equals("True") -> repeat(node);
       case LoopRule.While each -> {
-        String head = "while " + ScriptText.condition(each.condition()) + ":";
-        if (node.children().stream().allMatch(ProgramNode::suppressed)) {
-          lines.open(head);
-          lines.line("sync()");
-          lines.close();
-        } else {
-          lines.open(head);
-          branch(node);
-          lines.close();
-        }
+        lines.open("while " + ScriptText.condition(each.condition()) + ":");
+        steps.writeAll(node.children());
+        lines.close();
       }
     }
     lines.end();
   }
 
-  /** A loop without end around the children of a node, with a wait in it. */
+  /** A loop without end around the children of a node; whether it waits is up to these. */
   void repeat(ProgramNode node) {
     lines.open(ScriptLines.ENDLESS);
-    branch(node);
-    if (!Waits.among(node.children(), context.survey())) {
-      lines.last("sync()");
-    }
+    steps.writeAll(node.children());
     lines.close();
   }
 
@@ -194,9 +186,9 @@ final class FlowWriter {
     String counter =
         times.variable().isBlank() ? context.counter(node) : names.variable(times.variable());
     String count = ScriptText.oneLine(times.count().strip());
-    lines.line("global " + counter + " = 0");
+    lines.line(counter + " = 0");
     lines.open("while (" + counter + " < " + (count.isEmpty() ? "0" : operand(count)) + "):");
-    branch(node);
+    steps.writeAll(node.children());
     lines.last(counter + " = " + counter + " + 1");
     lines.close();
   }
@@ -207,8 +199,9 @@ final class FlowWriter {
   }
 
   private void writeContinuousLoop(ProgramNode node, String holds) {
-    String thread = names.numbered("Thread_while");
-    String handle = names.numbered("thread_handler");
+    String number = "_" + lines.number(node);
+    String thread = names.unique("Thread_while" + number, "Thread_while");
+    String handle = names.unique("thread_handler" + number, "thread_handler");
     lines.aside(
         () -> {
           lines.open("thread " + thread + "():");
@@ -233,7 +226,7 @@ final class FlowWriter {
     List<ProgramNode> defaults =
         parts.stream().filter(each -> each.step() instanceof FlowStep.DefaultCase).toList();
     if (!step.expression().isBlank()) {
-      lines.line("local " + value + " = " + ScriptText.oneLine(step.expression().strip()));
+      lines.line(value + " = " + ScriptText.oneLine(step.expression().strip()));
       writeCases(value, cases, defaults);
     }
     lines.end();
@@ -246,7 +239,7 @@ final class FlowWriter {
         continue;
       }
       String head =
-          "if (" + value + " == " + operand(ScriptText.oneLine(one.value().strip())) + "):";
+          "if (" + operand(ScriptText.oneLine(one.value().strip())) + " == " + value + "):";
       if (open) {
         lines.between("el" + head);
       } else {
@@ -254,7 +247,7 @@ final class FlowWriter {
       }
       open = true;
       lines.begin(each, ScriptLines.NO_BREAK);
-      branch(each);
+      steps.writeAll(each.children());
       lines.end();
     }
     if (!defaults.isEmpty()) {
@@ -262,7 +255,7 @@ final class FlowWriter {
         lines.between("else:");
       }
       lines.begin(defaults.getFirst(), ScriptLines.NO_BREAK);
-      branch(defaults.getFirst());
+      steps.writeAll(defaults.getFirst().children());
       lines.end();
     }
     if (open) {

@@ -8,12 +8,10 @@ import org.pendant.project.program.ProgramNode;
 final class ForeignWriter {
   private final ScriptContext context;
   private final ScriptLines lines;
-  private final ActiveTool tool;
 
-  ForeignWriter(ScriptContext context, ActiveTool tool) {
+  ForeignWriter(ScriptContext context) {
     this.context = context;
     lines = context.lines();
-    this.tool = tool;
   }
 
   /** A node; it has none below it. */
@@ -32,7 +30,6 @@ final class ForeignWriter {
       case ForeignStep.Unknown each ->
           lines.line("# does nothing: unknown node " + ScriptText.oneLine(each.element()));
     }
-    tool.forget();
     lines.end();
   }
 

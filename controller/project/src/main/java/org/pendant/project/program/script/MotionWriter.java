@@ -58,9 +58,6 @@ final class MotionWriter {
 
   private void writeMove(ProgramNode node, MotionStep.Move step) {
     lines.begin(node);
-    if (!(step.tool() instanceof ToolChoice.Flange)) {
-      tool.use(step.tool());
-    }
     Optional<MotionStep.Move> outer = move;
     move = Optional.of(step);
     steps.writeAll(node.children());
@@ -75,13 +72,21 @@ final class MotionWriter {
       return;
     }
     lines.begin(node, ScriptLines.BREAK_AFTER);
+    useTool();
     List<ProgramNode> untils = node.children().stream().filter(each -> !each.suppressed()).toList();
     if (untils.isEmpty()) {
       lines.line(statement.get());
     } else {
-      directions.writeWaypoint(waypoint, move.get(), statement.get(), untils);
+      directions.writeWaypoint(node, waypoint, move.get(), statement.get(), untils);
     }
     lines.end();
+  }
+
+  /** Before each way of a move that has a TCP of its own, also where that is active already. */
+  private void useTool() {
+    move.map(MotionStep.Move::tool)
+        .filter(each -> !(each instanceof ToolChoice.Flange))
+        .ifPresent(tool::use);
   }
 
   private Optional<String> statement(MotionStep.Move in, MotionStep.Waypoint waypoint) {
@@ -128,13 +133,21 @@ final class MotionWriter {
       text.append(", a=").append(ScriptText.number(acceleration));
       text.append(", v=").append(ScriptText.number(speed));
     }
-    return text.append(blend(blendRadiusM)).append(')').toString();
+    return text.append(kind == MoveKind.PROCESS ? radius(blendRadiusM) : blend(blendRadiusM))
+        .append(')')
+        .toString();
   }
 
-  private static String blend(OptionalDouble radiusM) {
+  /** A corner of another move; nothing for a stop. */
+  static String blend(OptionalDouble radiusM) {
     return radiusM.isPresent() && radiusM.getAsDouble() > 0
         ? ", r=" + ScriptText.number(radiusM.getAsDouble())
         : "";
+  }
+
+  /** Process moves and circles always say their radius. */
+  private static String radius(OptionalDouble radiusM) {
+    return ", r=" + ScriptText.number(radiusM.orElse(0));
   }
 
   /**
@@ -232,9 +245,17 @@ final class MotionWriter {
     return taught
         .flatMap(each -> context.installation().feature(each.feature()))
         .filter(Feature::variable)
-        .flatMap(each -> frame(each.name()))
-        .map(frame -> trans(frame, ScriptText.pose(taught.orElseThrow().tcp())))
+        .flatMap(each -> moved(each, context.names().pose(waypoint)))
         .orElseGet(() -> context.names().pose(waypoint));
+  }
+
+  /** A place in the base frame as it was taught, gone along with its feature. */
+  private Optional<String> moved(Feature feature, String place) {
+    return frame(feature.name())
+        .flatMap(
+            now ->
+                FeaturePoses.pose(feature)
+                    .map(then -> trans(now, trans(ScriptText.pose(Poses.inverse(then)), place))));
   }
 
   /**
@@ -268,6 +289,7 @@ final class MotionWriter {
     lines.begin(node);
     lines.begin(ends.getFirst(), ScriptLines.NO_BREAK);
     lines.begin(ends.getLast(), ScriptLines.BREAK_AFTER);
+    useTool();
     lines.line(
         "movec("
             + goals.getFirst().place()
@@ -277,9 +299,8 @@ final class MotionWriter {
             + ScriptText.number(move.get().acceleration())
             + ", v="
             + ScriptText.number(move.get().speed())
-            + blend(circle.blendRadiusM())
-            + ", mode="
-            + (circle.fixedOrientation() ? 1 : 0)
+            + radius(circle.blendRadiusM())
+            + (circle.fixedOrientation() ? ", mode=1" : "")
             + ")");
     lines.end();
     lines.end();

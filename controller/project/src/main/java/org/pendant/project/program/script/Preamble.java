@@ -54,6 +54,9 @@ final class Preamble {
     installation.conveyors().forEach(this::conveyor);
     variables();
     waypoints();
+    if (context.survey().directs()) {
+      DirectionWriter.define(lines, context.pointTowards());
+    }
   }
 
   private void call(String function, Object... arguments) {

@@ -6,6 +6,7 @@ import org.pendant.controller.installation.ConveyorSetup;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.TemplateStep;
 import org.pendant.project.program.TemplateStep.ForceKind;
+import org.pendant.project.program.WaypointPosition;
 
 /** Writes templates that have the arm give way to something while their children run. */
 final class ProcessWriter {
@@ -31,7 +32,10 @@ final class ProcessWriter {
   }
 
   void write(ProgramNode node, TemplateStep.Force force) {
-    Optional<String> frame = steps.motion().frame(force.feature());
+    Optional<String> frame =
+        force.feature().equals(WaypointPosition.TOOL)
+            ? Optional.of("tool_pose()")
+            : steps.motion().frame(force.feature());
     if (frame.isEmpty()) {
       incomplete(node, "this force needs a feature");
       return;
@@ -110,18 +114,15 @@ final class ProcessWriter {
   private void watch(ProgramNode node, TemplateStep.Screwdriving screw) {
     String time = context.names().numbered("screw_time");
     String late = context.names().numbered("screw_late");
-    WatchedMove watched = new WatchedMove(context);
-    watched.start(
+    WatchedMove watched = new WatchedMove(context, node);
+    watched.startNodes(
         () -> {
-          steps.motion().tool().forget();
           steps.writeAll(node.children());
-          steps.motion().tool().forget();
         });
     lines.line("global " + time + " = 0.0");
     lines.line("global " + late + " = False");
     watched.watch();
-    watched.when(
-        screw.until().isBlank() ? "(" + watched.done() + ")" : ScriptText.condition(screw.until()));
+    watched.when(screw.until().isBlank() ? watched.done() : ScriptText.condition(screw.until()));
     watched.leave();
     if (screw.timeoutS() > 0) {
       watched.when("(" + time + " >= " + ScriptText.number(screw.timeoutS()) + ")");

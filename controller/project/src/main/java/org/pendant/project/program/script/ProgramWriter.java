@@ -34,8 +34,8 @@ final class ProgramWriter {
     }
     // sub programs and threads may have nodes that need it
     context.control().ifPresent(control -> lines.received(control.header()));
-    subPrograms();
     timers();
+    subPrograms();
     for (ProgramNode section : sections) {
       if (section.step() instanceof Section.BeforeStart) {
         lines.begin(section, ScriptLines.NO_BREAK);
@@ -94,11 +94,9 @@ final class ProgramWriter {
 
   /** The children of a section in a function or thread of its own. */
   private void apart(ProgramNode section, boolean forever, String... marks) {
-    steps.motion().tool().forget();
     lines.begin(section, marks);
     body(section, forever);
     lines.end();
-    steps.motion().tool().forget();
   }
 
   /** One thread counts the time of all stop watches. */
@@ -109,7 +107,9 @@ final class ProgramWriter {
       return;
     }
     for (String timer : timers) {
-      lines.line("global " + names.variable(timer) + " = 0.0");
+      if (!hasInitialValue(timer)) {
+        lines.line("global " + names.variable(timer) + " = 0.0");
+      }
       lines.line("global " + context.counting(timer) + " = False");
     }
     String thread = names.unique("Timer_Thread", "Timer_Thread");
@@ -124,7 +124,16 @@ final class ProgramWriter {
     lines.line("sync()");
     lines.close();
     lines.close();
-    start(thread);
+    // nobody stops it
+    lines.line("run " + thread + "()");
+  }
+
+  private boolean hasInitialValue(String variable) {
+    return sections.stream()
+        .map(ProgramNode::step)
+        .filter(Section.InitialValues.class::isInstance)
+        .flatMap(each -> ((Section.InitialValues) each).values().stream())
+        .anyMatch(each -> each.variable().equals(variable) && !each.expression().isBlank());
   }
 
   private void start(String thread) {
@@ -172,9 +181,7 @@ final class ProgramWriter {
     lines.open("if " + ScriptText.condition(event.condition()) + ":");
     lines.open("if (not(" + held + ")):");
     lines.line(held + " = True");
-    steps.motion().tool().forget();
     steps.writeAll(node.children());
-    steps.motion().tool().forget();
     lines.close();
     lines.between("else:");
     lines.line(held + " = False");

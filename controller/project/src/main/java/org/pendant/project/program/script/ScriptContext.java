@@ -48,6 +48,9 @@ final class ScriptContext {
     Stream.concat(tree.waypoints().keySet().stream(), survey.waypoints().stream())
         .forEach(names::pose);
     survey.subPrograms().keySet().forEach(names::function);
+    if (survey.directs()) {
+      var _ = pointTowards();
+    }
     for (ProgramNode loop : survey.unnamedLoops()) {
       counter(loop);
     }
@@ -101,6 +104,11 @@ final class ScriptContext {
   /** The variable in which a loop counts that nobody has named. */
   String counter(ProgramNode loop) {
     return loops.computeIfAbsent(loop.key(), _ -> names.numbered("Loop"));
+  }
+
+  /** The function that says where a direction leads; robots have it under this name as well. */
+  String pointTowards() {
+    return names.function("calculate_point_to_move_towards");
   }
 
   /** The function of the program. */

@@ -180,7 +180,8 @@ final class ScriptLines {
     asideDepth = before;
   }
 
-  private int number(ProgramNode node) {
+  /** The number of a node in the tree, from 1, as in its label. */
+  int number(ProgramNode node) {
     return Objects.requireNonNull(numbers.get(node.key()), "a node of another tree");
   }
 

@@ -75,7 +75,7 @@ final class SeekWriter {
     lines.line("global " + met + " = False");
     lines.line(line(start, seek));
     begin(seek, start, way, level);
-    WatchedMove watched = new WatchedMove(context);
+    WatchedMove watched = new WatchedMove(context, node);
     watched.startMove(() -> lines.line(line(away(start, way, number(seek.limitM())), seek)));
     watched.watch();
     watched.when(ScriptText.condition(seek.found()));
@@ -84,7 +84,7 @@ final class SeekWriter {
     lines.line(line(place, seek));
     lines.line(met + " = True");
     watched.leave();
-    watched.when("(" + watched.done() + ")");
+    watched.when(watched.done());
     watched.leave();
     watched.close();
     lines.open("if (" + met + "):");

@@ -22,8 +22,8 @@ final class StepWriter {
     this.context = context;
     motion = new MotionWriter(context, this);
     action = new ActionWriter(context, this, motion.tool());
-    flow = new FlowWriter(context, this, motion.tool());
-    foreign = new ForeignWriter(context, motion.tool());
+    flow = new FlowWriter(context, this);
+    foreign = new ForeignWriter(context);
     template = new TemplateWriter(context, this);
   }
 

@@ -100,9 +100,7 @@ final class TemplateWriter {
 
   /** Nodes that run only sometimes; which TCP is active is not sure in there, nor afterwards. */
   void branch(List<ProgramNode> nodes) {
-    steps.motion().tool().forget();
     steps.writeAll(nodes);
-    steps.motion().tool().forget();
   }
 
   /** What happens before the first or after the last item, if there is anything. */

@@ -17,11 +17,9 @@ import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
-import org.pendant.project.program.Setting;
 import org.pendant.project.program.Step;
 import org.pendant.project.program.StepCode;
 import org.pendant.project.program.TemplateStep;
-import org.pendant.project.program.ToolChoice;
 import org.pendant.project.program.TreeNames;
 
 /** What the nodes of a tree use that are not suppressed. */
@@ -34,8 +32,7 @@ final class TreeSurvey {
   private final Set<String> words = new LinkedHashSet<>();
   private final Map<String, ProgramNode> subPrograms = new HashMap<>();
   private final List<ProgramNode> unnamedLoops = new ArrayList<>();
-  private final Set<ToolChoice> tools = new LinkedHashSet<>();
-  private boolean setsTool;
+  private boolean directs;
 
   TreeSurvey(ProgramTree tree) {
     tree.sections().forEach(this::visit);
@@ -51,15 +48,8 @@ final class TreeSurvey {
     StepCode.of(step).forEach(this::read);
     switch (step) {
       case ActionStep.Timer timer -> timers.add(timer.name());
-      case ActionStep.SetAction set -> setsTool |= set.setting() instanceof Setting.Tcp;
       case Section.SubProgram sub -> subPrograms.putIfAbsent(sub.name(), node);
-      case MotionStep.Move move -> {
-        // a move of the flange leaves the active TCP as it is
-        if (!(move.tool() instanceof ToolChoice.Flange)) {
-          tools.add(move.tool());
-        }
-      }
-      case TemplateStep.Screwdriving each -> tools.add(each.tool());
+      case MotionStep.Direction _ -> directs = true;
       case FlowStep.Loop loop when loop.rule() instanceof LoopRule.Times times ->
           unnamedLoops.addAll(times.variable().isBlank() ? List.of(node) : List.of());
       case MotionStep _, Section _, ActionStep _, FlowStep _, TemplateStep _, ForeignStep _ -> {}
@@ -121,13 +111,8 @@ final class TreeSurvey {
     return found != null && found.key() == section.key();
   }
 
-  /** The TCPs that moves choose. */
-  Set<ToolChoice> tools() {
-    return tools;
-  }
-
-  /** Whether something else than a move may make another TCP the active one. */
-  boolean setsTool() {
-    return setsTool || words.contains("set_tcp");
+  /** Whether there are directions. */
+  boolean directs() {
+    return directs;
   }
 }

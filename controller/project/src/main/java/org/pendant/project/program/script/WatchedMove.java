@@ -1,21 +1,25 @@
 package org.pendant.project.program.script;
 
+import org.pendant.project.program.ProgramNode;
+
 /**
  * A move in a thread of its own, while the program looks in each frame whether something ends it.
- * Begins with {@link #start} or {@link #startMove}; then {@link #watch}, the endings, and {@link
- * #close}.
+ * Begins with {@link #startMove} or {@link #startNodes}; then {@link #watch}, the endings, and
+ * {@link #close}.
  */
 final class WatchedMove {
   private final ScriptLines lines;
-  private final String done;
+  private final String flag;
   private final String handle;
   private final String thread;
 
-  WatchedMove(ScriptContext context) {
+  /** For a node, whose number its names have. */
+  WatchedMove(ScriptContext context, ProgramNode node) {
     lines = context.lines();
-    done = context.names().numbered("move_done");
-    handle = context.names().numbered("move_handle");
-    thread = context.names().numbered("move_thread");
+    String number = "_" + lines.number(node);
+    flag = context.names().unique("move_thread_flag" + number, "move_thread_flag");
+    handle = context.names().unique("move_thread_han" + number, "move_thread_han");
+    thread = context.names().unique("move_thread" + number, "move_thread");
   }
 
   /** Writes a thread with one move that nothing else comes between, and what starts it. */
@@ -23,22 +27,29 @@ final class WatchedMove {
     start(
         () -> {
           lines.line("enter_critical");
-          moving.run();
+          marked(moving);
           lines.line("exit_critical");
         });
   }
 
   /** Writes a thread with whatever {@code moving} writes, and what starts it. */
-  void start(Runnable moving) {
-    lines.aside(
-        () -> {
-          lines.open("thread " + thread + "():");
-          moving.run();
-          lines.line(done + " = True");
-          lines.close();
-        });
-    lines.line("global " + done + " = False");
-    lines.line("global " + handle + " = run " + thread + "()");
+  void startNodes(Runnable moving) {
+    start(() -> marked(moving));
+  }
+
+  private void start(Runnable moving) {
+    lines.line("global " + flag + " = 0");
+    lines.open("thread " + thread + "():");
+    moving.run();
+    lines.close();
+    lines.line(flag + " = 0");
+    lines.line(handle + " = run " + thread + "()");
+  }
+
+  private void marked(Runnable moving) {
+    lines.line(flag + " = 1");
+    moving.run();
+    lines.line(flag + " = 2");
   }
 
   /** Opens the loop that watches; each ending in it breaks out. */
@@ -46,9 +57,9 @@ final class WatchedMove {
     lines.open("while (True):");
   }
 
-  /** An expression for whether the move has come to its own end. */
+  /** A condition for whether the move has come to its own end. */
   String done() {
-    return done;
+    return "(" + flag + " > 1)";
   }
 
   /** Opens what happens once a condition holds; {@link #leave} ends it. */

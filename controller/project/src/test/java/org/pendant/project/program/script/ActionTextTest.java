@@ -2,6 +2,7 @@ package org.pendant.project.program.script;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.pendant.project.program.ProgramTree.node;
 import static org.pendant.project.program.script.TestTrees.assign;
 import static org.pendant.project.program.script.TestTrees.body;
@@ -22,6 +23,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.ActionStep.InputKind;
 import org.pendant.project.program.ActionStep.PopupKind;
+import org.pendant.project.program.ActionStep.TimerAction;
 import org.pendant.project.program.ForeignStep;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.Section;
@@ -115,12 +117,40 @@ final class ActionTextTest {
   }
 
   @Test
+  void timersRunBesideTheProgramAndKeepTheValueThatTheyHaveAtFirst() {
+    String text =
+        ScriptGenerator.generate(
+                "test",
+                tree(
+                    node(new Section.InitialValues(List.of(new Section.InitialValue("kept", "5")))),
+                    once(timer("kept", TimerAction.START), timer("new", TimerAction.RESET))),
+                Installation.NONE)
+            .text();
+    assertTrue(
+        text.contains(
+            """
+              global kept = 5
+              global kept_is_counting = False
+              global new = 0.0
+              global new_is_counting = False
+              thread Timer_Thread():
+            """),
+        text);
+    assertTrue(text.contains("\n  run Timer_Thread()\n"), text);
+    assertTrue(text.contains("\n  new = 0.0\n"), text);
+  }
+
+  private static ProgramNode timer(String name, TimerAction action) {
+    return node(new ActionStep.Timer(name, action));
+  }
+
+  @Test
   void showsPopups() {
     assertEquals(
         "popup(\"Load the tray\", \"Message\", False, False, blocking=True)",
         code(node(new ActionStep.Popup("Load the tray", false, PopupKind.MESSAGE, false))));
     assertEquals(
-        "popup(parts, \"Warning\", True, False, blocking=True)",
+        "popup(str_cat(\"\", parts), \"Warning\", True, False, blocking=True)",
         code(node(new ActionStep.Popup("parts", true, PopupKind.WARNING, false))));
     assertEquals(
         """

@@ -57,7 +57,7 @@ final class ArmRun {
     script = ScriptGenerator.generate("test", tree, installation).text();
     controller = new Controller(options.withStart(START));
     LoadResult loadResult = controller.load(Source.of("test.script", script));
-    assertEquals(List.of(), loadResult.diagnostics(), script);
+    assertEquals(List.of(), TestTrees.unexpected(loadResult), script);
     done(new Command.StartProgram(loadResult.program().orElseThrow()));
   }
 

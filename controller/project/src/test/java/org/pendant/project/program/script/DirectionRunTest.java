@@ -144,7 +144,8 @@ final class DirectionRunTest {
     run.finish();
     assertTrue(most[0] > 5, () -> "pressed with " + most[0]);
     assertEquals(List.of("touched"), run.said());
-    assertEquals(0, run.distance(0, 0, -0.05 + retractM), 3e-4);
+    // the joint positions are looked up when the tool rests, as many frames back as before the stop
+    assertEquals(0, run.distance(0, 0, -0.05 + retractM), 6e-4);
   }
 
   @Test
@@ -256,7 +257,7 @@ final class DirectionRunTest {
         new ArmRun(withGoal(moveL(waypoint(contact(0.01, say("touched"))))), ArmRun.table(0.04));
     run.finish();
     assertEquals(List.of("touched"), run.said());
-    assertEquals(0, run.distance(0, 0, -0.03), 1e-3);
+    assertEquals(0, run.distance(0, 0, -0.03), 2e-3);
   }
 
   @Test

@@ -62,26 +62,26 @@ final class FlowTextTest {
     assertEquals(
         """
         $ 2 "If x > 1"
-        global thread_flag_1 = 0
-        thread Thread_if_1():
+        global thread_flag_2 = 0
+        thread Thread_if_2():
           $ 3 "Wait: 1"
           sleep(1.0)
-          thread_flag_1 = 1
+          thread_flag_2 = 1
         end
         if (x > 1):
-          global thread_handler_1 = run Thread_if_1()
-          while (thread_flag_1 == 0):
-            if (not(x > 1)):
-              kill thread_handler_1
-              thread_flag_1 = 2
+          global thread_handler_2 = run Thread_if_2()
+          while (thread_flag_2 == 0):
+            if not(x > 1):
+              kill thread_handler_2
+              thread_flag_2 = 2
             else:
               sync()
             end
           end
         else:
-          thread_flag_1 = 2
+          thread_flag_2 = 2
         end
-        if (thread_flag_1 == 2):
+        if (thread_flag_2 == 2):
           $ 4 "ElseIf x > 0"
           if (x > 0):
             $ 5 "Wait: 2"
@@ -100,6 +100,48 @@ final class FlowTextTest {
   }
 
   @Test
+  void anAlternativeMayBeLookedAtContinuouslyItself() {
+    assertEquals(
+        """
+        $ 2 "If x > 1"
+        if (x > 1):
+          $ 3 "Wait: 1"
+          sleep(1.0)
+        else:
+          $ 4 "ElseIf x > 0"
+          global thread_flag_4 = 0
+          thread Thread_if_4():
+            $ 5 "Wait: 2"
+            sleep(2.0)
+            thread_flag_4 = 1
+          end
+          if (x > 0):
+            global thread_handler_4 = run Thread_if_4()
+            while (thread_flag_4 == 0):
+              if not(x > 0):
+                kill thread_handler_4
+                thread_flag_4 = 2
+              else:
+                sync()
+              end
+            end
+          else:
+            thread_flag_4 = 2
+          end
+          if (thread_flag_4 == 2):
+            $ 6 "Else" "noBreak"
+            $ 7 "Wait: 3"
+            sleep(3.0)
+          end
+        end
+        """,
+        body(
+            node(new FlowStep.If("x > 1", false), sleep(1)),
+            node(new FlowStep.ElseIf("x > 0", true), sleep(2)),
+            node(new FlowStep.Else(), sleep(3))));
+  }
+
+  @Test
   void loops() {
     assertEquals(
         """
@@ -113,10 +155,10 @@ final class FlowTextTest {
     assertEquals(
         """
         $ 2 "Loop n + 1 times"
-        global i = 0
+        i = 0
         while (i < (n + 1)):
           $ 3 "Loop 3 times"
-          global Loop_1 = 0
+          Loop_1 = 0
           while (Loop_1 < 3):
             $ 4 "Wait: 1"
             sleep(1.0)
@@ -138,14 +180,13 @@ final class FlowTextTest {
   }
 
   @Test
-  void loopsThatWouldNeverWaitDo() {
+  void loopsAreGivenNoWait() {
     assertEquals(
         """
         $ 2 "Loop"
         while (True):
           $ 3 "x \u2254 x + 1"
           global x = x + 1
-          sync()
         end
         """,
         body(loop(new LoopRule.Forever(), TestTrees.assign("x", "x + 1"))));
@@ -153,7 +194,6 @@ final class FlowTextTest {
         """
         $ 2 "Loop True"
         while (True):
-          sync()
         end
         """,
         body(loop(new LoopRule.While("True", false))));
@@ -161,7 +201,6 @@ final class FlowTextTest {
         """
         $ 2 "Loop x < 1"
         while (x < 1):
-          sync()
         end
         """,
         body(loop(new LoopRule.While("x < 1", false))));
@@ -172,18 +211,18 @@ final class FlowTextTest {
     assertEquals(
         """
         $ 2 "Loop x < 1"
-        thread Thread_while_1():
+        thread Thread_while_2():
           while (True):
             $ 3 "Wait: 1"
             sleep(1.0)
           end
         end
         if (x < 1):
-          global thread_handler_1 = run Thread_while_1()
+          global thread_handler_2 = run Thread_while_2()
           while (x < 1):
             sync()
           end
-          kill thread_handler_1
+          kill thread_handler_2
         end
         """,
         body(loop(new LoopRule.While("x < 1", true), sleep(1))));
@@ -194,12 +233,12 @@ final class FlowTextTest {
     assertEquals(
         """
         $ 2 "Switch f()"
-        local switch_1 = f()
-        if (switch_1 == 1):
+        switch_1 = f()
+        if (1 == switch_1):
           $ 3 "Case 1" "noBreak"
           $ 4 "Wait: 1"
           sleep(1.0)
-        elif (switch_1 == (-2)):
+        elif ((-2) == switch_1):
           $ 5 "Case -2" "noBreak"
         else:
           $ 6 "Default case" "noBreak"

@@ -23,8 +23,6 @@ import org.pendant.controller.installation.FeatureKind;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.NamedTool;
 import org.pendant.models.pose.Pose;
-import org.pendant.project.program.FlowStep;
-import org.pendant.project.program.LoopRule;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MoveKind;
 import org.pendant.project.program.ProgramTree;
@@ -176,6 +174,21 @@ final class MotionTextTest {
   }
 
   @Test
+  void circlesAndProcessMovesSayThatTheyStop() {
+    String text =
+        body(
+            move(
+                MoveKind.PROCESS,
+                waypoint("A"),
+                node(
+                    new MotionStep.CircleMove(false, OptionalDouble.empty()),
+                    waypoint("A"),
+                    waypoint("B"))));
+    assertTrue(text.contains("movep(A_p, a=1.2, v=0.5, r=0.0)\n"), text);
+    assertTrue(text.contains("movec(A_p, B_p, a=1.2, v=0.5, r=0.0)\n"), text);
+  }
+
+  @Test
   void homeGoesToTheJointsOfTheInstallation() {
     String joints = ScriptText.joints(Installation.NONE.homeRad());
     assertEquals(
@@ -188,44 +201,31 @@ final class MotionTextTest {
   }
 
   @Test
-  void toolIsSetOnlyWhereAnotherOneMayBeActive() {
-    Installation two =
-        InstallationFixture.withTools(
-            "gripper", new NamedTool("gripper", GRIPPER), new NamedTool("pen", Pose.ZERO));
-    ToolChoice gripper = new ToolChoice.Named("gripper");
-    ToolChoice pen = new ToolChoice.Named("pen");
-    assertFalse(
-        body(two, move(MoveKind.LINEAR, gripper, "Base", waypoint("A"))).contains("set_tcp"));
+  void theToolOfAMoveIsSetBeforeEachOfItsWays() {
+    Installation one = InstallationFixture.withTools("gripper", new NamedTool("gripper", GRIPPER));
     assertEquals(
         """
         $ 2 "MoveL"
         $ 3 "A" "breakAfter"
+        set_tcp(%1$s)
         movel(A_p, a=1.2, v=0.5)
-        $ 4 "MoveL"
-        set_tcp(p[0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
-        $ 5 "B" "breakAfter"
+        $ 4 "B" "breakAfter"
+        set_tcp(%1$s)
         movel(B_p, a=1.2, v=0.5)
-        $ 6 "MoveL"
-        $ 7 "A" "breakAfter"
+        $ 5 "MoveL"
+        $ 6 "A" "breakAfter"
         movel(A_p, a=1.2, v=0.5)
-        $ 8 "Loop 2 times"
-        global Loop_1 = 0
-        while (Loop_1 < 2):
-          $ 9 "MoveL"
-          set_tcp(p[0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
-          $ 10 "A" "breakAfter"
-          movel(A_p, a=1.2, v=0.5)
-          Loop_1 = Loop_1 + 1
-        end
-        """,
+        """
+            .formatted(ScriptText.pose(GRIPPER)),
         body(
-            two,
-            move(MoveKind.LINEAR, gripper, "Base", waypoint("A")),
-            move(MoveKind.LINEAR, pen, "Base", waypoint("B")),
-            move(MoveKind.LINEAR, pen, "Base", waypoint("A")),
-            node(
-                new FlowStep.Loop(new LoopRule.Times("2", "")),
-                move(MoveKind.LINEAR, pen, "Base", waypoint("A")))));
+            one,
+            move(
+                MoveKind.LINEAR,
+                new ToolChoice.Named("gripper"),
+                "Base",
+                waypoint("A"),
+                waypoint("B")),
+            move(MoveKind.LINEAR, new ToolChoice.Active(), "Base", waypoint("A"))));
   }
 
   @Test
@@ -239,7 +239,9 @@ final class MotionTextTest {
     String moving =
         ScriptGenerator.generate("x", tree, InstallationFixture.withFeature(true)).text();
     assertTrue(
-        moving.contains("movel(pose_trans(table, p[0.1, 0.0, 0.0, 0.0, 0.0, 0.0]), a=1.2, v=0.5)"),
+        moving.contains(
+            "movel(pose_trans(table, pose_trans(p[-0.4, -0.2, -0.3, 0.0, 0.0, 0.0], A_p)), a=1.2,"
+                + " v=0.5)"),
         moving);
     String still =
         ScriptGenerator.generate("x", tree, InstallationFixture.withFeature(false)).text();

@@ -48,25 +48,34 @@ final class TemplateTextTest {
         """
         $ 2 "MoveL"
         $ 3 "Direction: Base Z-"
-        global move_way_1 = p[0.0, 0.0, -1.0, 0.0, 0.0, 0.0]
-        thread move_thread_1():
+        global move_thread_flag_3 = 0
+        thread move_thread_3():
           enter_critical
-          while (True):
-            speedl([move_way_1[0] * 0.5, move_way_1[1] * 0.5, move_way_1[2] * 0.5, 0, 0, 0], 1.2, 10.0)
-          end
+          move_thread_flag_3 = 1
+          local towardsPos = calculate_point_to_move_towards(p[0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0], 1000.0)
+          movel(towardsPos, a=1.2, v=0.5)
+          move_thread_flag_3 = 2
           exit_critical
-          move_done_1 = True
         end
-        global move_done_1 = False
-        global move_handle_1 = run move_thread_1()
+        move_thread_flag_3 = 0
+        move_thread_han_3 = run move_thread_3()
         while (True):
-          global contact_steps_1 = tool_contact(direction=move_way_1)
-          if (contact_steps_1 > 0):
-            $ 4 "Until tool contact"
-            global contact_q_1 = get_actual_joint_positions_history(contact_steps_1)
-            kill move_handle_1
+          local targetTcpDirection = get_target_tcp_speed()
+          local stepsToRetract = tool_contact(direction=targetTcpDirection)
+          if (stepsToRetract > 0):
+            kill move_thread_han_3
             stopl(3.0)
-            movel(get_forward_kin(contact_q_1), a=3.0, v=0.1)
+            local backTrackMovement = get_actual_joint_positions_history(stepsToRetract)
+            local contactPose = get_forward_kin(backTrackMovement)
+            local posDir = [targetTcpDirection[0], targetTcpDirection[1], targetTcpDirection[2]]
+            local retractTo = contactPose
+            if (norm(posDir) > 1e-6):
+              local normalizedPosDir = normalize(posDir)
+              local additionalRetraction = p[normalizedPosDir[0] * 0.0, normalizedPosDir[1] * 0.0, normalizedPosDir[2] * 0.0, 0, 0, 0]
+              retractTo = pose_sub(contactPose, additionalRetraction)
+            end
+            movel(retractTo, a=3.0, v=0.1)
+            $ 4 "Until tool contact"
             $ 5 "textmsg('touched')"
             textmsg("touched")
             break
@@ -113,7 +122,7 @@ final class TemplateTextTest {
         $ 2 "Force: simple"
         sleep(0.02)
         zero_ftsensor()
-        force_mode(get_target_tcp_pose(), [0, 0, 1, 0, 0, 0], [0.0, 0.0, 20.0, 0.0, 0.0, 0.0], 2, [0.1, 0.1, 0.15, 0.3, 0.3, 0.3])
+        force_mode(tool_pose(), [0, 0, 1, 0, 0, 0], [0.0, 0.0, 20.0, 0.0, 0.0, 0.0], 2, [0.1, 0.1, 0.15, 0.3, 0.3, 0.3])
         $ 3 "textmsg('pressed')"
         textmsg("pressed")
         end_force_mode()
@@ -174,14 +183,47 @@ final class TemplateTextTest {
   }
 
   @Test
+  void aDistanceMayBlendAndOtherEndsStandBesideIt() {
+    String text =
+        body(
+            moveL(
+                node(
+                    new Direction("Tool", 1, 0, 0, NONE, NONE),
+                    node(new Until(new UntilRule.Expression("x > 1"))),
+                    node(new Until(new UntilRule.Distance(0.2, OptionalDouble.of(0.05)))))));
+    assertTrue(
+        text.contains("calculate_point_to_move_towards(get_forward_kin(), [1.0, 0.0, 0.0], 0.2)"),
+        text);
+    assertTrue(text.contains("movel(towardsPos, a=1.2, v=0.5, r=0.05)"), text);
+    assertTrue(
+        text.contains(
+            """
+            while (True):
+              if (x > 1):
+                kill move_thread_han_3
+                stopl(1.2)
+                $ 4 "Until x > 1"
+                break
+              end
+              sleep(1.0E-10)
+              if (move_thread_flag_3 > 1):
+                join move_thread_han_3
+                $ 5 "Until distance: 0.2 m"
+                break
+              end
+              sync()
+            end
+            """),
+        text);
+  }
+
+  @Test
   void aBreakpointOnAnUntilStopsWhereItHasEndedTheMove() {
     ProgramTree tree = abc(program(moveL(down(new UntilRule.Distance(0.1)))));
     GeneratedScript script = ScriptGenerator.generate("test", tree, Installation.NONE);
     List<String> lines = script.text().lines().toList();
-    assertEquals("      join move_handle_1", lines.get(first(script, tree, 4) - 1));
-    assertEquals(
-        "  global move_way_1 = p[0.0, 0.0, -1.0, 0.0, 0.0, 0.0]",
-        lines.get(first(script, tree, 3) - 1));
+    assertEquals("      break", lines.get(first(script, tree, 4) - 1));
+    assertEquals("  global move_thread_flag_3 = 0", lines.get(first(script, tree, 3) - 1));
   }
 
   private static int first(GeneratedScript script, ProgramTree tree, int number) {

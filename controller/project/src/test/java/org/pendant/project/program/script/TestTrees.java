@@ -5,7 +5,9 @@ import static org.pendant.project.program.ProgramTree.node;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.Set;
 import org.pendant.controller.installation.Installation;
+import org.pendant.language.source.Diagnostic;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
@@ -23,6 +25,7 @@ import org.pendant.project.program.ToolChoice;
 import org.pendant.project.program.WaitFor;
 import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.WaypointTarget;
+import org.pendant.script.vm.LoadResult;
 
 /** Trees and nodes for tests, in few words. */
 final class TestTrees {
@@ -33,6 +36,16 @@ final class TestTrees {
   private static final ForwardKinematics KINEMATICS = new ForwardKinematics(ARM.dh());
 
   private TestTrees() {}
+
+  /**
+   * What a compiler says of a script, but for warnings of what the nodes themselves lack: a loop
+   * gets no wait, and the end of a branch is told also where nothing leads there.
+   */
+  static List<Diagnostic> unexpected(LoadResult result) {
+    return result.diagnostics().stream()
+        .filter(each -> !Set.of("endless-loop", "unreachable").contains(each.code()))
+        .toList();
+  }
 
   static ProgramTree tree(ProgramNode... sections) {
     return new ProgramTree("", Map.of(), List.of(), 1)

@@ -46,7 +46,7 @@ final class TreeRun {
     controller = new Controller(options.withArm(ArmChoice.IDEAL).withStart(TestTrees.START));
     GeneratedScript script = ScriptGenerator.generate("test", tree, installation);
     LoadResult loadResult = controller.load(Source.of("test.script", script.text()));
-    assertEquals(List.of(), loadResult.diagnostics(), script::text);
+    assertEquals(List.of(), TestTrees.unexpected(loadResult), script::text);
     startS = state().timeS();
     program = loadResult.program().orElseThrow();
     submit(new Command.StartProgram(program));
