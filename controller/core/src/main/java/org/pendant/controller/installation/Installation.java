@@ -106,6 +106,11 @@ public record Installation(
     return with(parts -> parts.features = others);
   }
 
+  /** The same with other TCPs. */
+  public Installation withTools(List<NamedTool> others) {
+    return with(parts -> parts.tools = others);
+  }
+
   /** The same with another home. */
   public Installation withHome(Joints otherRad) {
     return with(parts -> parts.homeRad = otherRad);

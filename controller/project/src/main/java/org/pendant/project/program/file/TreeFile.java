@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.NamedTool;
 import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.program.ControlScript;
 import org.pendant.project.program.ExternalControl;
@@ -118,7 +119,7 @@ public final class TreeFile {
           name,
           bytes,
           read.tree(),
-          withFeatures(installation, read.features()),
+          withTools(withFeatures(installation, read.features()), read.tools()),
           read.robot(),
           read.remarks(),
           Map.of(),
@@ -135,6 +136,13 @@ public final class TreeFile {
     return all.size() == installation.features().size()
         ? installation
         : installation.withFeatures(all);
+  }
+
+  /** The same of TCPs. */
+  private static Installation withTools(Installation installation, List<NamedTool> told) {
+    List<NamedTool> all = new ArrayList<>(installation.tools());
+    told.stream().filter(each -> installation.tool(each.name()).isEmpty()).forEach(all::add);
+    return all.size() == installation.tools().size() ? installation : installation.withTools(all);
   }
 
   private static TreeFile text(String name, byte[] bytes, Installation installation)

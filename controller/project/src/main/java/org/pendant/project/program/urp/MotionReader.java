@@ -158,7 +158,11 @@ final class MotionReader {
     if (element.attribute("useActiveTCP").orElse("true").equals("true")) {
       return new ToolChoice.Active();
     }
-    return tcp.isEmpty() ? new ToolChoice.Flange() : new ToolChoice.Named(name);
+    if (tcp.isEmpty()) {
+      return new ToolChoice.Flange();
+    }
+    positions.addTool(name, element);
+    return new ToolChoice.Named(name);
   }
 
   private Optional<Step> waypoint(XmlElement element, Within within) throws UnreadableFile {

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
+import org.pendant.controller.installation.NamedTool;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
@@ -26,6 +27,7 @@ final class Positions {
 
   private final Map<String, WaypointPosition> all = new LinkedHashMap<>();
   private final Map<String, Feature> features = new LinkedHashMap<>();
+  private final Map<String, NamedTool> tools = new LinkedHashMap<>();
   private final Optional<XmlElement> programArm;
   private final ForwardKinematics usualArm;
   private final Remarks remarks;
@@ -47,6 +49,24 @@ final class Positions {
   /** Where features were when waypoints were taught in them. */
   List<Feature> features() {
     return List.copyOf(features.values());
+  }
+
+  /** The TCPs of moves when their waypoints were taught. */
+  List<NamedTool> tools() {
+    return List.copyOf(tools.values());
+  }
+
+  /** Takes the TCP of a move from the first of its waypoints that says where it is. */
+  void addTool(String name, XmlElement move) throws UnreadableFile {
+    List<XmlElement> children = move.child("children").map(XmlElement::children).orElse(List.of());
+    for (XmlElement each : children) {
+      Optional<XmlElement> position = each.child("position");
+      Optional<XmlElement> found = position.isPresent() ? position.get().resolved() : position;
+      found
+          .flatMap(place -> place.child("TCPOffset"))
+          .flatMap(offset -> pose(offset, "pose"))
+          .ifPresent(pose -> tools.putIfAbsent(name, new NamedTool(name, pose)));
+    }
   }
 
   /**

@@ -112,7 +112,8 @@ final class ProgramReader {
             : fileName;
     String name = root.attribute("name").orElse(base);
     Unread.tell(understood, remarks);
-    return new ImportedProgram(name, tree, positions.features(), robot(), remarks.all());
+    return new ImportedProgram(
+        name, tree, positions.features(), positions.tools(), robot(), remarks.all());
   }
 
   /** The arm that the program was made on; told where another one is expected. */

@@ -112,7 +112,7 @@ public final class UrpxPrograms {
         fileName.endsWith(ENDING)
             ? fileName.substring(0, fileName.length() - ENDING.length())
             : fileName;
-    return new ImportedProgram(name, tree, List.of(), Optional.empty(), remarks);
+    return new ImportedProgram(name, tree, List.of(), List.of(), Optional.empty(), remarks);
   }
 
   /** A node that runs a script; empty if there is nothing in it. */

@@ -13,6 +13,7 @@ import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.NamedTool;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.program.ControlScript;
 import org.pendant.project.program.script.GeneratedScript;
@@ -123,6 +124,21 @@ class TreeFileTest {
     Installation both = read("a.urp", text).in(cell).installation();
     assertEquals(Optional.of(table), both.feature("Table"));
     assertEquals(List.of(new Pose(1, 2, 3, 0, 0, 0)), both.feature("Belt").orElseThrow().points());
+  }
+
+  @Test
+  void bringsToolsThatTheInstallationDoesNotKnow() throws BrokenTree {
+    String move =
+        "<Move motionType=\"MoveL\" useActiveTCP=\"false\"><tcp referencedName=\"%s\"/><children>"
+            + "<Waypoint type=\"Fixed\" name=\"%1$s\"><position>"
+            + "<JointAngles angles=\"0,0,0,0,0,0\"/><TCPOffset pose=\"0, 0, 0.1, 0, 0, 0\"/>"
+            + "</position></Waypoint></children></Move>";
+    String text = URP.formatted(move.formatted("Grip") + move.formatted("Pen"));
+    NamedTool grip = new NamedTool("Grip", new Pose(0, 0, 0.2, 0, 0, 0));
+    Installation cell = Installation.NONE.withTools(List.of(grip));
+    Installation both = read("a.urp", text).in(cell).installation();
+    assertEquals(Optional.of(grip), both.tool("Grip"));
+    assertEquals(new Pose(0, 0, 0.1, 0, 0, 0), both.tool("Pen").orElseThrow().inFlange());
   }
 
   @Test
