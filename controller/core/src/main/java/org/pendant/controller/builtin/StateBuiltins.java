@@ -59,7 +59,7 @@ final class StateBuiltins {
         .manual(MODULE, "16.7")
         .doc("Where the TCP is, in the base frame: what older programs and force nodes call.")
         .returns(Type.POSE)
-        .effect(Effect.SENSES)
+        .deprecated("get_actual_tcp_pose")
         .does(call -> call.answer(call.host().actualTcpInBase()));
     builtins
         .declare("get_actual_tcp_speed")
