@@ -8,6 +8,7 @@ import java.util.Set;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
 import org.pendant.project.polyscope.xml.XmlElement;
 
 /** Takes features out of the element that holds them. */
@@ -99,22 +100,35 @@ final class FeatureReader {
   }
 
   /**
-   * Planes are taught there by their origin, a point on the y axis, and one on the side of negative
-   * x; here by their origin, a point on the x axis, and one on the side of positive y.
+   * Planes are taught there by their origin, a point on the y axis, and another point of the plane;
+   * z is on the side to which the tool pointed at the origin. Here they are known by their origin,
+   * a point on the x axis, and one on the side of positive y.
    */
   private static List<Pose> plane(Pose origin, Pose onY, Pose beside) {
-    double[] y = {onY.x() - origin.x(), onY.y() - origin.y(), onY.z() - origin.z()};
-    double[] side = {beside.x() - origin.x(), beside.y() - origin.y(), beside.z() - origin.z()};
+    double[] y = between(origin, onY);
+    double[] side = between(origin, beside);
     double along = dot(side, y) / Math.max(dot(y, y), Double.MIN_NORMAL);
+    double[] tool = between(origin, Poses.trans(origin, new Pose(0, 0, 1, 0, 0, 0)));
+    double sign = dot(cross(side, y), tool) < 0 ? -1 : 1;
     Pose onX =
         new Pose(
-            origin.x() - side[0] + along * y[0],
-            origin.y() - side[1] + along * y[1],
-            origin.z() - side[2] + along * y[2],
+            origin.x() + sign * (side[0] - along * y[0]),
+            origin.y() + sign * (side[1] - along * y[1]),
+            origin.z() + sign * (side[2] - along * y[2]),
             origin.rx(),
             origin.ry(),
             origin.rz());
     return List.of(origin, onX, onY);
+  }
+
+  private static double[] between(Pose from, Pose to) {
+    return new double[] {to.x() - from.x(), to.y() - from.y(), to.z() - from.z()};
+  }
+
+  private static double[] cross(double[] a, double[] b) {
+    return new double[] {
+      a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+    };
   }
 
   private static double dot(double[] a, double[] b) {

@@ -1,5 +1,6 @@
 package org.pendant.project.installation.urp;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -8,6 +9,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.external.ModbusKind;
 import org.pendant.controller.installation.BaseMounting;
@@ -313,6 +316,27 @@ class UrInstallationsTest {
     assertEquals(
         List.of("line 1: the feature a-b is left out, as its name is no name of the language"),
         read.remarks());
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {-0.2, 0.2})
+  void zOfAPlaneIsWhereTheToolPointedWhicheverSideTheThirdPointIsOn(double beside)
+      throws UnreadableFile {
+    ImportedInstallation read =
+        read(
+            "<Features><GeomPlaneNode><GeomPlaneNode name=\"table\""
+                + " isVariable=\"true\"><firstPoint>"
+                + point("hidden_1", "0.5, 0.1, 0.0", "3.141592653589793, 0.0, 0.0")
+                + "</firstPoint><secondPoint>"
+                + point("hidden_2", "0.9, 0.1, 0.0", "3.141592653589793, 0.0, 0.0")
+                + "</secondPoint><thirdPoint>"
+                + point("hidden_3", "0.6, " + (0.1 + beside) + ", 0.0", "0.0, 0.0, 0.0")
+                + "</thirdPoint></GeomPlaneNode></GeomPlaneNode></Features>");
+    Pose frame = FeaturePoses.pose(read.installation().features().getFirst()).orElseThrow();
+    Pose y = Poses.trans(frame, new Pose(0, 1, 0, 0, 0, 0));
+    Pose z = Poses.trans(frame, new Pose(0, 0, 1, 0, 0, 0));
+    assertArrayEquals(new double[] {1.5, 0.1, 0}, new double[] {y.x(), y.y(), y.z()}, 1e-9);
+    assertArrayEquals(new double[] {0.5, 0.1, -1}, new double[] {z.x(), z.y(), z.z()}, 1e-9);
   }
 
   private static ImportedInstallation withUrcaps(String urcaps) throws UnreadableFile {
