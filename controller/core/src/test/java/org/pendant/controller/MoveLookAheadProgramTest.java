@@ -63,6 +63,14 @@ final class MoveLookAheadProgramTest {
           end
         """,
         """
+          i = -14
+          while i < 15:
+            set_tcp(p[0, 0, 0, 0, 0, 0])
+            movel(p[0.45, i * 0.01, 0.45, 2.2214, -2.2214, 0], r=0.001)
+            i = i + 1
+          end
+        """,
+        """
           def go(y):
             def deeper(y):
               movel(p[0.45, y, 0.45, 2.2214, -2.2214, 0], r=0.001)

@@ -147,6 +147,7 @@ final class StateBuiltins {
         .doc("Makes a pose in the flange frame the active TCP, under a name.")
         .needs("pose", Type.POSE)
         .takes("tcp_name", Type.STRING, Value.of(""))
+        .effect(Effect.SETS_TCP)
         .does(StateBuiltins::setTcp);
   }
 

@@ -100,7 +100,7 @@ final class BuiltinEffectTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"set_tcp", "set_tool_digital_output_mode", "socket_read_line"})
+  @ValueSource(strings = {"set_payload", "set_tool_digital_output_mode", "socket_read_line"})
   void whatChangesAnythingIsNotForeseen(String name) {
     assertEquals(Effect.CHANGES, effect(name));
   }

@@ -23,6 +23,12 @@ public enum Effect {
    */
   TELLS,
 
+  /**
+   * It makes a pose, its first argument, the active TCP, which changes nothing if it is that
+   * already.
+   */
+  SETS_TCP,
+
   /** It asks for a move. */
   MOVES,
 

@@ -185,6 +185,14 @@ final class MoveLookAhead {
         yield builtin.doing(call -> answers ? call.answer(true) : call.answer());
       }
       case ASKS_GOAL -> beforeTheFirstMove(builtin);
+      case SETS_TCP ->
+          builtin.doing(
+              call -> {
+                if (call.pose(0).equals(call.box().flange().tool().inFlange())) {
+                  return call.answer();
+                }
+                throw ended();
+              });
       case CHANGES, SENSES ->
           builtin.doing(
               call -> {
