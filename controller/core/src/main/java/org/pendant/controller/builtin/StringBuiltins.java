@@ -166,9 +166,7 @@ final class StringBuiltins {
   private static String convertible(Call<?> call, int argument) throws ScriptError {
     // without a value object for the most usual case
     String text =
-        call.kind(argument) == Kind.INT
-            ? Integer.toString(call.integer(argument))
-            : start(call, argument);
+        call.isInt(argument) ? Integer.toString(call.integer(argument)) : start(call, argument);
     call.charge(text.length() * (long) CONVERTED_NS);
     return text;
   }

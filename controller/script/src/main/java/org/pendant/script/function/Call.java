@@ -138,6 +138,11 @@ public final class Call<H extends Host> {
     return registers.kind(firstArgument + index);
   }
 
+  /** Whether argument {@code index} is an int. */
+  public boolean isInt(int index) {
+    return registers.tags()[firstArgument + index] == Registers.INT;
+  }
+
   /** The argument as it is, not copied: copy it before keeping it anywhere. */
   public Value value(int index) {
     return registers.value(firstArgument + index);

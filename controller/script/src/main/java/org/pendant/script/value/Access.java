@@ -8,13 +8,20 @@ final class Access {
 
   static Value get(Value receiver, Value index) throws ScriptError {
     int place = place(index);
-    return switch (receiver) {
-      case ListValue list -> list.get(place);
-      case PoseValue pose -> Value.of(pose.pose().get(component(place)));
-      case StructValue struct -> struct.get(place);
-      case MatrixValue matrix -> matrix.row(place);
-      default -> throw notIndexed(receiver);
-    };
+    // not a pattern switch: it takes much longer
+    if (receiver instanceof PoseValue pose) {
+      return Value.of(pose.pose().get(component(place)));
+    }
+    if (receiver instanceof StructValue struct) {
+      return struct.get(place);
+    }
+    if (receiver instanceof MatrixValue matrix) {
+      return matrix.row(place);
+    }
+    if (receiver instanceof ListValue list) {
+      return list.get(place);
+    }
+    throw notIndexed(receiver);
   }
 
   static Value open(Value receiver, Value index) throws ScriptError {

@@ -21,8 +21,9 @@ final class Assignment {
   /** As {@link #assign}, when the types are known to agree. */
   @SuppressWarnings("ReferenceEquality") // whether it is the same object is the question
   static Value replaced(Value current, Value incoming) throws ScriptError {
-    if (current == incoming) {
-      return current;
+    // only containers keep what they are; asked first, as it takes long to find no interface
+    if (current == incoming || !(incoming instanceof Container)) {
+      return incoming;
     }
     if (current instanceof ListValue list && incoming instanceof ListValue source) {
       list.assign(source);

@@ -84,6 +84,14 @@ public final class MatrixValue extends Container implements Value {
     return elements[row * columns + column];
   }
 
+  /**
+   * Replaces the element in a row and column that the caller knows to be there, by a number of the
+   * elements' kind; not for a matrix that shares its elements.
+   */
+  public void setNumberAt(int row, int column, double number) {
+    elements[row * columns + column] = number;
+  }
+
   /** The {@link Registers} tag of the elements. */
   public int tag() {
     return integers ? Registers.INT : Registers.FLOAT;

@@ -198,6 +198,10 @@ public final class StructValue extends Container implements Value {
       return Optional.of(
           "is " + expected.kind().described() + ", cannot become " + found.kind().described());
     }
+    // asked first, as it takes long to find that something does not have an interface
+    if (!(expected instanceof Container)) {
+      return Optional.empty();
+    }
     if (expected instanceof StructValue a && found instanceof StructValue b) {
       if (a.sameMembers(b)) {
         return Optional.empty();

@@ -71,13 +71,19 @@ final class Cost {
 
   /** A change of {@code container}, whose elements are copied if others have them, too. */
   static int change(Value container) {
-    return switch (container) {
-      case NumberList list when list.shared() -> ELEMENT_NS * list.capacity();
-      case ObjectList list when list.shared() -> ELEMENT_NS * list.capacity();
-      case MatrixValue matrix when matrix.shared() -> ELEMENT_NS * size(matrix);
-      case StructValue struct when struct.shared() -> OBJECT_NS * struct.length();
-      default -> 0;
-    };
+    // not a pattern switch: without C2 it takes longer than what is counted here
+    if (container instanceof NumberList list) {
+      return list.shared() ? ELEMENT_NS * list.capacity() : 0;
+    }
+    if (container instanceof ObjectList list) {
+      return list.shared() ? ELEMENT_NS * list.capacity() : 0;
+    }
+    if (container instanceof MatrixValue matrix) {
+      return matrix.shared() ? ELEMENT_NS * size(matrix) : 0;
+    }
+    return container instanceof StructValue struct && struct.shared()
+        ? OBJECT_NS * struct.length()
+        : 0;
   }
 
   /**
@@ -85,13 +91,17 @@ final class Cost {
    * nothing of plain numbers.
    */
   static int assign(Value current, Value incoming) {
-    return switch (incoming) {
-      case ListValue list
-          when current instanceof ListValue old && old.capacity() != list.capacity() ->
-          ELEMENT_NS * (old.capacity() + list.length());
-      case StructValue struct -> MEMBER_NS * struct.allMembers();
-      default -> 0;
-    };
+    if (incoming instanceof StructValue struct) {
+      return MEMBER_NS * struct.allMembers();
+    }
+    // classes first: to find that something does not have an interface takes much longer
+    boolean lists = incoming instanceof NumberList || incoming instanceof ObjectList;
+    return lists
+            && incoming instanceof ListValue list
+            && current instanceof ListValue old
+            && old.capacity() != list.capacity()
+        ? ELEMENT_NS * (old.capacity() + list.length())
+        : 0;
   }
 
   /** Looking whether {@code element} has the type that a part of a container must have. */

@@ -104,7 +104,7 @@ final class GeneralOperations {
   private void store(ScriptFunction function, int operand, int base, Value value)
       throws ScriptError {
     int slot = Instruction.slot(operand, base);
-    if (Instruction.isLocal(operand) && Instruction.index(operand) >= function.variableCount()) {
+    if (isTemporary(function, operand)) {
       registers.set(slot, value);
     } else {
       assignValue(function, operand, slot, value);
@@ -303,12 +303,42 @@ final class GeneralOperations {
   }
 
   void getIndex(ScriptFunction function, long w, int base) throws ScriptError {
+    if (getComponent(function, w, base)) {
+      return;
+    }
     Value receiver = read(function, Instruction.b(w), base);
     Value index = read(function, Instruction.c(w), base);
     if (receiver instanceof MatrixValue matrix) {
       work.charge(matrix.columns());
     }
     store(function, Instruction.a(w), base, Operators.index(receiver, index));
+  }
+
+  /** A component of a pose, which programs read often; whether that is what had to be done. */
+  private boolean getComponent(ScriptFunction function, long w, int base) {
+    byte[] tags = registers.tags();
+    int target = Instruction.slot(Instruction.a(w), base);
+    int slot = Instruction.slot(Instruction.b(w), base);
+    int index = Instruction.slot(Instruction.c(w), base);
+    if (tags[slot] == Registers.OBJECT
+        && isComponent(index)
+        && registers.objects()[slot] instanceof PoseValue pose
+        && (isTemporary(function, Instruction.a(w))
+            || (tags[target] & Processor.NOT_FOR_NUMBER) == 0)) {
+      registers.setFloat(target, pose.pose().get((int) registers.numbers()[index]));
+      return true;
+    }
+    return false;
+  }
+
+  /** Whether a slot holds the index of a component of a pose. */
+  private boolean isComponent(int slot) {
+    double index = registers.numbers()[slot];
+    return registers.tags()[slot] == Registers.INT && index >= 0 && index < Pose.SIZE;
+  }
+
+  private static boolean isTemporary(ScriptFunction function, int operand) {
+    return Instruction.isLocal(operand) && Instruction.index(operand) >= function.variableCount();
   }
 
   /** Opens an element of a container for a change; the target is always a temporary. */
@@ -364,6 +394,9 @@ final class GeneralOperations {
   }
 
   void setIndex(ScriptFunction function, long w, int base) throws ScriptError {
+    if (setComponent(w, base)) {
+      return;
+    }
     Value receiver = read(function, Instruction.a(w), base);
     Value index = read(function, Instruction.b(w), base);
     Value element = read(function, Instruction.c(w), base);
@@ -371,6 +404,24 @@ final class GeneralOperations {
     work.charge(Cost.type(element));
     registers.set(
         Instruction.slot(Instruction.a(w), base), Operators.setIndex(receiver, index, element));
+  }
+
+  /** A component of a pose becomes a number; whether that is what had to be done. */
+  private boolean setComponent(long w, int base) {
+    int slot = Instruction.slot(Instruction.a(w), base);
+    int index = Instruction.slot(Instruction.b(w), base);
+    int source = Instruction.slot(Instruction.c(w), base);
+    if (registers.tags()[slot] == Registers.OBJECT
+        && isComponent(index)
+        && registers.tags()[source] <= Registers.FLOAT
+        && registers.objects()[slot] instanceof PoseValue pose) {
+      work.charge(Cost.GENERAL_NS);
+      double[] numbers = registers.numbers();
+      registers.objects()[slot] =
+          new PoseValue(pose.pose().with((int) numbers[index], numbers[source]));
+      return true;
+    }
+    return false;
   }
 
   void setIndex2(ScriptFunction function, long w, int base) throws ScriptError {
@@ -437,7 +488,7 @@ final class GeneralOperations {
       }
       list = matrix.get();
     } else {
-      list = Operators.listLiteral(values(first, count));
+      list = Operators.listLiteral(registers, first, count);
       work.take(list.sizeBytes());
       if (list instanceof ObjectList objects) {
         work.charge(count * (long) Cost.type(objects.sample()));

@@ -66,6 +66,7 @@ final class InstructionTranslator {
           Op.LOOP_IF_LESS_OR_EQUAL ->
           new int[] {a, b};
       case Op.GET_INDEX_2 -> new int[] {a, b, c, c + 1};
+      case Op.SET_INDEX_2 -> new int[] {a, b, b + 1, c};
       case Op.MOVE, Op.COPY, Op.NOT -> new int[] {b};
       case Op.RETURN, Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE -> new int[] {a};
       default -> new int[0];
@@ -111,6 +112,7 @@ final class InstructionTranslator {
       case Op.GET_INDEX -> getIndex(pc, a, b, c);
       case Op.GET_INDEX_2 -> getElement(pc, a, b, c);
       case Op.SET_INDEX -> setIndex(pc, a, b, c);
+      case Op.SET_INDEX_2 -> setElement(pc, a, b, c);
       default -> general(pc, operation, a);
     }
   }
@@ -521,6 +523,33 @@ final class InstructionTranslator {
             MethodTypeDesc.of(
                 ConstantDescs.CD_boolean,
                 JvmCode.VALUE,
+                ConstantDescs.CD_double,
+                ConstantDescs.CD_int,
+                ConstantDescs.CD_double))
+        .ifeq(slow);
+  }
+
+  private void setElement(int pc, int matrix, int row, int element) {
+    int column = row + 1;
+    Label slow = slow(pc, matrix);
+    registers.tag(matrix);
+    code.loadConstant(Registers.OBJECT).if_icmpne(slow);
+    registers.tag(row);
+    code.ifne(slow);
+    registers.tag(column);
+    code.ifne(slow);
+    registers.object(matrix);
+    registers.number(row);
+    registers.number(column);
+    registers.tag(element);
+    registers.number(element);
+    code.invokestatic(
+            JvmCode.CODE,
+            "storeAt",
+            MethodTypeDesc.of(
+                ConstantDescs.CD_boolean,
+                JvmCode.VALUE,
+                ConstantDescs.CD_double,
                 ConstantDescs.CD_double,
                 ConstantDescs.CD_int,
                 ConstantDescs.CD_double))

@@ -264,17 +264,20 @@ final class SlowPath {
         thread.operation.isPresent()
             ? new Outcome.Begun(thread.operation.get())
             : call.run(builtin, first, target);
-    if (outcome instanceof Outcome.Begun begun) {
-      LongOperation operation = begun.operation();
-      if (!general.finish(thread, operation)) {
-        return Stop.EXHAUSTED;
+    // almost all: it takes longer to find that this is neither of the others
+    if (outcome != Outcome.Answered.ANSWERED) {
+      if (outcome instanceof Outcome.Begun begun) {
+        LongOperation operation = begun.operation();
+        if (!general.finish(thread, operation)) {
+          return Stop.EXHAUSTED;
+        }
+        outcome = call.resume(builtin, first, target, operation.result());
       }
-      outcome = call.resume(builtin, first, target, operation.result());
-    }
-    if (outcome instanceof Wait wait) {
-      thread.wait = wait;
-      thread.waitResult = slot;
-      return Stop.WAITING;
+      if (outcome instanceof Wait wait) {
+        thread.wait = wait;
+        thread.waitResult = slot;
+        return Stop.WAITING;
+      }
     }
     if (run.haltRequested()) {
       return Stop.HALTED;

@@ -65,4 +65,19 @@ abstract class TranslatedCode {
     }
     return false;
   }
+
+  /** Stores a number in a matrix of numbers; false when that is not all there is to do. */
+  static boolean storeAt(Value object, double row, double column, int tag, double number) {
+    if (object instanceof MatrixValue matrix
+        && row >= 0
+        && row < matrix.rows()
+        && column >= 0
+        && column < matrix.columns()
+        && !matrix.shared()
+        && (matrix.tag() == tag || (matrix.tag() == Registers.FLOAT && tag == Registers.INT))) {
+      matrix.setNumberAt((int) row, (int) column, number);
+      return true;
+    }
+    return false;
+  }
 }

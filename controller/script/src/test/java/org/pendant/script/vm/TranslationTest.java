@@ -190,6 +190,80 @@ class TranslationTest {
         end
         """,
         """
+        def elements():
+          def fill(m, rows, columns, x):
+            local r = 0
+            while r < rows:
+              local c = 0
+              while c < columns:
+                m[r, c] = m[r, c] + x * c
+                c = c + 1
+              end
+              r = r + 1
+            end
+            return m
+          end
+          local small = [[1, 2], [3, 4]]
+          textmsg(fill(small, 2, 2, 3), small)
+          textmsg(fill(small, 2, 2, 0.5), fill([[1.5, 2], [3, 4]], 2, 2, 1))
+          local row = [1, 2, 3, 4, 5, 6, 7]
+          local large = [row, row, row, row, row, row, row]
+          local same = large
+          large[6, 6] = 8
+          textmsg(fill(large, 7, 7, 1), same)
+          textmsg(fill(large, 7, 8, 1))
+        end
+        """,
+        """
+        def element_of_another_kind():
+          local m = [[1, 2], [3, 4]]
+          local i = 0
+          while True:
+            m[i, 1] = 5.5
+            m[1, i] = i > 0
+            i = i + 1
+          end
+        end
+        """,
+        """
+        def components():
+          local p = p[1, 2, 3, 0.1, 0.2, 0.3]
+          local q = p
+          local x = 1
+          local i = 0
+          while i < 6:
+            q[i] = p[i] * 2
+            q[5 - i] = i
+            x = q[i]
+            i = i + 1
+          end
+          textmsg(p, q)
+          textmsg(x, p[2.0])
+          q[2] = True
+        end
+        """,
+        """
+        def components_into_another_type():
+          def keep(flag, p):
+            flag = p[5]
+            return flag
+          end
+          local p = p[1, 2, 3, 0.1, 0.2, 0.3]
+          textmsg(keep(1, p), keep(2.5, p))
+          textmsg(keep(False, p))
+        end
+        """,
+        """
+        def components_outside():
+          local p = p[1, 2, 3, 0.1, 0.2, 0.3]
+          local i = 4
+          while True:
+            p[i] = p[i] + 1
+            i = i + 1
+          end
+        end
+        """,
+        """
         def lists():
           local l = [1, 2, 3]
           local m = [1.5, 2.5]
