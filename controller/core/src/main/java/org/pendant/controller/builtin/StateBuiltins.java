@@ -2,6 +2,7 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.box.ToolFlange;
 import org.pendant.language.signature.Type;
 import org.pendant.models.pose.Pose;
 import org.pendant.script.function.Builtins;
@@ -147,7 +148,7 @@ final class StateBuiltins {
         .doc("Makes a pose in the flange frame the active TCP, under a name.")
         .needs("pose", Type.POSE)
         .takes("tcp_name", Type.STRING, Value.of(""))
-        .effect(Effect.SETS_TCP)
+        .effect(Effect.SETS)
         .does(StateBuiltins::setTcp);
   }
 
@@ -168,7 +169,11 @@ final class StateBuiltins {
   }
 
   private static Outcome setTcp(Call<ControlBox> call) throws ScriptError {
-    call.host().flange().setTool(new ToolCentre(MotionArguments.pose(call, 0), call.text(1)));
+    ToolCentre wanted = new ToolCentre(MotionArguments.pose(call, 0), call.text(1));
+    ToolFlange flange = call.host().flange();
+    if (!call.program().foreseesSetting(wanted.inFlange().equals(flange.tool().inFlange()))) {
+      flange.setTool(wanted);
+    }
     return call.answer();
   }
 }

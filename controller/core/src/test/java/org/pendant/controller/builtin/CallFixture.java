@@ -9,6 +9,7 @@ import org.pendant.script.function.Builtin;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Outcome;
+import org.pendant.script.function.ProgramControl;
 import org.pendant.script.function.Work;
 import org.pendant.script.value.LongOperation;
 import org.pendant.script.value.Make;
@@ -19,6 +20,40 @@ import org.pendant.script.value.Value;
 
 /** Calls single functions and methods without a program around them. */
 final class CallFixture {
+  /** Functions that control a program are tested with the machine. */
+  private static final ProgramControl NO_PROGRAM =
+      new ProgramControl() {
+        @Override
+        public long frame() {
+          throw new UnsupportedOperationException();
+        }
+
+        @Override
+        public void pause() {
+          throw new UnsupportedOperationException();
+        }
+
+        @Override
+        public void halt() {
+          throw new UnsupportedOperationException();
+        }
+
+        @Override
+        public Outcome enterInterpreter(boolean clearQueueOnEnter, boolean clearOnEnd) {
+          throw new UnsupportedOperationException();
+        }
+
+        @Override
+        public void endInterpreter() {
+          throw new UnsupportedOperationException();
+        }
+
+        @Override
+        public void clearInterpreter() {
+          throw new UnsupportedOperationException();
+        }
+      };
+
   static final Builtins<?> BUILTINS = StandardBuiltins.create();
 
   private final ControlBox box;
@@ -58,8 +93,7 @@ final class CallFixture {
         registers.set(i, defaults.get(i - receivers).get());
       }
     }
-    // no program: functions that control one are tested with the machine
-    Call<?> call = new Call<>(box, null, registers, new Work());
+    Call<?> call = new Call<>(box, NO_PROGRAM, registers, new Work());
     Outcome outcome = call.run(builtin, 0, result);
     if (outcome instanceof Outcome.Begun begun) {
       outcome = call.resume(builtin, 0, result, LongOperation.finish(begun.operation()));

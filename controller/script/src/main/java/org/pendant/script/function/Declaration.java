@@ -182,7 +182,7 @@ public final class Declaration<H extends Host> {
       case COMPUTES -> 20;
       case ASKS -> 100;
       case ASKS_GOAL, TELLS -> 1000;
-      case CHANGES, SETS_TCP, SENSES -> 500;
+      case CHANGES, SETS, SENSES -> 500;
       case MOVES -> 3000;
     };
   }

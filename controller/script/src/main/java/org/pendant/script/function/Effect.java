@@ -23,11 +23,8 @@ public enum Effect {
    */
   TELLS,
 
-  /**
-   * It makes a pose, its first argument, the active TCP, which changes nothing if it is that
-   * already.
-   */
-  SETS_TCP,
+  /** It sets something, and tells {@link ProgramControl#foreseesSetting} so before. */
+  SETS,
 
   /** It asks for a move. */
   MOVES,

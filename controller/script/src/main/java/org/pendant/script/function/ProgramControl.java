@@ -22,6 +22,17 @@ public interface ProgramControl {
   }
 
   /**
+   * Tells that something is about to be set that what follows may depend on.
+   *
+   * @param unchanged whether it is that already
+   * @return whether that is all that is wanted, and nothing is to be set
+   * @throws ScriptError when enough is known
+   */
+  default boolean foreseesSetting(boolean unchanged) throws ScriptError {
+    return false;
+  }
+
+  /**
    * Tells that something is about to be sent to the outside, or asked for there.
    *
    * @throws ScriptError when this must not be

@@ -73,6 +73,14 @@ final class MoveLookAhead {
     }
 
     @Override
+    public boolean foreseesSetting(boolean unchanged) throws ScriptError {
+      if (!unchanged) {
+        throw ended();
+      }
+      return true;
+    }
+
+    @Override
     public void reachesOutside() throws ScriptError {
       throw ended();
     }
@@ -178,21 +186,13 @@ final class MoveLookAhead {
 
   private static <H extends Host> Builtin<H> foreseeing(Builtin<H> builtin) {
     return switch (builtin.effect()) {
-      case COMPUTES, ASKS, MOVES -> builtin;
+      case COMPUTES, ASKS, MOVES, SETS -> builtin;
       case TELLS -> {
         // who is told says at most that it was told, which is what mostly happens
         boolean answers = builtin.signature().result() == Type.BOOL;
         yield builtin.doing(call -> answers ? call.answer(true) : call.answer());
       }
       case ASKS_GOAL -> beforeTheFirstMove(builtin);
-      case SETS_TCP ->
-          builtin.doing(
-              call -> {
-                if (call.pose(0).equals(call.box().flange().tool().inFlange())) {
-                  return call.answer();
-                }
-                throw ended();
-              });
       case CHANGES, SENSES ->
           builtin.doing(
               call -> {
