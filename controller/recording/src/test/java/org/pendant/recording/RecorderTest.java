@@ -5,9 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.StringWriter;
+import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
-import org.pendant.controller.RunningProgram;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.Reply;
+import org.pendant.language.source.Source;
+import org.pendant.script.vm.Program;
 
 class RecorderTest {
   @Test
@@ -39,15 +44,17 @@ class RecorderTest {
   }
 
   private static String record(String text) throws IOException {
-    RunningProgram robot = new RunningProgram();
-    robot.done(new Command.StartProgram(robot.program(text)));
+    Controller controller = new Controller(ControllerOptions.headless());
+    Program program = controller.load(Source.of("test.script", text)).program().orElseThrow();
+    CompletableFuture<Reply> started = controller.submit(new Command.StartProgram(program));
     StringWriter out = new StringWriter();
     try (Recorder recorder = new Recorder(out)) {
       do {
-        robot.advance(1);
-        recorder.write(robot.state());
-      } while (robot.state().program().ending().isEmpty());
+        controller.advance();
+        recorder.write(controller.state());
+      } while (controller.state().program().ending().isEmpty());
     }
+    assertEquals(new Reply.Done(), started.join());
     return out.toString();
   }
 }

@@ -1,0 +1,11 @@
+/** Recordings of runs, and runs that are repeated from them. */
+module org.pendant.recording {
+  requires transitive org.pendant.controller;
+  requires transitive org.pendant.language;
+  requires transitive org.pendant.models;
+  requires transitive org.pendant.motion;
+  requires transitive org.pendant.script;
+
+  exports org.pendant.recording;
+  exports org.pendant.recording.replay;
+}
