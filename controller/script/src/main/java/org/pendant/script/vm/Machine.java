@@ -22,7 +22,7 @@ import org.pendant.script.value.Value;
 public final class Machine {
   private final Builtins<?> builtins;
   private final Host host;
-  private final MoveLookAhead moveLookAhead;
+  private final LookAhead lookAhead;
   private final Translation translation;
   private final long memoryBytes;
   private final Interpreter interpreter;
@@ -65,7 +65,7 @@ public final class Machine {
     this.builtins = builtins;
     this.host = host;
     this.memoryBytes = memoryBytes;
-    moveLookAhead = new MoveLookAhead(host);
+    lookAhead = new LookAhead(host);
     this.translation = translation;
     this.interpreter = new Interpreter(builtins, host::warn);
     host.placeMessagesBy(this::place);
@@ -316,7 +316,7 @@ public final class Machine {
   /** The moves that are known to come; none when looking for them fails, which does no harm. */
   private List<Foreseen> ahead(ProgramRun running, ScriptThread thread) {
     try {
-      return moveLookAhead.after(running, thread, interpreter);
+      return lookAhead.after(running, thread, interpreter);
     } catch (RuntimeException | StackOverflowError e) {
       tellOnce("looking ahead for moves", e);
       return List.of();

@@ -12,21 +12,21 @@ import org.pendant.script.value.Registers;
 import org.pendant.script.value.ScriptError;
 
 /**
- * Move look-ahead: runs a copy of a thread to find the moves that follow the one that the thread
- * waits for.
+ * Look-ahead: runs a copy of a thread to find what it will ask for once its wait is over; a move
+ * that blends depends on the moves that follow.
  *
  * <p>The copy computes with the values of now. Functions that answer from their arguments or tell
  * the state of the controller do what they always do; functions that only tell something to the
  * outside are passed over; at anything else the copy ends and nothing is known. {@link
  * org.pendant.script.function.Effect} has which is which. What it finds is a guess that shapes how
- * fast a blend is approached; which move really comes is decided by the thread itself.
+ * fast a blend is approached; what really comes is decided by the thread itself.
  */
-final class MoveLookAhead {
+final class LookAhead {
   /** Computing time of a copy, in nanoseconds as {@link Cost} counts them. */
   private static final int BUDGET_NS = 150_000;
 
-  /** Moves that are foreseen at most. */
-  private static final int MOST_MOVES = 24;
+  /** How much is foreseen at most. */
+  private static final int MAX_FORESEEN = 24;
 
   /** Interpreted lines that are looked at, which wait behind the one under way. */
   private static final int MOST_LINES = 12;
@@ -45,11 +45,11 @@ final class MoveLookAhead {
   private int links;
   private Program.Tables tables;
 
-  MoveLookAhead(Host host) {
+  LookAhead(Host host) {
     this.host = host;
   }
 
-  /** What built-ins may do to a thread that is run ahead: say which move comes. */
+  /** What built-ins may do to a thread that is run ahead: say what comes. */
   private static final class Ahead implements ProgramControl {
     private final long frame;
     private final List<Foreseen> next = new ArrayList<>();
@@ -66,7 +66,7 @@ final class MoveLookAhead {
     @Override
     public boolean foresees(Foreseen move) throws ScriptError {
       next.add(move);
-      if (move.last() || next.size() == MOST_MOVES) {
+      if (move.last() || next.size() == MAX_FORESEEN) {
         throw ended();
       }
       return true;
@@ -110,7 +110,7 @@ final class MoveLookAhead {
     return new ScriptError("not-foreseen", "what follows cannot be foreseen");
   }
 
-  /** The moves that {@code thread} will ask for once its wait is over, up to one that stops. */
+  /** What {@code thread} will ask for once its wait is over, up to one that stops. */
   List<Foreseen> after(ProgramRun run, ScriptThread thread, Interpreter interpreter) {
     Ahead ahead = new Ahead(run.frame());
     try {
@@ -120,7 +120,7 @@ final class MoveLookAhead {
       }
       ProgramRun side = run.onTheSide(tables(run), host, ahead);
       ScriptThread worker = copy(thread, side.registers());
-      Interpreter.Preview lines = interpreter.preview(thread, MoveLookAhead::foreseeing);
+      Interpreter.Preview lines = interpreter.preview(thread, LookAhead::foreseeing);
       Processor.Stop stop = side.processor().execute(worker);
       for (int i = 0; i < MOST_LINES && stop == Processor.Stop.INTERPRETED; i++) {
         boolean more = lines.next(side, worker);
