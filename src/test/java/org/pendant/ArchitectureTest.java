@@ -6,6 +6,7 @@ import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyP
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noFields;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noMethods;
 import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
@@ -78,6 +79,14 @@ final class ArchitectureTest {
       noClasses()
           .should()
           .haveNameMatching(".*\\.\\w*(Desk|Doors?|Witness|Foresight|Succession|Headroom)");
+
+  @ArchTest
+  static final ArchRule limitsAreMaximaAndMinima =
+      noFields()
+          .that()
+          .areStatic()
+          .should()
+          .haveNameMatching("(MOST|LEAST|FARTHEST|LONGEST|LARGEST|HIGHEST|SMALLEST|SHORTEST)_.*");
 
   @ArchTest
   static final ArchRule packagesFormNoCycle =

@@ -21,7 +21,7 @@ import org.pendant.script.vm.ProgramState;
  */
 final class BenchmarkScript {
   /** An hour of virtual time; no benchmark comes near. */
-  private static final long MOST_FRAMES = 1_800_000;
+  private static final long MAX_FRAMES = 1_800_000;
 
   private final Controller controller;
   private final Program program;
@@ -81,7 +81,7 @@ final class BenchmarkScript {
   double runToEnd() {
     start();
     if (controller.state().program().state() != ProgramState.STOPPED
-        && !controller.runUntil(this::stopped, MOST_FRAMES)) {
+        && !controller.runUntil(this::stopped, MAX_FRAMES)) {
       throw new IllegalStateException(program.name() + " did not end");
     }
     ControllerState state = controller.state();

@@ -42,7 +42,7 @@ public class KinematicsBenchmark {
   private final double[][] flanges = new double[STATES][Transforms.SIZE];
   private final double[] transform = new double[Transforms.SIZE];
   private final double[] matrix = new double[Jacobian.SIZE];
-  private final double[][] solutions = new double[InverseKinematics.MOST_SOLUTIONS][Joints.COUNT];
+  private final double[][] solutions = new double[InverseKinematics.MAX_SOLUTIONS][Joints.COUNT];
   private final double[] tracked = new double[Joints.COUNT];
 
   private ForwardKinematics forward;

@@ -13,7 +13,7 @@ import java.util.function.Predicate;
 
 /** A process and the lines that it writes, to either stream. */
 final class Talker implements AutoCloseable {
-  private static final int MOST_LINES = 5_000;
+  private static final int MAX_LINES = 5_000;
 
   private final Process process;
   private final List<String> lines = new ArrayList<>();
@@ -48,7 +48,7 @@ final class Talker implements AutoCloseable {
   }
 
   private synchronized void heard(String line) {
-    if (lines.size() < MOST_LINES) {
+    if (lines.size() < MAX_LINES) {
       lines.add(line);
     }
     notifyAll();

@@ -16,10 +16,10 @@ import java.util.concurrent.locks.LockSupport;
 
 /** One client that says something, well or badly, and leaves in one of the ways that there are. */
 final class RandomSession {
-  private static final int MOST_MESSAGES = 12;
+  private static final int MAX_MESSAGES = 12;
   private static final int PATIENCE_MS = 20_000;
   private static final int GLANCE_MS = 5;
-  private static final int MOST_SLOW_BYTES = 40;
+  private static final int MAX_SLOW_BYTES = 40;
   private static final int LONG = 1 << 14;
 
   /** What is done to a conversation. */
@@ -103,7 +103,7 @@ final class RandomSession {
   private List<byte[]> conversation() {
     List<byte[]> all = vocabulary.messages();
     List<byte[]> said = new ArrayList<>();
-    int count = random.nextInt(1, MOST_MESSAGES);
+    int count = random.nextInt(1, MAX_MESSAGES);
     for (int i = 0; i < all.size() && said.size() < count; i++) {
       if (random.nextInt(3) != 0) {
         said.add(all.get(i));
@@ -143,7 +143,7 @@ final class RandomSession {
 
   private void write(byte[] message, Socket socket) throws IOException {
     int at = 0;
-    for (; manner == Manner.SLOW && at < Math.min(message.length, MOST_SLOW_BYTES); at++) {
+    for (; manner == Manner.SLOW && at < Math.min(message.length, MAX_SLOW_BYTES); at++) {
       socket.getOutputStream().write(message, at, 1);
       if (random.nextInt(8) == 0) {
         LockSupport.parkNanos(TimeUnit.MICROSECONDS.toNanos(random.nextInt(2000)));

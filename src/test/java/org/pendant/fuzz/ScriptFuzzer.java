@@ -25,7 +25,7 @@ import org.pendant.script.vm.ProgramLoader;
  */
 final class ScriptFuzzer {
   /** One more than the parser reports, and one sum. The checker has no bound but the text. */
-  private static final int MOST_SYNTAX_ERRORS = 51;
+  private static final int MAX_SYNTAX_ERRORS = 51;
 
   /** One text of so many is handed to the editor's questions too, which read it again and again. */
   private static final int TEXTS_PER_EDITED_ONE = 20;
@@ -103,7 +103,7 @@ final class ScriptFuzzer {
         loadResult.diagnostics().stream()
             .filter(each -> each.wireText().startsWith("syntax_error"))
             .count();
-    if (syntaxErrors > MOST_SYNTAX_ERRORS) {
+    if (syntaxErrors > MAX_SYNTAX_ERRORS) {
       return Optional.of(syntaxErrors + " syntax errors");
     }
     for (Diagnostic diagnostic : loadResult.diagnostics()) {

@@ -27,7 +27,7 @@ final class FrameWatch {
   /** What a frame may take, ns. */
   static final long LONG_NS = 20_000_000;
 
-  private static final int MOST_FRAMES = 20_000;
+  private static final int MAX_FRAMES = 20_000;
   private static final String FRIENDLY = "def friendly():\n  global answer = 6 * 7\nend\n";
 
   private final ThreadMXBean clocks = ManagementFactory.getThreadMXBean();
@@ -61,7 +61,7 @@ final class FrameWatch {
     int longFrames = 0;
     long longestNs = 0;
     long allNs = 0;
-    while (allNs < mostNs && frames < MOST_FRAMES && running()) {
+    while (allNs < mostNs && frames < MAX_FRAMES && running()) {
       long tookNs = frameNs();
       frames++;
       allNs += tookNs;

@@ -29,11 +29,11 @@ class HostileScriptsTest {
   private static final int PATIENCE_S = 1200;
 
   /** The computer may be busy, and code is slower before the JVM has compiled it. */
-  private static final double MOST_LONG = 0.01;
+  private static final double MAX_LONG = 0.01;
 
-  private static final int MOST_LONG_FRAMES = 3;
-  private static final long LONGEST_NS = 200_000_000;
-  private static final long LONGEST_MEAN_NS = 6_000_000;
+  private static final int MAX_LONG_FRAMES = 3;
+  private static final long MAX_NS = 200_000_000;
+  private static final long MAX_MEAN_NS = 6_000_000;
 
   /** How programs may end by themselves. */
   private static final Set<String> ENDINGS =
@@ -85,10 +85,10 @@ class HostileScriptsTest {
   private static void check(FrameTimes times) {
     String shown = times.toString();
     assertTrue(ENDINGS.contains(times.ending()), shown);
-    assertTrue(times.longFrames() <= Math.max(MOST_LONG_FRAMES, MOST_LONG * times.frames()), shown);
-    assertTrue(times.longestNs() < LONGEST_NS, shown);
+    assertTrue(times.longFrames() <= Math.max(MAX_LONG_FRAMES, MAX_LONG * times.frames()), shown);
+    assertTrue(times.longestNs() < MAX_NS, shown);
     // a few frames say nothing of the mean: their code is not compiled yet
-    assertTrue(!ALL || times.meanNs() < LONGEST_MEAN_NS, shown);
+    assertTrue(!ALL || times.meanNs() < MAX_MEAN_NS, shown);
     assertTrue(times.beats() >= times.frames() - times.frames() / 10 - 1, shown);
     assertTrue(times.unharmed(), shown);
   }

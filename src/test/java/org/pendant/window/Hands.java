@@ -20,7 +20,7 @@ final class Hands {
   private static final String PLAIN = "`1234567890-=[]\\;',./";
 
   /** A view that moves all the time may keep a window busy for ever. */
-  private static final Duration MOST_WAITED = Duration.ofMillis(500);
+  private static final Duration MAX_WAITED = Duration.ofMillis(500);
 
   private final Robot robot;
 
@@ -119,7 +119,7 @@ final class Hands {
    */
   void settle() throws InterruptedException {
     Thread idle = Thread.ofPlatform().daemon().start(waiting::waitForIdle);
-    if (!idle.join(MOST_WAITED)) {
+    if (!idle.join(MAX_WAITED)) {
       Places.dispatched(() -> true);
     }
   }

@@ -27,8 +27,8 @@ import org.pendant.project.program.text.ReadProgram;
 final class KilledWindowTest {
   private static final int KILLS = 3;
   private static final long SEED = 11;
-  private static final double LONGEST_S = 8;
-  private static final long MOST_LOST_MS = 5_000;
+  private static final double MAX_S = 8;
+  private static final long MAX_LOST_MS = 5_000;
 
   @TempDir Path folder;
 
@@ -51,7 +51,7 @@ final class KilledWindowTest {
     Random random = new Random(SEED);
     for (int kill = 0; kill < KILLS; kill++) {
       Path own = Files.createDirectories(folder.resolve("kill" + kill));
-      double lifeS = 3 + random.nextDouble(LONGEST_S - 3);
+      double lifeS = 3 + random.nextDouble(MAX_S - 3);
       List<Long> typedMs = typeAndKill(own, lifeS);
       List<RecoveryFolder.LeftBehind> left =
           new RecoveryFolder(own.resolve("pendant/recovery")).leftBehind();
@@ -62,7 +62,7 @@ final class KilledWindowTest {
       int kept = Math.min(wholeNumbers(read.tree()), typedMs.size());
       assertTrue(kept > 0, () -> what + ": nothing that was typed is kept");
       long lostMs = typedMs.getLast() - typedMs.get(kept - 1);
-      assertTrue(lostMs <= MOST_LOST_MS, what + ": " + lostMs + " ms are lost");
+      assertTrue(lostMs <= MAX_LOST_MS, what + ": " + lostMs + " ms are lost");
     }
   }
 

@@ -17,7 +17,7 @@ import org.pendant.script.vm.ProgramState;
 
 /** Runs programs that reach for the outside, in virtual time, and keeps what they say. */
 public final class ScriptRun implements AutoCloseable {
-  private static final int MOST_FRAMES = 10_000;
+  private static final int MAX_FRAMES = 10_000;
 
   private final ScriptConnectors scriptConnectors;
   private final Controller controller;
@@ -40,7 +40,7 @@ public final class ScriptRun implements AutoCloseable {
   public List<String> run(String lines) throws InterruptedException {
     start(lines);
     for (int i = 0; controller.state().program().state() == ProgramState.RUNNING; i++) {
-      assertTrue(i < MOST_FRAMES, () -> "still running, said " + said());
+      assertTrue(i < MAX_FRAMES, () -> "still running, said " + said());
       advance();
     }
     return said();

@@ -303,9 +303,9 @@ public sealed interface Command {
 
   /**
    * Pulls the arm at a point of one of its links towards a place, with at most {@link
-   * HandGrip#LARGEST_PULL_N} and half of what the motors can give, as long as this is repeated: at
-   * the latest every {@link HandGrip#DEAD_MAN_S} of robot time. The arm follows in freedrive;
-   * otherwise it resists.
+   * HandGrip#MAX_PULL_N} and half of what the motors can give, as long as this is repeated: at the
+   * latest every {@link HandGrip#DEAD_MAN_S} of robot time. The arm follows in freedrive; otherwise
+   * it resists.
    *
    * @param link as in {@link PushLink}
    * @param pointInLinkM as in {@link PushLink}

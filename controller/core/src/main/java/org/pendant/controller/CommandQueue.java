@@ -39,10 +39,10 @@ final class CommandQueue {
   static final int CAPACITY = 1024;
 
   /** Most secondary programs in a frame; more are refused. */
-  static final int MOST_SECONDARIES = 8;
+  static final int MAX_SECONDARIES = 8;
 
   /** Most lines for interpreter mode that are checked in a frame; more wait for the next ones. */
-  static final int MOST_LINES = 16;
+  static final int MAX_LINES = 16;
 
   private static final Reply DONE = new Reply.Done();
 
@@ -136,10 +136,10 @@ final class CommandQueue {
   }
 
   private void letWaitBeside(PendingCommand secondary) {
-    if (secondaries.size() < MOST_SECONDARIES) {
+    if (secondaries.size() < MAX_SECONDARIES) {
       secondaries.add(secondary);
     } else {
-      String why = "more than " + MOST_SECONDARIES + " secondary programs in a frame";
+      String why = "more than " + MAX_SECONDARIES + " secondary programs in a frame";
       answered.add(new Answered(secondary, new Reply.Refused(why)));
     }
   }
@@ -150,7 +150,7 @@ final class CommandQueue {
   }
 
   private boolean mayInterpret() {
-    return linesOfFrame < MOST_LINES && !machine.interpreter().clearing();
+    return linesOfFrame < MAX_LINES && !machine.interpreter().clearing();
   }
 
   private void letWait(PendingCommand line) {

@@ -21,10 +21,10 @@ import org.pendant.script.vm.Machine;
  */
 final class ManualControl {
   /** Farthest TCP and centre of gravity along each axis of the flange, m. */
-  private static final double FARTHEST_M = 4;
+  private static final double MAX_M = 4;
 
   /** How often the rated payload may be declared; beyond, it likely means grams. */
-  private static final double MOST_RATED_PAYLOADS = 4;
+  private static final double MAX_RATED_PAYLOADS = 4;
 
   private final ControlBox box;
   private final Machine machine;
@@ -121,7 +121,7 @@ final class ManualControl {
 
   private Optional<String> massRefusal(double massKg) {
     ArmDescription arm = box.armDescription();
-    double most = MOST_RATED_PAYLOADS * arm.payloadKg();
+    double most = MAX_RATED_PAYLOADS * arm.payloadKg();
     return massKg >= 0 && massKg <= most
         ? Optional.empty()
         : Optional.of(
@@ -134,8 +134,7 @@ final class ManualControl {
   }
 
   private static Optional<String> distanceRefusal(String what, double x, double y, double z) {
-    boolean near =
-        Math.abs(x) <= FARTHEST_M && Math.abs(y) <= FARTHEST_M && Math.abs(z) <= FARTHEST_M;
+    boolean near = Math.abs(x) <= MAX_M && Math.abs(y) <= MAX_M && Math.abs(z) <= MAX_M;
     return near
         ? Optional.empty()
         : Optional.of(
@@ -147,9 +146,9 @@ final class ManualControl {
                 + ", "
                 + text(z)
                 + "] m, each must be -"
-                + text(FARTHEST_M)
+                + text(MAX_M)
                 + " to "
-                + text(FARTHEST_M)
+                + text(MAX_M)
                 + " m");
   }
 

@@ -20,7 +20,7 @@ import org.pendant.script.vm.ProgramState;
 
 /** What goes wrong while moves are looked for ahead is told, and the program goes on. */
 class MoveLookAheadFaultTest {
-  private static final int MOST_FRAMES = 20_000;
+  private static final int MAX_FRAMES = 20_000;
 
   private int faults;
 
@@ -59,7 +59,7 @@ class MoveLookAheadFaultTest {
             """);
     CompletableFuture<Reply> started =
         controller.submit(new Command.StartProgram(controller.load(text).program().orElseThrow()));
-    for (int i = 0; i < MOST_FRAMES; i++) {
+    for (int i = 0; i < MAX_FRAMES; i++) {
       controller.advance();
       controller.state().newEntries().stream().map(LogEntry::text).forEach(reported::add);
       if (i > 1 && controller.state().program().state() == ProgramState.STOPPED) {

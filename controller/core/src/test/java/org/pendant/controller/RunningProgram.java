@@ -16,7 +16,7 @@ import org.pendant.script.vm.ProgramState;
 
 /** A controller whose arm has mass, with a program on it and all that the log said. */
 public final class RunningProgram {
-  private static final int MOST_FRAMES = 60_000;
+  private static final int MAX_FRAMES = 60_000;
 
   private final Controller controller;
   private final List<LogEntry> entries = new ArrayList<>();
@@ -88,7 +88,7 @@ public final class RunningProgram {
 
   /** Goes on until the program has stopped or waits to be resumed. */
   public void finish() {
-    for (int i = 0; i < MOST_FRAMES && programState() == ProgramState.RUNNING; i++) {
+    for (int i = 0; i < MAX_FRAMES && programState() == ProgramState.RUNNING; i++) {
       advance(1);
     }
     assertTrue(programState() != ProgramState.RUNNING, () -> "still running, said " + said());

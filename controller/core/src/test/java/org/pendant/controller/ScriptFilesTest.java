@@ -37,7 +37,7 @@ import org.pendant.script.vm.ScriptFailure;
  */
 final class ScriptFilesTest {
   /** Robot time after which a program hangs, in frames: two minutes. */
-  private static final int MOST_FRAMES = 60_000;
+  private static final int MAX_FRAMES = 60_000;
 
   private static final Builtins<ControlBox> BUILTINS = StandardBuiltins.create();
 
@@ -105,7 +105,7 @@ final class ScriptFilesTest {
   private static void compareRun(ScriptCase script, Controller controller, Program program) {
     var _ = controller.submit(new Command.StartProgram(program));
     List<String> messages = new ArrayList<>();
-    for (int frame = 0; frame < MOST_FRAMES; frame++) {
+    for (int frame = 0; frame < MAX_FRAMES; frame++) {
       controller.advance();
       controller.state().newEntries().stream()
           .filter(entry -> entry.origin() == LogEntry.Origin.SCRIPT)

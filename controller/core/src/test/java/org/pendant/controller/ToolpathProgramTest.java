@@ -26,7 +26,7 @@ import org.pendant.script.vm.ProgramState;
 
 /** Programs that run toolpaths, from outside, on an arm with mass. */
 final class ToolpathProgramTest {
-  private static final int MOST_FRAMES = 60_000;
+  private static final int MAX_FRAMES = 60_000;
 
   /** A square of 60 mm with corners cut by 45 degrees, 10 mm above the begin of the path. */
   private static final String SQUARE =
@@ -82,7 +82,7 @@ final class ToolpathProgramTest {
   private List<Joints> run(String body) {
     start(body);
     List<Joints> targets = new ArrayList<>();
-    while (running() && targets.size() < MOST_FRAMES) {
+    while (running() && targets.size() < MAX_FRAMES) {
       advance();
       targets.add(controller.state().arm().targetPositionRad());
     }
@@ -240,7 +240,7 @@ final class ToolpathProgramTest {
       }
       assertEquals(Joints.ZERO, controller.state().arm().targetSpeedRadPerS());
       var _ = controller.submit(new Command.ResumeProgram());
-      for (int i = 0; i < MOST_FRAMES && (i == 0 || running()); i++) {
+      for (int i = 0; i < MAX_FRAMES && (i == 0 || running()); i++) {
         advance();
       }
       assertEquals("ended well", failure());

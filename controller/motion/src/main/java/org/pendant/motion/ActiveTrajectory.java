@@ -10,10 +10,10 @@ import org.pendant.models.text.NumberText;
  */
 final class ActiveTrajectory {
   /** The slowest that time on a path may run; a path that needs it slower cannot be followed. */
-  static final double SLOWEST_SCALING = 0.02;
+  static final double MIN_SCALING = 0.02;
 
   /** Whatever limits ramps, none slows down for longer; then it ends as if it were not limited. */
-  private static final int LONGEST_LIMITED_RAMP_FRAMES = FrameTime.FRAMES_PER_SECOND;
+  private static final int MAX_LIMITED_RAMP_FRAMES = FrameTime.FRAMES_PER_SECOND;
 
   private final PathLimiter limiter;
   private final JointSpeedCheck jointSpeeds;
@@ -143,7 +143,7 @@ final class ActiveTrajectory {
     }
     if (failure.isEmpty() && !time.stopping() && time.scaling() > 0) {
       double largest = sample.largestScaling(limiter);
-      if (!(largest >= SLOWEST_SCALING)) {
+      if (!(largest >= MIN_SCALING)) {
         failure = Optional.of(jointSpeeds.singular(sample));
       } else if (largest < time.scaling()) {
         time.limitTo(largest);
@@ -164,7 +164,7 @@ final class ActiveTrajectory {
   private boolean limitRamp(double before) {
     double wanted = time.scaling();
     slowingFrames = wanted < before ? slowingFrames + 1 : 0;
-    if (wanted == before || time.stopping() || slowingFrames > LONGEST_LIMITED_RAMP_FRAMES) {
+    if (wanted == before || time.stopping() || slowingFrames > MAX_LIMITED_RAMP_FRAMES) {
       return false;
     }
     double reachable = ramps.reachableScaling(last, sample, before, wanted);

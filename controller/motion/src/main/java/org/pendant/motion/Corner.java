@@ -15,7 +15,7 @@ import org.pendant.motion.profile.ProfileLimits;
  */
 final class Corner {
   /** What going through a corner may cost over a stop there, s; rounding aside. */
-  private static final double MOST_LOST_S = 1e-9;
+  private static final double MAX_LOST_S = 1e-9;
 
   /** Room for rounding in comparisons of rates. */
   private static final double ROUNDING = 1 + 1e-6;
@@ -141,7 +141,7 @@ final class Corner {
     double exit = blend.exit(rate, nextSegment);
     double throughS =
         limits.between(way, start.rate, rate).durationS() - blend.gainedS(rate, exit, nextSegment);
-    return throughS <= start.toRest(move).durationS() + MOST_LOST_S;
+    return throughS <= start.toRest(move).durationS() + MAX_LOST_S;
   }
 
   /** The rate that every next move can be blended from; without one the arm can stop. */

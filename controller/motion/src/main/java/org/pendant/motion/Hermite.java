@@ -6,7 +6,7 @@ package org.pendant.motion;
  * ends without acceleration.
  */
 final class Hermite {
-  private static final int MOST_TERMS = 6;
+  private static final int MAX_TERMS = 6;
 
   private final double durationS;
   private final int coordinates;
@@ -15,7 +15,7 @@ final class Hermite {
   private Hermite(double durationS, int coordinates) {
     this.durationS = durationS;
     this.coordinates = coordinates;
-    terms = new double[coordinates][MOST_TERMS];
+    terms = new double[coordinates][MAX_TERMS];
   }
 
   /**

@@ -22,7 +22,7 @@ final class JointLine implements MotionPath {
   /** When the search ends in any case, as part of the line. */
   private static final double NEAR = 1e-13;
 
-  private static final int MOST_TRIES = 60;
+  private static final int MAX_TRIES = 60;
 
   private final ArmDescription arm;
   private final ForwardKinematics forward;
@@ -185,7 +185,7 @@ final class JointLine implements MotionPath {
     double fb = highValue;
     double found = low;
     int side = 0;
-    for (int i = 0; i < MOST_TRIES && b - a > NEAR * length; i++) {
+    for (int i = 0; i < MAX_TRIES && b - a > NEAR * length; i++) {
       double x = (a * fb - b * fa) / (fb - fa);
       double f = function.applyAsDouble(x);
       if (f > 0) {

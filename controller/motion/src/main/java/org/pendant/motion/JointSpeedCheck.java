@@ -11,7 +11,7 @@ final class JointSpeedCheck {
   private static final double MEAN_SPEED_TOLERANCE = 1.01;
 
   /** Times of its highest speed that a joint may be asked for where slowing down still helps. */
-  private static final double BEYOND_SLOWING = 1 / ActiveTrajectory.SLOWEST_SCALING;
+  private static final double BEYOND_SLOWING = 1 / ActiveTrajectory.MIN_SCALING;
 
   /** So near (rad) to being straight, elbow or wrist are what makes the joints turn fast. */
   private static final double NEAR_RAD = 0.15;

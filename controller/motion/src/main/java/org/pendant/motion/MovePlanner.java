@@ -25,10 +25,10 @@ final class MovePlanner {
    * By how much a joint may be accelerated more than by either move where moves of different kinds
    * overlap.
    */
-  private static final double MOST_OVERLAP_ACCELERATION = 1.4;
+  private static final double MAX_OVERLAP_ACCELERATION = 1.4;
 
   /** A shorter time is not worth sharing, s. */
-  private static final double SHORTEST_OVERLAP_S = 0.01;
+  private static final double MIN_OVERLAP_S = 0.01;
 
   /** Room for rounding in comparisons. */
   private static final double ROUNDING = 1 + 1e-9;
@@ -86,7 +86,7 @@ final class MovePlanner {
       throws PlanningException {
     PathMotion next = along(after, 0, 0, move, blend.nextLeft(), outlook);
     boolean armsLimit = first.move().limitedByArm(first.path()) || move.limitedByArm(after);
-    double factor = blend.alike() || armsLimit ? 1 : MOST_OVERLAP_ACCELERATION;
+    double factor = blend.alike() || armsLimit ? 1 : MAX_OVERLAP_ACCELERATION;
     boolean lines = first.path() instanceof ToolPath && after instanceof ToolPath;
     boolean wrench = after.pathLimits().limitsWrench();
     double sharedS =
@@ -95,7 +95,7 @@ final class MovePlanner {
             : Overlap.longestS(first, next, blend.mostEntered(), factor);
     Overlap both = new Overlap(first, next, sharedS);
     while (sharedS > 0 && wrench && !both.keepsWrench(after.pathLimits())) {
-      sharedS = sharedS > SHORTEST_OVERLAP_S ? 0.7 * sharedS : 0;
+      sharedS = sharedS > MIN_OVERLAP_S ? 0.7 * sharedS : 0;
       both = new Overlap(first, next, sharedS);
     }
     return new JoinedMotion(first, firstS, both, next, sharedS);

@@ -12,7 +12,7 @@ final class OffsetHold {
   private static final double CLOSING_RAD_PER_S = 0.5;
 
   /** The shortest time for it, s. */
-  private static final double SHORTEST_S = 0.4;
+  private static final double MIN_S = 0.4;
 
   /** Highest over mean speed of the polynomial below. */
   private static final double PEAK_OVER_MEAN = 1.875;
@@ -82,7 +82,7 @@ final class OffsetHold {
       aside[i] = held[i] - wanted[i];
       farthest = Math.max(farthest, Math.abs(aside[i]));
     }
-    double lastsS = Math.max(SHORTEST_S, PEAK_OVER_MEAN * farthest / CLOSING_RAD_PER_S);
+    double lastsS = Math.max(MIN_S, PEAK_OVER_MEAN * farthest / CLOSING_RAD_PER_S);
     closed = 0;
     closedPerFrame = FrameTime.FRAME_S / lastsS;
     phase = Phase.CLOSING;

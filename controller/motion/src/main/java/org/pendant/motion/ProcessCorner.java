@@ -27,7 +27,7 @@ final class ProcessCorner {
   private static final double ROUNDING = 1 + 1e-6;
 
   /** What rounding a corner may cost over a stop there, s; rounding of numbers aside. */
-  private static final double MOST_LOST_S = 1e-9;
+  private static final double MAX_LOST_S = 1e-9;
 
   private final ToolCurvePath before;
   private final ToolCurvePath after;
@@ -258,7 +258,7 @@ final class ProcessCorner {
         rate >= limits.fastestBegin(left, 0)
             || !start.canRest(limits)
             || limits.between(way, start.rate(), rate).durationS() + takesS(rate)
-                <= start.toRest(leaving).durationS() + MOST_LOST_S;
+                <= start.toRest(leaving).durationS() + MAX_LOST_S;
     return new Corner.Approach(highest, !quicker);
   }
 

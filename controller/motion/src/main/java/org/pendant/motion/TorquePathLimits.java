@@ -38,7 +38,7 @@ public final class TorquePathLimits {
   private static final double CRUISING_SHARE = 0.8;
 
   /** A joint that can hardly hold itself is still given this share of its torque to move. */
-  private static final double LEAST_SHARE = 0.05;
+  private static final double MIN_SHARE = 0.05;
 
   /** Acceleration (rad/s² or m/s²) that needs no look at the joints: all arms can do that. */
   private static final double MODEST_PER_S2 = 3;
@@ -340,7 +340,7 @@ public final class TorquePathLimits {
 
   private double cruisingLimit(int k, int i) {
     double resting = torqueAt(k, i, 0);
-    return Math.max(CRUISING_SHARE * torqueLimit[i], resting + LEAST_SHARE * torqueLimit[i]);
+    return Math.max(CRUISING_SHARE * torqueLimit[i], resting + MIN_SHARE * torqueLimit[i]);
   }
 
   private double slower(int k, int i, double rate) {
@@ -388,7 +388,7 @@ public final class TorquePathLimits {
   private double strongestAt(int k, double rate) {
     double rate2 = Double.MAX_VALUE;
     for (int i = 0; known[k] && i < N; i++) {
-      double left = Math.max(torqueLimit[i] - torqueAt(k, i, rate), LEAST_SHARE * torqueLimit[i]);
+      double left = Math.max(torqueLimit[i] - torqueAt(k, i, rate), MIN_SHARE * torqueLimit[i]);
       rate2 = Math.min(rate2, left / Math.abs(perRate2[k][i]));
     }
     return rate2;

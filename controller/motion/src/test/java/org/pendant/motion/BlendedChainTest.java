@@ -23,24 +23,24 @@ final class BlendedChainTest {
   private static final int MOVES = 10;
 
   /** Frames that a blend may cost more than a stop. */
-  private static final int MOST_FRAMES_LOST = 2;
+  private static final int MAX_FRAMES_LOST = 2;
 
   /** Joint acceleration in a blend, of what the stronger of both moves needs by itself. */
-  private static final double MOST_IN_JOINTS = 1.5;
+  private static final double MAX_IN_JOINTS = 1.5;
 
   /** Moves are compared at frames, which need not meet their strongest points. */
   private static final double ROUNDING = 1.05;
 
   /** Changes of speed that the arm cannot follow. */
-  private static final double MOST_RAD_PER_S2 = 150;
+  private static final double MAX_RAD_PER_S2 = 150;
 
   /** Of a move behind one that motion version 1 leaves out, the one before that counts too. */
-  private static final int MOST_LEFT_OUT = 2;
+  private static final int MAX_LEFT_OUT = 2;
 
   /** What a random chain came to. */
   private record Run(String input, double blendedS, double stoppingS, List<String> tooHard) {
     boolean slower() {
-      return blendedS > stoppingS + MOVES * MOST_FRAMES_LOST * FrameTime.FRAME_S;
+      return blendedS > stoppingS + MOVES * MAX_FRAMES_LOST * FrameTime.FRAME_S;
     }
   }
 
@@ -61,7 +61,7 @@ final class BlendedChainTest {
       List<Integer> blendedAt = new ArrayList<>();
       MoveChain.Trace blended =
           chain.run(legs.stream().map(RandomLeg::blended).toList(), blendedAt);
-      chain.assertSmooth(blended, MOST_RAD_PER_S2, input);
+      chain.assertSmooth(blended, MAX_RAD_PER_S2, input);
       assertEquals(0, blended.q().getLast().maxAbsDifference(at), 1e-9, input);
       assertEquals(Joints.ZERO, blended.qd().getLast(), input);
       List<Integer> stoppingAt = new ArrayList<>();
@@ -119,8 +119,8 @@ final class BlendedChainTest {
   private static List<String> tooHard(List<RandomLeg> legs, Frames blended, Frames stopping) {
     List<String> tooHard = new ArrayList<>();
     for (int m = 1; m < MOVES; m++) {
-      int from = Math.max(0, m - MOST_LEFT_OUT);
-      double most = joints(stopping, from, m) * MOST_IN_JOINTS * ROUNDING;
+      int from = Math.max(0, m - MAX_LEFT_OUT);
+      double most = joints(stopping, from, m) * MAX_IN_JOINTS * ROUNDING;
       double used = blended.ofJoints(m);
       boolean ofTool = legs.subList(from, m + 1).stream().allMatch(RandomLeg::ofTool);
       if (used > most && (!ofTool || blended.ofTool(m) > tool(stopping, from, m) * ROUNDING)) {

@@ -15,7 +15,7 @@ final class MixedChainTest {
   private static final int CHAINS = 100;
 
   /** Changes of speed within a frame; a corner that comes unexpected takes the most. */
-  private static final double MOST_RAD_PER_S2 = 150;
+  private static final double MAX_RAD_PER_S2 = 150;
 
   private final MoveChain chain = new MoveChain();
   private final InverseKinematics inverse = new InverseKinematics(chain.arm);
@@ -36,11 +36,11 @@ final class MixedChainTest {
     }
     String input = "seed " + seed + ", ramp " + ramp;
     MoveChain.Trace quick = chain.run(blended);
-    chain.assertSmooth(quick, MOST_RAD_PER_S2, input);
+    chain.assertSmooth(quick, MAX_RAD_PER_S2, input);
     assertEquals(0, quick.q().getLast().maxAbsDifference(at), 1e-9, input);
     assertEquals(Joints.ZERO, quick.qd().getLast(), input);
     MoveChain.Trace slow = chain.run(stopping);
-    chain.assertSmooth(slow, MOST_RAD_PER_S2, input);
+    chain.assertSmooth(slow, MAX_RAD_PER_S2, input);
     assertEquals(0, slow.q().getLast().maxAbsDifference(at), 1e-9, input);
     return slow.durationS() - quick.durationS();
   }

@@ -18,7 +18,7 @@ final class MoveChain {
       new Joints(0, -Math.PI / 2, -Math.PI / 2, -Math.PI / 2, Math.PI / 2, 0);
   static final Pose TCP = new Pose(0, 0, 0.1, 0, 0, 0);
 
-  private static final int MOST_FRAMES = 100_000;
+  private static final int MAX_FRAMES = 100_000;
 
   /** Share of the joint speeds that are used; the speed may grow within a frame. */
   private static final double SPEED_SHARE = 0.99;
@@ -145,7 +145,7 @@ final class MoveChain {
     control.step();
     trace.q().add(control.positionRad());
     trace.qd().add(control.speedRadPerS());
-    assertTrue(trace.q().size() < MOST_FRAMES);
+    assertTrue(trace.q().size() < MAX_FRAMES);
   }
 
   /** Positions follow from speeds, speeds do not jump, and no joint is too fast. */

@@ -25,7 +25,7 @@ final class OddBlendTest {
   private static final Pose OTHER_TCP = new Pose(0.05, 0.02, 0.15, 0.3, 0, 0);
 
   /** More than the lines here need; a jump of speed is far above. */
-  private static final double MOST_RAD_PER_S2 = 25;
+  private static final double MAX_RAD_PER_S2 = 25;
 
   private final ArmDescription arm = ArmLibrary.load("ur5e");
   private final ForwardKinematics forward = new ForwardKinematics(arm.dh());
@@ -94,7 +94,7 @@ final class OddBlendTest {
       step();
     }
     assertEquals(Joints.ZERO, control.speedRadPerS());
-    assertTrue(hardest <= MOST_RAD_PER_S2, "acceleration " + hardest);
+    assertTrue(hardest <= MAX_RAD_PER_S2, "acceleration " + hardest);
   }
 
   private void assertEndsAt(Pose goal) {

@@ -10,10 +10,10 @@ import org.pendant.script.variables.VariableSamples;
 /** Bytes of one block as they are written; numbers are little-endian, whole ones of any length. */
 final class ByteSink {
   /** Longer texts are written each time. */
-  static final int LONGEST_KNOWN = 200;
+  static final int MAX_KNOWN_LENGTH = 200;
 
   /** So many texts are told once and then called by number. */
-  static final int MOST_KNOWN = 10_000;
+  static final int MAX_KNOWN_NAMES = 10_000;
 
   private byte[] bytes = new byte[1 << 16];
   private int size;
@@ -100,7 +100,7 @@ final class ByteSink {
     byte[] encoded = value.getBytes(StandardCharsets.UTF_8);
     count(encoded.length);
     raw(encoded);
-    if (value.length() <= LONGEST_KNOWN && known.size() < MOST_KNOWN) {
+    if (value.length() <= MAX_KNOWN_LENGTH && known.size() < MAX_KNOWN_NAMES) {
       known.put(value, known.size() + 1);
     }
   }

@@ -133,7 +133,7 @@ final class ByteSource {
       return known.get((int) number - 1);
     }
     String text = new String(raw(count(1)), StandardCharsets.UTF_8);
-    if (text.length() <= ByteSink.LONGEST_KNOWN && known.size() < ByteSink.MOST_KNOWN) {
+    if (text.length() <= ByteSink.MAX_KNOWN_LENGTH && known.size() < ByteSink.MAX_KNOWN_NAMES) {
       known.add(text);
     }
     return text;

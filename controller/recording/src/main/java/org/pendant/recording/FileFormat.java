@@ -26,13 +26,13 @@ final class FileFormat {
   static final int BLOCK_HEADER = 1 + 3 * Integer.BYTES;
 
   /** A larger block is no block. */
-  static final int MOST_BLOCK_BYTES = 64 << 20;
+  static final int MAX_BLOCK_BYTES = 64 << 20;
 
   /** A longer header is no header. */
-  static final int MOST_HEADER_BYTES = 1 << 16;
+  static final int MAX_HEADER_BYTES = 1 << 16;
 
   /** How often Deflate can make anything smaller, at most. */
-  static final int MOST_RATIO = 1040;
+  static final int MAX_RATIO = 1040;
 
   private FileFormat() {}
 

@@ -16,7 +16,7 @@ record FrameDelta(
     List<ProgramEvent> events,
     long newestEntry) {
   /** The longest text of a log line that is recorded, bytes. */
-  private static final int LONGEST_TEXT = 1 << 16;
+  private static final int MAX_TEXT = 1 << 16;
 
   static final FrameDelta NONE = new FrameDelta(List.of(), List.of(), List.of(), List.of(), 0);
 
@@ -36,7 +36,7 @@ record FrameDelta(
 
   static FrameDelta of(ControllerState state) {
     return new FrameDelta(
-        state.newEntries().stream().map(each -> each.shortened(LONGEST_TEXT)).toList(),
+        state.newEntries().stream().map(each -> each.shortened(MAX_TEXT)).toList(),
         state.newPopups(),
         state.newQuestions(),
         state.newProgramEvents(),

@@ -30,10 +30,10 @@ public final class RecordingFile {
   private static final int KEPT = 24;
 
   /** More blocks are no file of ours: a year at rest has fewer. */
-  private static final int MOST_BLOCKS = 1 << 20;
+  private static final int MAX_BLOCKS = 1 << 20;
 
   /** Frames of a year in which nothing changes. */
-  private static final long MOST_FRAMES_AT_REST = 366L * 24 * 3600 * FrameTime.FRAMES_PER_SECOND;
+  private static final long MAX_FRAMES_AT_REST = 366L * 24 * 3600 * FrameTime.FRAMES_PER_SECOND;
 
   private final Path file;
   private final Map<Integer, Segment> kept =
@@ -116,8 +116,8 @@ public final class RecordingFile {
       while (next.isPresent() && next.get().kind() != FileFormat.END) {
         Block block = next.get();
         blocks++;
-        if (blocks > MOST_BLOCKS) {
-          throw refused("it has more than " + MOST_BLOCKS + " blocks");
+        if (blocks > MAX_BLOCKS) {
+          throw refused("it has more than " + MAX_BLOCKS + " blocks");
         }
         if (block.kind() == FileFormat.PROGRAM) {
           texts = texts.with(program(block, in, texts));
@@ -174,12 +174,12 @@ public final class RecordingFile {
     }
     int length = start.getInt();
     int checksum = start.getInt();
-    if (length < 0 || length > FileFormat.MOST_HEADER_BYTES) {
+    if (length < 0 || length > FileFormat.MAX_HEADER_BYTES) {
       throw refused(
           "its header has "
               + length
               + " bytes, at most "
-              + FileFormat.MOST_HEADER_BYTES
+              + FileFormat.MAX_HEADER_BYTES
               + " can be");
     }
     byte[] header = new byte[length];
@@ -209,10 +209,10 @@ public final class RecordingFile {
       throw at(block, "its kind is " + block.kind() + ", must be 1 to " + FileFormat.END);
     }
     if (block.inflated() < 0
-        || block.inflated() > FileFormat.MOST_BLOCK_BYTES
+        || block.inflated() > FileFormat.MAX_BLOCK_BYTES
         || block.deflated() < 0
-        || block.deflated() > FileFormat.MOST_BLOCK_BYTES + FileFormat.MOST_BLOCK_BYTES / 100
-        || block.inflated() / FileFormat.MOST_RATIO > block.deflated()) {
+        || block.deflated() > FileFormat.MAX_BLOCK_BYTES + FileFormat.MAX_BLOCK_BYTES / 100
+        || block.inflated() / FileFormat.MAX_RATIO > block.deflated()) {
       throw at(
           block,
           "its lengths are "
@@ -299,7 +299,7 @@ public final class RecordingFile {
   private long lastFrame(Block end, RandomAccessFile in, long last) throws IOException {
     try {
       long frame = new ByteSource(inflated(end, in)).whole();
-      if (frame < last || frame - last > MOST_FRAMES_AT_REST) {
+      if (frame < last || frame - last > MAX_FRAMES_AT_REST) {
         throw new MalformedBytes(
             "the last frame is " + frame + ", must be " + last + " or at most a year later");
       }

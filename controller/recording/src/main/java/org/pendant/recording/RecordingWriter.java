@@ -21,7 +21,7 @@ import org.pendant.motion.FrameTime;
  */
 public final class RecordingWriter implements Closeable {
   /** An arm at rest fills no block for a long time, and it is lost when the process is killed. */
-  private static final int MOST_FRAMES_A_BLOCK = 60 * FrameTime.FRAMES_PER_SECOND;
+  private static final int MAX_FRAMES_A_BLOCK = 60 * FrameTime.FRAMES_PER_SECOND;
 
   private final OutputStream out;
   private final Deflater deflater = new Deflater(Deflater.BEST_SPEED);
@@ -66,7 +66,7 @@ public final class RecordingWriter implements Closeable {
       writeSegment(each);
     }
     full.clear();
-    if (state.frame() - snapshotEncoder.segment().firstFrame() >= MOST_FRAMES_A_BLOCK) {
+    if (state.frame() - snapshotEncoder.segment().firstFrame() >= MAX_FRAMES_A_BLOCK) {
       writeWhatIsThere();
     }
   }
@@ -107,14 +107,14 @@ public final class RecordingWriter implements Closeable {
   }
 
   private void writeBlock(int kind, ByteSink sink) throws IOException {
-    if (sink.size() > FileFormat.MOST_BLOCK_BYTES) {
+    if (sink.size() > FileFormat.MAX_BLOCK_BYTES) {
       throw new IOException(
           "up to frame "
               + lastFrame
               + " there are "
               + sink.size()
               + " bytes to be kept at once, at most "
-              + FileFormat.MOST_BLOCK_BYTES
+              + FileFormat.MAX_BLOCK_BYTES
               + " can be");
     }
     byte[] deflated = new byte[sink.size() + 64 + sink.size() / 1000];

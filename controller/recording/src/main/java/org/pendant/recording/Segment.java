@@ -13,13 +13,13 @@ import java.util.Arrays;
  */
 final class Segment implements SegmentRef {
   /** Entries of a segment. */
-  static final int MOST_ENTRIES = 1024;
+  static final int MAX_ENTRIES = 1024;
 
   /** Numbers of a segment. */
-  static final int MOST_NUMBERS = 32_768;
+  static final int MAX_NUMBERS = 32_768;
 
   /** Estimated bytes of the parts of a segment, exceeded by those of one entry at most. */
-  static final long MOST_PART_BYTES = 1L << 20;
+  static final long MAX_PART_BYTES = 1L << 20;
 
   private static final int FIRST_PARTS = 256;
   private static final int BYTES_AN_ENTRY = 3 * Integer.BYTES;
@@ -41,10 +41,10 @@ final class Segment implements SegmentRef {
   Segment(long firstFrame) {
     this(
         firstFrame,
-        new int[MOST_ENTRIES],
-        new int[MOST_ENTRIES],
-        new int[MOST_ENTRIES],
-        new double[MOST_NUMBERS],
+        new int[MAX_ENTRIES],
+        new int[MAX_ENTRIES],
+        new int[MAX_ENTRIES],
+        new double[MAX_NUMBERS],
         new Object[FIRST_PARTS]);
   }
 
@@ -90,7 +90,7 @@ final class Segment implements SegmentRef {
             Arrays.copyOf(numberMasks, entries),
             Arrays.copyOf(partMasks, entries),
             // a copy is worth it where much is spare only
-            numbersUsed > MOST_NUMBERS - MOST_NUMBERS / 8
+            numbersUsed > MAX_NUMBERS - MAX_NUMBERS / 8
                 ? numbers
                 : Arrays.copyOf(numbers, numbersUsed),
             Arrays.copyOf(parts, partsUsed));
@@ -101,9 +101,9 @@ final class Segment implements SegmentRef {
 
   /** Whether an entry of this size still has room. */
   boolean fits(long frame, int numberMask) {
-    return entries < MOST_ENTRIES
+    return entries < MAX_ENTRIES
         && numbersUsed + NumberGroup.sizeOfAll(numberMask) <= numbers.length
-        && partBytes < MOST_PART_BYTES
+        && partBytes < MAX_PART_BYTES
         && frame - firstFrame <= Integer.MAX_VALUE;
   }
 

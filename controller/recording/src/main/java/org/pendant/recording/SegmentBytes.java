@@ -9,7 +9,7 @@ import java.util.Arrays;
  */
 final class SegmentBytes {
   /** No controller runs for a thousand years. */
-  private static final long MOST_FRAMES = 1L << 44;
+  private static final long MAX_FRAMES = 1L << 44;
 
   private SegmentBytes() {}
 
@@ -71,13 +71,12 @@ final class SegmentBytes {
   static Segment read(ByteSource in) throws MalformedBytes {
     long firstFrame = in.whole();
     int count = in.count(3);
-    if (firstFrame < 0 || firstFrame > MOST_FRAMES) {
-      throw new MalformedBytes(
-          "its first frame is " + firstFrame + ", must be 0 to " + MOST_FRAMES);
+    if (firstFrame < 0 || firstFrame > MAX_FRAMES) {
+      throw new MalformedBytes("its first frame is " + firstFrame + ", must be 0 to " + MAX_FRAMES);
     }
-    if (count < 1 || count > Segment.MOST_ENTRIES) {
+    if (count < 1 || count > Segment.MAX_ENTRIES) {
       throw new MalformedBytes(
-          "it has " + count + " entries, must have 1 to " + Segment.MOST_ENTRIES);
+          "it has " + count + " entries, must have 1 to " + Segment.MAX_ENTRIES);
     }
     int[] frames = new int[count];
     int[] numberMasks = new int[count];
@@ -99,9 +98,9 @@ final class SegmentBytes {
     if (frames[0] != 0 || numberMasks[0] != NumberGroup.ALL || partMasks[0] != Part.ALL) {
       throw new MalformedBytes("the first entry of a block is not whole");
     }
-    if (numbers > Segment.MOST_NUMBERS) {
+    if (numbers > Segment.MAX_NUMBERS) {
       throw new MalformedBytes(
-          "a block has " + numbers + " numbers, at most " + Segment.MOST_NUMBERS + " can be");
+          "a block has " + numbers + " numbers, at most " + Segment.MAX_NUMBERS + " can be");
     }
     double[] values = readNumbers(numberMasks, numbers, in);
     Object[] objects = readParts(partMasks, parts, in);

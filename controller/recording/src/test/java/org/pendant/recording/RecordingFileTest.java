@@ -225,7 +225,7 @@ final class RecordingFileTest {
     byte[] whole = bytes(states(1, 3));
     int header = ByteBuffer.wrap(whole).order(ByteOrder.LITTLE_ENDIAN).getInt(12);
     int block = FileFormat.MAGIC.length + 12 + header;
-    for (int length : new int[] {Integer.MAX_VALUE, -1, FileFormat.MOST_BLOCK_BYTES}) {
+    for (int length : new int[] {Integer.MAX_VALUE, -1, FileFormat.MAX_BLOCK_BYTES}) {
       byte[] wrong = whole.clone();
       ByteBuffer.wrap(wrong).order(ByteOrder.LITTLE_ENDIAN).putInt(block + 1, length);
       assertRefused(wrong, "which cannot be");

@@ -8,13 +8,13 @@ import org.pendant.gui.scene.TraceRing;
 /** Keeps the frame that a picture is wanted of, and the way of the tool until then. */
 final class Exposure implements FrameWatcher {
   /** Half a minute of steady motion at millimetres a frame. */
-  private static final int MOST_POINTS = 20_000;
+  private static final int MAX_POINTS = 20_000;
 
   /** Frames are 2 ms apart; times are sums of that. */
   private static final double TOLERANCE_S = 1e-6;
 
   private final Optional<Double> atS;
-  private final TraceRing ring = new TraceRing(MOST_POINTS);
+  private final TraceRing ring = new TraceRing(MAX_POINTS);
   private ControllerState kept;
 
   /**

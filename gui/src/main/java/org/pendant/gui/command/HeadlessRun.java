@@ -30,7 +30,7 @@ final class HeadlessRun {
   private static final int FRAMES_PER_LOOK = 16;
 
   /** An arm that is not at rest by then never will be. */
-  private static final int MOST_FRAMES_TO_REST = 5_000;
+  private static final int MAX_FRAMES_TO_REST = 5_000;
 
   private final RunnableFile file;
   private final Source source;
@@ -157,7 +157,7 @@ final class HeadlessRun {
   /** As fast as possible: nobody wants to wait for a run that is over. */
   private void comeToRest() {
     clock = new VirtualClock();
-    for (int i = 0; i < MOST_FRAMES_TO_REST && controller.state().arm().moving(); i++) {
+    for (int i = 0; i < MAX_FRAMES_TO_REST && controller.state().arm().moving(); i++) {
       advance();
     }
   }

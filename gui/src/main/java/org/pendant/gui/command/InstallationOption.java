@@ -99,10 +99,9 @@ final class InstallationOption {
 
   private static byte[] bytes(Path path) throws IOException, UsageException {
     try (InputStream in = Files.newInputStream(path)) {
-      byte[] bytes = in.readNBytes(InstallationFile.LARGEST_BYTES + 1);
-      if (bytes.length > InstallationFile.LARGEST_BYTES) {
-        throw new UsageException(
-            path + " has more than " + InstallationFile.LARGEST_BYTES + " bytes");
+      byte[] bytes = in.readNBytes(InstallationFile.MAX_BYTES + 1);
+      if (bytes.length > InstallationFile.MAX_BYTES) {
+        throw new UsageException(path + " has more than " + InstallationFile.MAX_BYTES + " bytes");
       }
       return bytes;
     }

@@ -20,7 +20,7 @@ import org.pendant.script.function.ScriptPlace;
  */
 final class LogPrinter implements AutoCloseable {
   /** Popups and questions that wait for a slow reader; more are not printed. */
-  private static final int MOST_WAITING = 1000;
+  private static final int MAX_WAITING = 1000;
 
   private final Controller controller;
   private final Console console;
@@ -66,7 +66,7 @@ final class LogPrinter implements AutoCloseable {
   }
 
   private void say(String prompt) {
-    if (waiting.get() < MOST_WAITING) {
+    if (waiting.get() < MAX_WAITING) {
       waiting.incrementAndGet();
       prompts.add(prompt);
       LockSupport.unpark(thread);

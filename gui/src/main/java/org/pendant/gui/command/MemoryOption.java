@@ -19,7 +19,7 @@ final class MemoryOption {
   private static final Pattern SIZE =
       Pattern.compile("(\\d{1,12}(?:\\.\\d{1,6})?)\\s?(kb|mb|gb)", Pattern.CASE_INSENSITIVE);
   private static final Map<String, Integer> POWERS_OF_TEN = Map.of("kb", 3, "mb", 6, "gb", 9);
-  private static final long LEAST_BYTES = 100_000;
+  private static final long MIN_BYTES = 100_000;
 
   private MemoryOption() {}
 
@@ -44,7 +44,7 @@ final class MemoryOption {
     }
     int power = POWERS_OF_TEN.get(size.group(2).toLowerCase(Locale.ROOT));
     long bytes = new BigDecimal(size.group(1)).scaleByPowerOfTen(power).longValue();
-    if (bytes < LEAST_BYTES) {
+    if (bytes < MIN_BYTES) {
       throw new UsageException(OPTION.name() + " is " + text + ", must be at least 100kB");
     }
     if (bytes > most) {

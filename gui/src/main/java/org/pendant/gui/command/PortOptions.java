@@ -37,9 +37,9 @@ final class PortOptions {
   /** Where the servers listen; Modbus and the Robot API apart only when that was chosen. */
   static PortNumbers numbers(Arguments arguments) throws UsageException {
     PortNumbers numbers = new PortNumbers(host(arguments), offset(arguments), false);
-    OptionalInt modbus = number(arguments, MODBUS_PORT, 1, PortWishes.LARGEST_PORT);
+    OptionalInt modbus = number(arguments, MODBUS_PORT, 1, PortWishes.MAX_PORT);
     PortNumbers known = modbus.isPresent() ? numbers.with(MODBUS, modbus.getAsInt()) : numbers;
-    OptionalInt api = number(arguments, ROBOT_API, 1, PortWishes.LARGEST_PORT);
+    OptionalInt api = number(arguments, ROBOT_API, 1, PortWishes.MAX_PORT);
     return api.isPresent() ? known.with(RobotApiServer.STANDARD_PORT, api.getAsInt()) : known;
   }
 
@@ -48,7 +48,7 @@ final class PortOptions {
     return new PortWishes(
         host(arguments).getHostAddress(),
         offset(arguments),
-        number(arguments, MODBUS_PORT, 1, PortWishes.LARGEST_PORT),
+        number(arguments, MODBUS_PORT, 1, PortWishes.MAX_PORT),
         programs(arguments),
         true);
   }
@@ -104,7 +104,7 @@ final class PortOptions {
   }
 
   private static int offset(Arguments arguments) throws UsageException {
-    return number(arguments, OFFSET, 0, PortWishes.LARGEST_OFFSET).orElse(0);
+    return number(arguments, OFFSET, 0, PortWishes.MAX_OFFSET).orElse(0);
   }
 
   /** A whole number from {@code least} to {@code most}; empty when it is not given. */

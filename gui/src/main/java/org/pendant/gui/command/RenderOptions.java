@@ -38,8 +38,8 @@ record RenderOptions(
   private static final Option THEME = new Option("--theme", "light|dark", "default light");
 
   private static final Pattern WIDTH_AND_HEIGHT = Pattern.compile("(\\d{1,5})x(\\d{1,5})");
-  private static final int LEAST_PX = 16;
-  private static final int MOST_PX = 4096;
+  private static final int MIN_PX = 16;
+  private static final int MAX_PX = 4096;
 
   /** For the usage text. */
   static final List<Option> ALL =
@@ -96,16 +96,16 @@ record RenderOptions(
           "--size is "
               + text
               + ", must be width x height in pixels such as 1280x800, each "
-              + LEAST_PX
+              + MIN_PX
               + " to "
-              + MOST_PX);
+              + MAX_PX);
     }
     return size;
   }
 
   private static boolean allowed(String pixels) {
     int number = Integer.parseInt(pixels);
-    return number >= LEAST_PX && number <= MOST_PX;
+    return number >= MIN_PX && number <= MAX_PX;
   }
 
   private static StandardView view(String word) throws UsageException {

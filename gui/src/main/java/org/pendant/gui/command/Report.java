@@ -13,7 +13,7 @@ import org.pendant.script.vm.ScriptFailure;
 /** How things that are not messages of the script read on standard error. */
 final class Report {
   /** Of a deeper call stack (endless recursion) only the ends are shown. */
-  private static final int MOST_CALLS = 20;
+  private static final int MAX_CALLS = 20;
 
   private static final int INNERMOST_CALLS = 10;
 
@@ -32,8 +32,8 @@ final class Report {
     lines.add(DiagnosticFormat.format(source, diagnostic));
     int depth = failure.stack().size();
     for (int i = 0; i < depth; i++) {
-      if (depth > MOST_CALLS && i == INNERMOST_CALLS) {
-        int left = depth - MOST_CALLS;
+      if (depth > MAX_CALLS && i == INNERMOST_CALLS) {
+        int left = depth - MAX_CALLS;
         lines.add("  ... " + left + " more");
         i += left;
       }

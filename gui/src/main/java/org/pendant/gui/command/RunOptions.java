@@ -296,7 +296,7 @@ record RunOptions(
       }
       String rate = text.substring(equals + 1);
       double ticksPerS = number(rate, "--encoder " + index, "a number of ticks a second");
-      if (!(Math.abs(ticksPerS) <= Encoder.MOST_TICKS_PER_S)) {
+      if (!(Math.abs(ticksPerS) <= Encoder.MAX_TICKS_PER_S)) {
         throw new UsageException(
             "--encoder " + index + " is " + rate + ", must be -1000000 to 1000000 ticks a second");
       }

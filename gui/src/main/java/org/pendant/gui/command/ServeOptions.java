@@ -38,7 +38,7 @@ record ServeOptions(
     PendantSetup panel,
     Optional<String> toolDevice) {
 
-  private static final int MOST_ROBOTS = 100;
+  private static final int MAX_ROBOTS = 100;
 
   private static final Option ROBOTS =
       new Option(
@@ -78,7 +78,7 @@ record ServeOptions(
   /** Those of each robot. */
   static List<ServeOptions> of(Arguments arguments) throws UsageException {
     PortNumbers first = PortOptions.numbers(arguments);
-    int count = PortOptions.number(arguments, ROBOTS, 1, MOST_ROBOTS).orElse(1);
+    int count = PortOptions.number(arguments, ROBOTS, 1, MAX_ROBOTS).orElse(1);
     if (count == 1) {
       return List.of(of(arguments, first, logs(arguments, first)));
     }

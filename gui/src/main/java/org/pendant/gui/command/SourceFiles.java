@@ -20,7 +20,7 @@ final class SourceFiles {
   /**
    * Far above any real program; a larger file is a mistake, and reading it would only hide that.
    */
-  private static final int LARGEST_BYTES = 32 << 20;
+  private static final int MAX_BYTES = 32 << 20;
 
   private static final String TOOLPATH = ".nc";
 
@@ -64,10 +64,10 @@ final class SourceFiles {
       }
       // the size that a device or a pipe states says nothing, so the reading itself is bounded
       try (InputStream in = Files.newInputStream(path)) {
-        byte[] bytes = in.readNBytes(LARGEST_BYTES + 1);
-        if (bytes.length > LARGEST_BYTES) {
+        byte[] bytes = in.readNBytes(MAX_BYTES + 1);
+        if (bytes.length > MAX_BYTES) {
           throw new UsageException(
-              name + " has more than " + LARGEST_BYTES + " bytes, no program is that large");
+              name + " has more than " + MAX_BYTES + " bytes, no program is that large");
         }
         return bytes;
       }

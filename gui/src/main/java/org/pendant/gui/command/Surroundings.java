@@ -31,7 +31,7 @@ final class Surroundings {
   /** For the usage text. */
   static final List<Option> ALL = List.of(SCENE, SAFETY, ARM, NOISE);
 
-  private static final double LARGEST_NOISE_RAD = 0.01;
+  private static final double MAX_NOISE_RAD = 0.01;
 
   private Surroundings() {}
 
@@ -62,9 +62,9 @@ final class Surroundings {
   private static double noise(Arguments arguments) throws UsageException {
     String text = arguments.value(NOISE).orElse("0");
     double noise = RunOptions.number(text, NOISE.name(), "a number of rad");
-    if (!(noise >= 0 && noise <= LARGEST_NOISE_RAD)) {
+    if (!(noise >= 0 && noise <= MAX_NOISE_RAD)) {
       throw new UsageException(
-          "--encoder-noise is " + text + ", must be 0 to " + LARGEST_NOISE_RAD + " rad");
+          "--encoder-noise is " + text + ", must be 0 to " + MAX_NOISE_RAD + " rad");
     }
     return noise;
   }

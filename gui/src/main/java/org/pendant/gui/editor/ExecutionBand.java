@@ -17,7 +17,7 @@ import org.pendant.gui.workbench.Palette;
 
 /** The band over the line where the program is, and the note behind that line. */
 final class ExecutionBand {
-  private static final int LEAST_WIDTH = 60;
+  private static final int MIN_WIDTH = 60;
 
   private final ScriptArea area;
   private Execution execution = Execution.NONE;
@@ -77,7 +77,7 @@ final class ExecutionBand {
     int gap = UIScale.scale(16);
     int x = Math.max(end.x + gap, seen.x + gap);
     int room = seen.x + seen.width - x - gap;
-    if (room < UIScale.scale(LEAST_WIDTH)) {
+    if (room < UIScale.scale(MIN_WIDTH)) {
       painted = new Rectangle();
       return;
     }

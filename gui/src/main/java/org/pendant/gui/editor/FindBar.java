@@ -25,7 +25,7 @@ import org.pendant.gui.workbench.Palette;
 /** Finds and replaces in the program in front. */
 @SuppressWarnings("serial") // never written to a stream
 final class FindBar extends JPanel {
-  private static final int MOST_MARKED = 2_000;
+  private static final int MAX_MARKED = 2_000;
 
   private final Supplier<ProgramEditor> editor;
   private final JTextField words = field("find-words", "Find");
@@ -153,8 +153,8 @@ final class FindBar extends JPanel {
   /** The matches around the caret, as many as can be painted without delay. */
   private List<Span> near(int caret) {
     List<Span> all = state.matches();
-    int from = Math.clamp(state.from(caret) - MOST_MARKED / 2, 0, all.size());
-    return all.subList(from, Math.min(all.size(), from + MOST_MARKED));
+    int from = Math.clamp(state.from(caret) - MAX_MARKED / 2, 0, all.size());
+    return all.subList(from, Math.min(all.size(), from + MAX_MARKED));
   }
 
   private void select(int index) {

@@ -13,7 +13,7 @@ import org.pendant.gui.workbench.Workbench;
 /** Closes programs, after asking for what is not saved, and opens them again. */
 final class ProgramCloser {
   private static final String SAVE = "file.save";
-  private static final int MOST_KEPT = 10;
+  private static final int MAX_KEPT = 10;
 
   private final Workbench workbench;
   private final Programs programs;
@@ -76,7 +76,7 @@ final class ProgramCloser {
   private void closeNow(ProgramDocument program) {
     if (program.file().isPresent() || !program.text().isBlank()) {
       closed.push(program);
-      if (closed.size() > MOST_KEPT) {
+      if (closed.size() > MAX_KEPT) {
         closed.removeLast();
       }
     }

@@ -19,7 +19,7 @@ import org.pendant.language.source.ByteText;
 
 /** Goes to a script, or to a function of the one in front, by a few letters of its name. */
 final class QuickOpen {
-  private static final int MOST_FILES = 2_000;
+  private static final int MAX_FILES = 2_000;
 
   private final ScriptEditor editor;
   private final Programs programs;
@@ -57,7 +57,7 @@ final class QuickOpen {
   private void list(Path folder, Set<Path> open, QuickPick pick) {
     try {
       List<QuickPick.Item> found =
-          ScriptFolder.list(folder, MOST_FILES, () -> !pick.open()).stream()
+          ScriptFolder.list(folder, MAX_FILES, () -> !pick.open()).stream()
               .filter(file -> !open.contains(file))
               .map(
                   file ->

@@ -28,7 +28,7 @@ import org.pendant.gui.workbench.Palette;
 /** Finds one of many things by a few letters of its name: ENTER takes it, ESCAPE leaves. */
 final class QuickPick {
   private static final int ROWS = 12;
-  private static final int MOST_SHOWN = 200;
+  private static final int MAX_SHOWN = 200;
   private static final int WIDTH = 460;
 
   private final ScriptArea area;
@@ -153,7 +153,7 @@ final class QuickPick {
   private void filter() {
     List<Item> found = FuzzyMatch.filter(query.getText(), all, Item::title);
     model.clear();
-    model.addAll(found.subList(0, Math.min(MOST_SHOWN, found.size())));
+    model.addAll(found.subList(0, Math.min(MAX_SHOWN, found.size())));
     nothing.setVisible(found.isEmpty());
     list.setVisibleRowCount(Math.clamp(all.size(), 3, ROWS));
     if (!found.isEmpty()) {

@@ -35,8 +35,8 @@ final class ScriptArea extends RSyntaxTextArea {
   /** The component's own timer has nothing to do: results are handed over when they come. */
   private static final int NEVER_MS = 1 << 30;
 
-  private static final int SMALLEST_ZOOM = -5;
-  private static final int LARGEST_ZOOM = 24;
+  private static final int MIN_ZOOM = -5;
+  private static final int MAX_ZOOM = 24;
 
   private final Supplier<Optional<AnalysedText>> analysed;
   private final Predicate<KeyStroke> takenKeys;
@@ -128,7 +128,7 @@ final class ScriptArea extends RSyntaxTextArea {
   }
 
   void setZoom(int wanted) {
-    zoom = Math.clamp(wanted, SMALLEST_ZOOM, LARGEST_ZOOM);
+    zoom = Math.clamp(wanted, MIN_ZOOM, MAX_ZOOM);
   }
 
   /** Takes the marks of a search away, also along the text, which the component forgets. */

@@ -20,14 +20,14 @@ final class ScriptFolds implements FoldParser {
   /**
    * The component looks through all folds for every line that it paints: a longer text has none.
    */
-  private static final int MOST_LINES = 30_000;
+  private static final int MAX_LINES = 30_000;
 
   @Override
   public List<Fold> getFolds(RSyntaxTextArea textArea) {
     if (!(textArea instanceof ScriptArea area)) {
       return List.of();
     }
-    if (area.getLineCount() > MOST_LINES) {
+    if (area.getLineCount() > MAX_LINES) {
       return List.of();
     }
     Optional<AnalysedText> analysed = area.analysed();

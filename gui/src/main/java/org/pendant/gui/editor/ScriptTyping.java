@@ -17,7 +17,7 @@ import org.pendant.gui.editor.text.Span;
 
 /** What happens besides when somebody types: indentation, ends of blocks, pairs of brackets. */
 final class ScriptTyping {
-  private static final int MOST_GIVEN = 20;
+  private static final int MAX_GIVEN = 20;
 
   private final ScriptArea area;
 
@@ -82,7 +82,7 @@ final class ScriptTyping {
   private void remember(int lineStart) {
     try {
       given.addLast(area.getDocument().createPosition(lineStart));
-      if (given.size() > MOST_GIVEN) {
+      if (given.size() > MAX_GIVEN) {
         given.removeFirst();
       }
     } catch (BadLocationException e) {

@@ -17,14 +17,14 @@ import java.util.Optional;
  */
 public final class FaultFile {
   /** A file of this size (bytes) is put aside; only the newest one that was is kept. */
-  static final long LARGEST_BYTES = 1 << 20;
+  static final long MAX_BYTES = 1 << 20;
 
   /** More kinds than this are not told apart any more. */
-  static final int MOST_KINDS = 256;
+  static final int MAX_KINDS = 256;
 
-  private static final int MOST_FRAMES = 60;
-  private static final int MOST_CAUSES = 5;
-  private static final int MOST_CHARACTERS = 1_000;
+  private static final int MAX_FRAMES = 60;
+  private static final int MAX_CAUSES = 5;
+  private static final int MAX_CHARACTERS = 1_000;
   private static final String OWN_CODE = "org.pendant.";
 
   private final Path file;
@@ -47,7 +47,7 @@ public final class FaultFile {
 
     private static Throwable root(Throwable fault) {
       Throwable root = fault;
-      for (int i = 0; i < MOST_CAUSES && root.getCause() != null; i++) {
+      for (int i = 0; i < MAX_CAUSES && root.getCause() != null; i++) {
         root = root.getCause();
       }
       return root;
@@ -72,7 +72,7 @@ public final class FaultFile {
    */
   public synchronized Optional<String> add(String thread, Throwable fault) {
     Kind kind = Kind.of(fault);
-    Kind counted = counts.containsKey(kind) || counts.size() < MOST_KINDS ? kind : Kind.OTHERS;
+    Kind counted = counts.containsKey(kind) || counts.size() < MAX_KINDS ? kind : Kind.OTHERS;
     long count = counts.merge(counted, 1L, Long::sum);
     String heading = clock.instant() + " thread " + thread;
     if (count == 1) {
@@ -95,20 +95,20 @@ public final class FaultFile {
 
   private static String inWords(Throwable fault) {
     String text = fault.toString();
-    return text.length() > MOST_CHARACTERS ? text.substring(0, MOST_CHARACTERS) + "..." : text;
+    return text.length() > MAX_CHARACTERS ? text.substring(0, MAX_CHARACTERS) + "..." : text;
   }
 
   private static String details(Throwable fault) {
     StringBuilder details = new StringBuilder();
     Throwable each = fault;
-    for (int i = 0; i < MOST_CAUSES && each != null; i++) {
+    for (int i = 0; i < MAX_CAUSES && each != null; i++) {
       details.append(inWords(each)).append('\n');
       StackTraceElement[] trace = each.getStackTrace();
       Arrays.stream(trace)
-          .limit(MOST_FRAMES)
+          .limit(MAX_FRAMES)
           .forEach(frame -> details.append("    at ").append(frame).append('\n'));
-      if (trace.length > MOST_FRAMES) {
-        details.append("    and ").append(trace.length - MOST_FRAMES).append(" more\n");
+      if (trace.length > MAX_FRAMES) {
+        details.append("    and ").append(trace.length - MAX_FRAMES).append(" more\n");
       }
       each = each.getCause();
     }
@@ -118,7 +118,7 @@ public final class FaultFile {
   private String written(String text) {
     try {
       Files.createDirectories(file.getParent());
-      if (Files.exists(file) && Files.size(file) > LARGEST_BYTES) {
+      if (Files.exists(file) && Files.size(file) > MAX_BYTES) {
         Files.move(
             file,
             file.resolveSibling("older-" + file.getFileName()),

@@ -17,7 +17,7 @@ import org.pendant.models.arm.ArmDescription;
 
 /** Changes the installation, checks changes before they are made, and undoes them. */
 final class Editing {
-  private static final int MOST_UNDONE = 1000;
+  private static final int MAX_UNDONE = 1000;
 
   private final ActiveInstallation active;
   private final Supplier<ArmDescription> arm;
@@ -50,7 +50,7 @@ final class Editing {
     } else if (!turning && !active.current().equals(known)) {
       done.push(known);
       undone.clear();
-      if (done.size() > MOST_UNDONE) {
+      if (done.size() > MAX_UNDONE) {
         done.removeLast();
       }
     }

@@ -23,7 +23,7 @@ import org.pendant.models.pose.Pose;
 
 /** Frames that programs refer to by name, taught by the arm. */
 final class FeaturesPage implements Page {
-  private static final int MOST_POINTS = 3;
+  private static final int MAX_POINTS = 3;
 
   private final Supplier<ControllerState> state;
   private final Card card = new Card("Features", "[grow, fill]");
@@ -103,7 +103,7 @@ final class FeaturesPage implements Page {
     JPanel grid =
         new JPanel(new MigLayout("insets 0, gap 8 4, wrap 3, hidemode 3", "[][grow, fill][]"));
     grid.setOpaque(false);
-    for (int i = 0; i < MOST_POINTS; i++) {
+    for (int i = 0; i < MAX_POINTS; i++) {
       int point = i;
       JLabel name = new JLabel();
       JLabel place = new JLabel();
@@ -159,7 +159,7 @@ final class FeaturesPage implements Page {
 
   private void showPoints(Feature feature) {
     List<String> wanted = pointNames(feature.kind());
-    for (int i = 0; i < MOST_POINTS; i++) {
+    for (int i = 0; i < MAX_POINTS; i++) {
       boolean there = i < wanted.size();
       boolean taught = i < feature.points().size();
       names.get(i).setText(there ? wanted.get(i) : "");

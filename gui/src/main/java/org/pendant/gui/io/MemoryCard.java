@@ -18,7 +18,7 @@ import org.pendant.gui.workbench.Palette;
 
 /** The registers of one kind and direction, or the flags. */
 final class MemoryCard {
-  private static final int MOST_ROWS = 8;
+  private static final int MAX_ROWS = 8;
 
   private final Card card;
   private final MemoryList list;
@@ -40,7 +40,7 @@ final class MemoryCard {
             ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER) {
           @Override
           public Dimension getPreferredSize() {
-            int rows = Math.clamp(table.getRowCount(), 1, MOST_ROWS);
+            int rows = Math.clamp(table.getRowCount(), 1, MAX_ROWS);
             int titles = table.getTableHeader().getPreferredSize().height;
             int height = titles + rows * table.getRowHeight();
             Insets insets = getInsets();

@@ -20,7 +20,7 @@ import org.pendant.language.source.ByteText;
 /** One message in full, wrapped and selectable. */
 final class LogDetail {
   /** Lines that can be seen at least, the headline among them. */
-  private static final int LEAST_LINES = 6;
+  private static final int MIN_LINES = 6;
 
   private final JPanel content = new Lower();
   private final JLabel heading = new QuietLabel();
@@ -134,7 +134,7 @@ final class LogDetail {
 
     @Override
     public Dimension getMinimumSize() {
-      int lines = LEAST_LINES * getFontMetrics(getFont()).getHeight();
+      int lines = MIN_LINES * getFontMetrics(getFont()).getHeight();
       int room = getParent() == null ? lines : getParent().getHeight();
       return new Dimension(0, Math.min(lines, room * 2 / 5));
     }

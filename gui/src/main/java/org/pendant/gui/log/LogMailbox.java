@@ -17,7 +17,7 @@ import org.pendant.script.vm.RecentEntries;
  */
 final class LogMailbox implements FrameListener {
   /** The longest text of a message, bytes: all that are kept must find room. */
-  static final int LONGEST_TEXT = 4096;
+  static final int MAX_TEXT = 4096;
 
   private final RecentEntries<Mail> recent;
   private final LongFunction<List<LogEntry>> controllerLog;
@@ -40,7 +40,7 @@ final class LogMailbox implements FrameListener {
   LogMailbox(int capacity, LongFunction<List<LogEntry>> controllerLog, InstantSource clock) {
     recent =
         new RecentEntries<>(
-            capacity, LogStore.MOST_BYTES, Mail::number, mail -> mail.entry().text().length());
+            capacity, LogStore.MAX_BYTES, Mail::number, mail -> mail.entry().text().length());
     this.controllerLog = controllerLog;
     this.clock = clock;
   }
@@ -66,7 +66,7 @@ final class LogMailbox implements FrameListener {
     if (missed > 0) {
       told(missed + " lines of the controller were not shown in time");
     }
-    put(LogSource.of(entry.origin()), entry.shortened(LONGEST_TEXT));
+    put(LogSource.of(entry.origin()), entry.shortened(MAX_TEXT));
     lastNumber = entry.number();
   }
 

@@ -25,7 +25,7 @@ final class LogRows extends JTable {
   static final int PADDING = 4;
 
   /** What the message needs at least, in widths of a digit. */
-  private static final int LEAST_MESSAGE = 32;
+  private static final int MIN_MESSAGE = 32;
 
   /** Rows are fitted again when the width has been the same for so long. */
   private static final int SETTLED_MS = 120;
@@ -100,7 +100,7 @@ final class LogRows extends JTable {
     List<LogColumns.Shown> wanted =
         columns.fit(
             getWidth(),
-            LEAST_MESSAGE * metrics.charWidth('0'),
+            MIN_MESSAGE * metrics.charWidth('0'),
             column ->
                 Math.max(metrics.stringWidth(column.widest()), metrics.stringWidth(column.title()))
                     + 24,

@@ -8,7 +8,7 @@ import java.util.Arrays;
  */
 final class LogStore {
   /** What the texts of the messages that are kept take together, at most. */
-  static final int MOST_BYTES = 32 << 20;
+  static final int MAX_BYTES = 32 << 20;
 
   private final LogLine[] ring;
   private long bytes;
@@ -23,7 +23,7 @@ final class LogStore {
   /** Takes one; the oldest goes if there is no room. */
   void add(LogLine line) {
     bytes += line.text().length();
-    while (first < end && (end - first >= ring.length || bytes > MOST_BYTES)) {
+    while (first < end && (end - first >= ring.length || bytes > MAX_BYTES)) {
       bytes -= ring[slot(first)].text().length();
       ring[slot(first)] = null;
       first++;

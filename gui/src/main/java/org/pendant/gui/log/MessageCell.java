@@ -23,7 +23,7 @@ final class MessageCell extends DefaultTableCellRenderer {
   private static final int SIDE = 8;
 
   /** Longer texts do not fit on any screen; to measure them would take long. */
-  private static final int MOST_CHARACTERS = 1000;
+  private static final int MAX_CHARACTERS = 1000;
 
   private final Supplier<TextSearch> search;
   private boolean codeBeside;
@@ -58,7 +58,7 @@ final class MessageCell extends DefaultTableCellRenderer {
   }
 
   private static String cut(String text, FontMetrics metrics, int width) {
-    String shown = text.substring(0, Math.min(text.length(), MOST_CHARACTERS));
+    String shown = text.substring(0, Math.min(text.length(), MAX_CHARACTERS));
     if (metrics.stringWidth(shown) <= width) {
       return shown;
     }

@@ -19,7 +19,7 @@ import org.pendant.models.pose.Pose;
  */
 final class NamedTools {
   /** Longest name, in characters. */
-  static final int LONGEST_NAME = 40;
+  static final int MAX_NAME = 40;
 
   private static final String KEY = "move.tcps";
 
@@ -46,8 +46,8 @@ final class NamedTools {
     if (name.isBlank()) {
       return "Give the TCP a name to keep it.";
     }
-    if (name.length() > LONGEST_NAME) {
-      return "The name has " + name.length() + " characters, at most " + LONGEST_NAME + " fit.";
+    if (name.length() > MAX_NAME) {
+      return "The name has " + name.length() + " characters, at most " + MAX_NAME + " fit.";
     }
     return name.chars().anyMatch(Character::isISOControl) ? "The name has control characters." : "";
   }

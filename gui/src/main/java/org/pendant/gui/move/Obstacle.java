@@ -20,7 +20,7 @@ record Obstacle(String text, String remedy, Optional<Command> command) {
    * The fastest pace at which the arm can be moved by hand: the screen repeats what is held 30
    * times a second, and the arm waits a quarter of a second of robot time for it.
    */
-  static final double FASTEST_PACE = 4;
+  static final double MAX_PACE = 4;
 
   /** What is in the way; empty if nothing is. */
   static Optional<Obstacle> of(ControllerState state, Pace pace) {
@@ -56,7 +56,7 @@ record Obstacle(String text, String remedy, Optional<Command> command) {
           Optional.of("Robot time is paused. Let it go on to move the arm by hand.");
       case Pace.Unlimited unlimited -> Optional.of(tooFast());
       case Pace.Times times ->
-          times.factor() > FASTEST_PACE ? Optional.of(tooFast()) : Optional.empty();
+          times.factor() > MAX_PACE ? Optional.of(tooFast()) : Optional.empty();
     };
   }
 

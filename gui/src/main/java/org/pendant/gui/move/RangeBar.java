@@ -22,7 +22,7 @@ import org.pendant.gui.workbench.Palette;
 final class RangeBar extends JComponent {
   private static final int HEIGHT = 20;
   private static final int TEXT_GAP = 1;
-  private static final int LEAST_WIDTH = 80;
+  private static final int MIN_WIDTH = 80;
   private static final double KNOB = 12;
 
   /** Share of the range at either end that counts as near it. */
@@ -36,7 +36,7 @@ final class RangeBar extends JComponent {
 
   @Override
   public Dimension getPreferredSize() {
-    return new Dimension(LEAST_WIDTH, HEIGHT + TEXT_GAP + getFontMetrics(endFont()).getHeight());
+    return new Dimension(MIN_WIDTH, HEIGHT + TEXT_GAP + getFontMetrics(endFont()).getHeight());
   }
 
   @Override

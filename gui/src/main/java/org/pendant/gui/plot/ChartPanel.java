@@ -26,7 +26,7 @@ import org.pendant.gui.workbench.Palette;
 @SuppressWarnings("serial") // never written to a stream
 final class ChartPanel extends JPanel {
   /** Lower than this a chart says nothing. */
-  static final int LEAST_HEIGHT = 160;
+  static final int MIN_HEIGHT = 160;
 
   private static final double KEY_STEP = 0.05;
 
@@ -110,7 +110,7 @@ final class ChartPanel extends JPanel {
 
   @Override
   public Dimension getPreferredSize() {
-    return new Dimension(200, LEAST_HEIGHT);
+    return new Dimension(200, MIN_HEIGHT);
   }
 
   @Override

@@ -35,7 +35,7 @@ final class ChartStack extends JPanel {
     this.changed = changed;
     axis =
         new TimeAxis(
-            presenter, () -> ChartPanel.area(this, sheet.getWidth(), ChartPanel.LEAST_HEIGHT));
+            presenter, () -> ChartPanel.area(this, sheet.getWidth(), ChartPanel.MIN_HEIGHT));
     JScrollPane scroll = new JScrollPane(sheet);
     scroll.setBorder(BorderFactory.createEmptyBorder());
     add(scroll, BorderLayout.CENTER);
@@ -58,7 +58,7 @@ final class ChartStack extends JPanel {
     for (Chart chart : presenter.charts()) {
       ChartCard card = new ChartCard(presenter, chart, this::rebuild, changed);
       cards.add(card);
-      sheet.add(card, "grow, push, hmin " + ChartPanel.LEAST_HEIGHT);
+      sheet.add(card, "grow, push, hmin " + ChartPanel.MIN_HEIGHT);
     }
     if (cards.isEmpty()) {
       JLabel note =

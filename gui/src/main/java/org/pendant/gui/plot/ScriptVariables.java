@@ -22,7 +22,7 @@ final class ScriptVariables {
   private static final String GROUP = "Script variables";
 
   /** Parts of one value that are listed; others can be dragged from the panel of variables. */
-  private static final int MOST_PARTS = 64;
+  private static final int MAX_PARTS = 64;
 
   private final Map<String, Quantity> made = new HashMap<>();
   private VariableSamples samples = VariableSamples.NONE;
@@ -48,7 +48,7 @@ final class ScriptVariables {
       into.add(quantity(group, ByteText.decoded(sample.name()), path(sample)));
     } else if (sample.kept() > 0) {
       String below = group + "/" + ByteText.decoded(sample.name());
-      sample.parts(MOST_PARTS).forEach(part -> list(into, below, part));
+      sample.parts(MAX_PARTS).forEach(part -> list(into, below, part));
     }
   }
 

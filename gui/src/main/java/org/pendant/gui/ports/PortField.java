@@ -3,7 +3,7 @@ package org.pendant.gui.ports;
 /** What people type to say where the ports are. */
 enum PortField {
   HOST("host", "Address", "Where to listen: 127.0.0.1 for this computer only"),
-  OFFSET("offset", "Offset", "Is added to every port, 0 to " + PortWishes.LARGEST_OFFSET),
+  OFFSET("offset", "Offset", "Is added to every port, 0 to " + PortWishes.MAX_OFFSET),
   MODBUS("modbus", "Modbus port", "Empty for 502 and the offset, or 1502 without the right"),
   PROGRAMS("programs", "Programs folder", "The folder from which clients load programs");
 

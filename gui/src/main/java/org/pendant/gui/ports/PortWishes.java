@@ -8,7 +8,7 @@ import org.pendant.protocols.toolserial.ToolSerialServer;
  * How others shall reach the controller.
  *
  * @param host address or name of the interface to listen at
- * @param offset is added to every standard port, 0 to {@link #LARGEST_OFFSET}
+ * @param offset is added to every standard port, 0 to {@link #MAX_OFFSET}
  * @param modbus port of Modbus; empty for 502 and the offset, or 1000 more where the system does
  *     not allow that
  * @param programs folder of the programs that clients load
@@ -20,10 +20,10 @@ public record PortWishes(
   public static final String STANDARD_HOST = "127.0.0.1";
 
   /** The largest number of a port. */
-  public static final int LARGEST_PORT = 65_535;
+  public static final int MAX_PORT = 65_535;
 
   /** The largest port, that of the tool's serial line, must still be one. */
-  public static final int LARGEST_OFFSET = LARGEST_PORT - ToolSerialServer.STANDARD_PORT;
+  public static final int MAX_OFFSET = MAX_PORT - ToolSerialServer.STANDARD_PORT;
 
   /** The same, with another choice between remote and local control. */
   PortWishes withRemote(boolean allowed) {

@@ -20,7 +20,7 @@ final class PortsPresenter {
   private static final String REMOTE = SETTING + "remote";
 
   /** As many ports that could not be had are named. */
-  private static final int MOST_MISSING = 3;
+  private static final int MAX_MISSING = 3;
 
   private final DesktopPorts ports;
   private final Settings settings;
@@ -97,16 +97,15 @@ final class PortsPresenter {
     if (host.isEmpty()) {
       return mistake(PortField.HOST, "Address is empty, must be an address of this computer");
     }
-    OptionalInt offset = PortWishes.number(text(PortField.OFFSET), 0, PortWishes.LARGEST_OFFSET);
+    OptionalInt offset = PortWishes.number(text(PortField.OFFSET), 0, PortWishes.MAX_OFFSET);
     if (offset.isEmpty()) {
-      return mistake(PortField.OFFSET, notBetween(PortField.OFFSET, 0, PortWishes.LARGEST_OFFSET));
+      return mistake(PortField.OFFSET, notBetween(PortField.OFFSET, 0, PortWishes.MAX_OFFSET));
     }
     boolean chosen = !text(PortField.MODBUS).isBlank();
-    OptionalInt modbus = PortWishes.number(text(PortField.MODBUS), 1, PortWishes.LARGEST_PORT);
+    OptionalInt modbus = PortWishes.number(text(PortField.MODBUS), 1, PortWishes.MAX_PORT);
     if (chosen && modbus.isEmpty()) {
       return mistake(
-          PortField.MODBUS,
-          notBetween(PortField.MODBUS, 1, PortWishes.LARGEST_PORT) + ", or empty");
+          PortField.MODBUS, notBetween(PortField.MODBUS, 1, PortWishes.MAX_PORT) + ", or empty");
     }
     try {
       Path programs = Path.of(text(PortField.PROGRAMS).strip()).toAbsolutePath().normalize();
@@ -190,9 +189,9 @@ final class PortsPresenter {
 
   /** One sentence for each of the first, as all may be taken by another controller. */
   private static Stream<String> missing(PortsState.Open open) {
-    int more = open.missing().size() - MOST_MISSING;
+    int more = open.missing().size() - MAX_MISSING;
     return Stream.concat(
-        open.missing().stream().limit(MOST_MISSING).map(each -> each.why() + "."),
+        open.missing().stream().limit(MAX_MISSING).map(each -> each.why() + "."),
         more > 0 ? Stream.of("So it is with " + more + " more.") : Stream.empty());
   }
 

@@ -23,7 +23,7 @@ import org.pendant.project.program.check.NodeProblem;
 /** What keeps the program from running, below the tree: a line, and on demand all of it. */
 @SuppressWarnings("serial") // never written to a stream
 final class IncompleteBar extends JPanel {
-  private static final int MOST_ROWS = 6;
+  private static final int MAX_ROWS = 6;
 
   private final JToggleButton heading = new JToggleButton();
   private final JList<NodeProblem> list =
@@ -82,7 +82,7 @@ final class IncompleteBar extends JPanel {
     list.setPrototypeCellValue(null);
     list.setPrototypeCellValue(new NodeProblem(ProgramTree.ROOT, "", ""));
     list.setListData(problems.toArray(new NodeProblem[0]));
-    list.setVisibleRowCount(Math.clamp(problems.size(), 1, MOST_ROWS));
+    list.setVisibleRowCount(Math.clamp(problems.size(), 1, MAX_ROWS));
     heading.setText(
         problems.size() == 1 ? "1 thing to complete" : problems.size() + " things to complete");
     heading.setForeground(Palette.warning());

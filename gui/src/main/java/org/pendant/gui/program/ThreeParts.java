@@ -16,8 +16,8 @@ import org.pendant.gui.workbench.Settings;
 @SuppressWarnings("serial") // never written to a stream
 final class ThreeParts extends JPanel {
   private static final int NARROW = 700;
-  private static final int LEAST_TABS = 320;
-  private static final int LEAST_TREE = 150;
+  private static final int MIN_TABS = 320;
+  private static final int MIN_TREE = 150;
   private static final int USUAL_TREE = 250;
   private static final int USUAL_PALETTE = 150;
 
@@ -76,9 +76,9 @@ final class ThreeParts extends JPanel {
     }
     super.doLayout();
     int room = getWidth() - (narrow ? 0 : outer.getDividerLocation() + outer.getDividerSize());
-    int most = room - inner.getDividerSize() - UIScale.scale(LEAST_TABS);
+    int most = room - inner.getDividerSize() - UIScale.scale(MIN_TABS);
     int tree = Math.min(width("program.tree-width", USUAL_TREE), most);
-    inner.setDividerLocation(Math.max(UIScale.scale(LEAST_TREE), tree));
+    inner.setDividerLocation(Math.max(UIScale.scale(MIN_TREE), tree));
     arranging = false;
   }
 

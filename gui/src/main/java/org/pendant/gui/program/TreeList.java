@@ -29,8 +29,8 @@ import org.pendant.project.program.check.NodeProblem;
 /** The nodes of a program, one a line, each below the one that holds it. */
 @SuppressWarnings("serial") // never written to a stream
 final class TreeList extends JList<TreeRow> {
-  private static final int LEAST_HEIGHT = 22;
-  private static final int LEAST_LABEL = 90;
+  private static final int MIN_HEIGHT = 22;
+  private static final int MIN_LABEL = 90;
 
   private final transient TreeRows rows = new TreeRows();
   private final transient TreeCell cell = new TreeCell(new Looks());
@@ -109,9 +109,8 @@ final class TreeList extends JList<TreeRow> {
 
   private void sizeRows() {
     FontMetrics metrics = getFontMetrics(getFont());
-    setFixedCellHeight(
-        Math.max(UIScale.scale(LEAST_HEIGHT), metrics.getHeight() + UIScale.scale(5)));
-    setFixedCellWidth(cell == null ? 1 : cell.textX(deepest) + UIScale.scale(LEAST_LABEL));
+    setFixedCellHeight(Math.max(UIScale.scale(MIN_HEIGHT), metrics.getHeight() + UIScale.scale(5)));
+    setFixedCellWidth(cell == null ? 1 : cell.textX(deepest) + UIScale.scale(MIN_LABEL));
   }
 
   @Override

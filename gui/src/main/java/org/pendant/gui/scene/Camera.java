@@ -13,7 +13,7 @@ import org.pendant.controller.world.Vector3;
  * @param targetM the point in the middle of the picture, in the base frame, m
  * @param azimuthRad direction from the target to the eye, from x towards y, rad
  * @param elevationRad how far above the horizontal the eye is, -pi/2 to pi/2, rad
- * @param distanceM from the eye to the target, {@value #NEAREST_M} to {@value #FARTHEST_M} m
+ * @param distanceM from the eye to the target, {@value #NEAREST_M} to {@value #MAX_M} m
  * @param lens how depth is shown; what is at the target has the same size in both
  */
 public record Camera(
@@ -22,7 +22,7 @@ public record Camera(
   public static final double NEAREST_M = 0.05;
 
   /** Largest distance from the target, m. */
-  public static final double FARTHEST_M = 40;
+  public static final double MAX_M = 40;
 
   /** Half the angle that the height of a picture spans, rad. */
   private static final double HALF_HEIGHT_RAD = Math.toRadians(16);
@@ -43,7 +43,7 @@ public record Camera(
   /** Keeps elevation and distance in their ranges. */
   public Camera {
     elevationRad = Math.clamp(elevationRad, -Math.PI / 2, Math.PI / 2);
-    distanceM = Math.clamp(distanceM, NEAREST_M, FARTHEST_M);
+    distanceM = Math.clamp(distanceM, NEAREST_M, MAX_M);
   }
 
   /** With perspective. */
@@ -58,8 +58,7 @@ public record Camera(
    */
   public static Camera of(StandardView view, Outline outline, double aspect) {
     Vector3 start = outline.balls().getFirst().centreM();
-    return new Camera(start, view.azimuthRad(), view.elevationRad(), FARTHEST_M)
-        .fitted(outline, aspect);
+    return new Camera(start, view.azimuthRad(), view.elevationRad(), MAX_M).fitted(outline, aspect);
   }
 
   /** From the same direction, placed so that something fills the picture. */

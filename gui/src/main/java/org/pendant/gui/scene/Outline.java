@@ -20,7 +20,7 @@ public record Outline(List<Ball> balls) {
   private static final double HOUSING_SHARE = 0.075;
 
   /** More points of a trace than this say nothing more. */
-  private static final int MOST_OF_TRACE = 200;
+  private static final int MAX_OF_TRACE = 200;
 
   /** Copies the list. */
   public Outline {
@@ -49,7 +49,7 @@ public record Outline(List<Ball> balls) {
     balls.add(new Ball(new Vector3(tcp.x(), tcp.y(), tcp.z()), housingM));
     addObjects(model, balls);
     Trace trace = model.trace();
-    for (int i = 0; i < trace.size(); i += 1 + trace.size() / MOST_OF_TRACE) {
+    for (int i = 0; i < trace.size(); i += 1 + trace.size() / MAX_OF_TRACE) {
       balls.add(new Ball(new Vector3(trace.x(i), trace.y(i), trace.z(i)), 0));
     }
     return new Outline(balls);

@@ -14,7 +14,7 @@ public final class Trace {
   /** The oldest points fade, so that none of them vanishes suddenly: this share of all. */
   private static final float FADING_SHARE = 0.35f;
 
-  private static final double LEAST_SCALE_M_PER_S = 0.01;
+  private static final double MIN_SCALE_M_PER_S = 0.01;
 
   /** A speed that is hardly above a step of the scale belongs to it. */
   private static final double ROUNDING = 0.98;
@@ -79,7 +79,7 @@ public final class Trace {
   }
 
   private static double scaleMPerS(double fastestMPerS) {
-    double scale = LEAST_SCALE_M_PER_S;
+    double scale = MIN_SCALE_M_PER_S;
     for (int step = 0; scale < ROUNDING * fastestMPerS; step++) {
       // 1, 2, 4, 8, 10, 20 ...
       scale *= step % 4 == 3 ? 1.25 : 2;

@@ -15,7 +15,7 @@ public record WaypointMarkers(List<Mark> marks, List<List<Integer>> ways) {
   public static final WaypointMarkers NONE = new WaypointMarkers(List.of(), List.of());
 
   private static final double DASH_M = 0.02;
-  private static final int MOST_DASHES = 100;
+  private static final int MAX_DASHES = 100;
   private static final int LIGHT_RGB = 0x6A45B5;
   private static final int DARK_RGB = 0xC4AEFF;
 
@@ -49,7 +49,7 @@ public record WaypointMarkers(List<Mark> marks, List<List<Integer>> ways) {
     double[] way = {to.x() - from.x(), to.y() - from.y(), to.z() - from.z()};
     double lengthM = Math.hypot(Math.hypot(way[0], way[1]), way[2]);
     // An odd number of stretches, so that both ends have a dash.
-    int stretches = 2 * Math.clamp(Math.round(lengthM / (2 * DASH_M)), 0, MOST_DASHES) + 1;
+    int stretches = 2 * Math.clamp(Math.round(lengthM / (2 * DASH_M)), 0, MAX_DASHES) + 1;
     for (int i = 0; i < stretches; i += 2) {
       double begin = i / (double) stretches;
       double end = (i + 1) / (double) stretches;

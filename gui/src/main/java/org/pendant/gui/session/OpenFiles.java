@@ -29,7 +29,7 @@ public final class OpenFiles implements AutoCloseable {
   private static final String ENDING = ".open";
 
   /** Far above what any window has open. */
-  private static final long LARGEST_BYTES = 1 << 20;
+  private static final long MAX_BYTES = 1 << 20;
 
   private final Path folder;
   private final Owner self;
@@ -105,7 +105,7 @@ public final class OpenFiles implements AutoCloseable {
 
   private Set<URI> read(Path other) throws IOException {
     try {
-      if (Files.size(other) > LARGEST_BYTES) {
+      if (Files.size(other) > MAX_BYTES) {
         return Set.of();
       }
       List<String> lines = Files.readAllLines(other);

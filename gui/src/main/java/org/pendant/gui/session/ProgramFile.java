@@ -30,7 +30,7 @@ import org.pendant.project.program.urp.UrpxPrograms;
 public record ProgramFile(
     Path path, String text, Charset charset, boolean carriageReturns, List<String> remarks) {
   /** Far above any real program; a larger file is a mistake. */
-  private static final int LARGEST_MIB = 32;
+  private static final int MAX_MIB = 32;
 
   private static final int MIB = 1 << 20;
 
@@ -84,9 +84,9 @@ public record ProgramFile(
       throw new IOException("it is no file but a device or a pipe");
     }
     long mib = Math.ceilDiv(attributes.size(), MIB);
-    if (mib > LARGEST_MIB) {
+    if (mib > MAX_MIB) {
       throw new IOException(
-          "it has " + mib + " MiB, a program may have at most " + LARGEST_MIB + " MiB");
+          "it has " + mib + " MiB, a program may have at most " + MAX_MIB + " MiB");
     }
     byte[] bytes = Files.readAllBytes(path);
     for (int i = 0; i < bytes.length; i++) {

@@ -11,7 +11,7 @@ import org.pendant.script.vm.ProgramEvent;
 /** Tells the programs that the session has started from those that others have sent. */
 final class ProgramOrigin implements FrameListener {
   /** Starts that can be gone back to. */
-  private static final int MOST_STARTS = 10_000;
+  private static final int MAX_STARTS = 10_000;
 
   /** Set and cleared by the frame loop only: a reply comes in the frame that starts the program. */
   private boolean expected;
@@ -36,7 +36,7 @@ final class ProgramOrigin implements FrameListener {
       if (each instanceof ProgramEvent.Started) {
         strangerLast = !expected;
         starts.addLast(new Start(state.frame(), strangerLast));
-        if (starts.size() > MOST_STARTS) {
+        if (starts.size() > MAX_STARTS) {
           starts.removeFirst();
         }
         if (strangerLast) {

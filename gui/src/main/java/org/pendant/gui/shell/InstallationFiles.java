@@ -34,7 +34,7 @@ final class InstallationFiles {
   private static final String RECENT = "installation.recent";
   private static final String OPEN = "installation.open";
   private static final String BESIDE = "installation-beside";
-  private static final int MOST_RECENT = 10;
+  private static final int MAX_RECENT = 10;
   private static final int SHOWN_REMARKS = 3;
 
   private final ActiveInstallation active;
@@ -265,8 +265,8 @@ final class InstallationFiles {
 
   private static byte[] bytes(Path file) throws IOException {
     try {
-      if (Files.size(file) > InstallationFile.LARGEST_BYTES) {
-        throw new IOException("it has more than " + InstallationFile.LARGEST_BYTES + " bytes");
+      if (Files.size(file) > InstallationFile.MAX_BYTES) {
+        throw new IOException("it has more than " + InstallationFile.MAX_BYTES + " bytes");
       }
       return Files.readAllBytes(file);
     } catch (IOException e) {
@@ -357,7 +357,7 @@ final class InstallationFiles {
     List<String> names = new ArrayList<>();
     names.add(file.toAbsolutePath().toString());
     recent().stream().map(Path::toString).filter(each -> !names.contains(each)).forEach(names::add);
-    settings.put(RECENT, String.join("\n", names.subList(0, Math.min(MOST_RECENT, names.size()))));
+    settings.put(RECENT, String.join("\n", names.subList(0, Math.min(MAX_RECENT, names.size()))));
   }
 
   /** The installations that were open lately, the last one first. */

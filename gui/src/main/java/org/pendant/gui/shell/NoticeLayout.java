@@ -12,7 +12,7 @@ import org.pendant.gui.layout.WrappingRow;
 /** An icon, a text that wraps, and choices beside it, or below it where there is no room. */
 final class NoticeLayout implements LayoutManager {
   /** Narrower texts (pixels before scaling) leave the row to the choices. */
-  private static final int LEAST_TEXT = 160;
+  private static final int MIN_TEXT = 160;
 
   private static final int GAP = 8;
 
@@ -59,7 +59,7 @@ final class NoticeLayout implements LayoutManager {
     Dimension row = oneRow();
     int left = 2 * gap + sign.width + gap;
     int beside = width - left - row.width - 2 * gap;
-    boolean below = beside < Math.min(UIScale.scale(LEAST_TEXT), wordsWidth());
+    boolean below = beside < Math.min(UIScale.scale(MIN_TEXT), wordsWidth());
     int textWidth = Math.max(1, below ? width - left - gap : beside);
     text.setSize(textWidth, Integer.MAX_VALUE);
     int textHeight = text.getPreferredSize().height;

@@ -23,7 +23,7 @@ import org.pendant.project.program.text.ProgramText;
 final class ProgramFiles {
   private static final String RECENT = "file.recent";
   private static final String OPEN = "file.open";
-  private static final int MOST_RECENT = 10;
+  private static final int MAX_RECENT = 10;
 
   private final Programs programs;
   private final DocumentSaver saver;
@@ -287,8 +287,7 @@ final class ProgramFiles {
   }
 
   private void putRecent(List<String> recent) {
-    settings.put(
-        RECENT, String.join("\n", recent.subList(0, Math.min(MOST_RECENT, recent.size()))));
+    settings.put(RECENT, String.join("\n", recent.subList(0, Math.min(MAX_RECENT, recent.size()))));
   }
 
   /** The files that were open lately, the last one first. */

@@ -284,8 +284,7 @@ public final class LookBack {
   void showAll() {
     range =
         new TimeRange(
-            recording.firstS(),
-            Math.max(recording.lastS(), recording.firstS() + TimeRange.LEAST_S));
+            recording.firstS(), Math.max(recording.lastS(), recording.firstS() + TimeRange.MIN_S));
     changed();
   }
 

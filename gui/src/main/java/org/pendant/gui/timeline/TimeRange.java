@@ -8,7 +8,7 @@ package org.pendant.gui.timeline;
  */
 record TimeRange(double fromS, double toS) {
   /** Twenty frames; a mouse can tell them from each other. */
-  static final double LEAST_S = 0.04;
+  static final double MIN_S = 0.04;
 
   double widthS() {
     return toS - fromS;
@@ -25,7 +25,7 @@ record TimeRange(double fromS, double toS) {
 
   /** Shows {@code factor} times as much; {@code timeS} stays where it is. */
   TimeRange zoomed(double factor, double timeS) {
-    double width = Math.max(LEAST_S, widthS() * factor);
+    double width = Math.max(MIN_S, widthS() * factor);
     double from = timeS - share(timeS) * width;
     return new TimeRange(from, from + width);
   }

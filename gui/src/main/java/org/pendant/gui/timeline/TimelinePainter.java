@@ -25,7 +25,7 @@ final class TimelinePainter {
   private static final double[] HEIGHTS = {1.35, 1.2, 0.7, 0.7, 2.4};
 
   /** At this speed the curve is as high as its row, m/s, unless something was faster. */
-  private static final double LEAST_TOP_M_PER_S = 0.25;
+  private static final double MIN_TOP_M_PER_S = 0.25;
 
   private int left = UIScale.scale(84);
 
@@ -282,7 +282,7 @@ final class TimelinePainter {
   }
 
   private static void speed(Sheet sheet, ColumnTrace speed, double y, double height) {
-    double top = LEAST_TOP_M_PER_S;
+    double top = MIN_TOP_M_PER_S;
     for (int i = 0; i < speed.size(); i++) {
       top = speed.highest(i) > top ? speed.highest(i) : top;
     }

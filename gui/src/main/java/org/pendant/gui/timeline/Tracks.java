@@ -45,7 +45,7 @@ record Tracks(
           Optional.empty());
 
   /** More cannot be told from each other. */
-  private static final int MOST_WARNINGS = 2000;
+  private static final int MAX_WARNINGS = 2000;
 
   private static final double PAUSED = 2;
 
@@ -158,7 +158,7 @@ record Tracks(
             .map(LogEntry::timeS)
             .filter(timeS -> timeS >= fromS)
             .toList();
-    return times.subList(Math.max(0, times.size() - MOST_WARNINGS), times.size());
+    return times.subList(Math.max(0, times.size() - MAX_WARNINGS), times.size());
   }
 
   private static List<Bar> edges(

@@ -30,7 +30,7 @@ public final class FileSettings implements Settings, AutoCloseable {
   private static final long PATIENCE_S = 5;
 
   /** Far above any real settings; a larger file is something else. */
-  private static final long LARGEST_BYTES = 1 << 20;
+  private static final long MAX_BYTES = 1 << 20;
 
   private final Path file;
   private final Map<String, String> values = new ConcurrentSkipListMap<>();
@@ -64,7 +64,7 @@ public final class FileSettings implements Settings, AutoCloseable {
       return;
     }
     try {
-      if (Files.size(file) > LARGEST_BYTES) {
+      if (Files.size(file) > MAX_BYTES) {
         unreadable = true;
         notice = Optional.of("Settings " + file + " are too large to be settings; " + UNKEPT);
         return;

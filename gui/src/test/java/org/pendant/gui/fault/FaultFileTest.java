@@ -57,13 +57,13 @@ final class FaultFileTest {
   @Test
   void faultsOfEndlesslyManyKindsEndInOneCount() {
     int told = 0;
-    for (int i = 0; i < 2 * FaultFile.MOST_KINDS; i++) {
+    for (int i = 0; i < 2 * FaultFile.MAX_KINDS; i++) {
       IllegalStateException fault = new IllegalStateException();
       fault.setStackTrace(
           new StackTraceElement[] {new StackTraceElement("org.pendant.A", "a", "A.java", i)});
       told += faults.add("a", fault).isPresent() ? 1 : 0;
     }
-    assertEquals(FaultFile.MOST_KINDS + 1, told);
+    assertEquals(FaultFile.MAX_KINDS + 1, told);
   }
 
   @Test
@@ -71,10 +71,10 @@ final class FaultFileTest {
     Files.createDirectories(file.getParent());
     Path aside = file.resolveSibling("older-errors.txt");
     Files.writeString(aside, "from last year");
-    Files.writeString(file, "x".repeat((int) FaultFile.LARGEST_BYTES + 1));
+    Files.writeString(file, "x".repeat((int) FaultFile.MAX_BYTES + 1));
     faults.add("a", fault("new"));
     assertTrue(Files.readString(file).contains("new"));
-    assertEquals(FaultFile.LARGEST_BYTES + 1, Files.size(aside));
+    assertEquals(FaultFile.MAX_BYTES + 1, Files.size(aside));
   }
 
   @Test

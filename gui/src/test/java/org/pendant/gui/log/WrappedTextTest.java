@@ -33,7 +33,7 @@ final class WrappedTextTest {
   @Test
   void veryLongTextsEndInAMark() {
     List<String> lines = lines("x ".repeat(100_000), 10);
-    assertEquals(WrappedText.MOST_LINES, lines.size());
+    assertEquals(WrappedText.MAX_LINES, lines.size());
     assertEquals("\u2026", lines.getLast());
   }
 

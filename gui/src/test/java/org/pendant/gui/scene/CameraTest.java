@@ -172,7 +172,7 @@ final class CameraTest {
     Camera camera = new Camera(new Vector3(0, 0, 0), 0, 0, 1);
 
     assertEquals(Camera.NEAREST_M, camera.dollied(1e-9).distanceM());
-    assertEquals(Camera.FARTHEST_M, camera.dollied(1e9).distanceM());
+    assertEquals(Camera.MAX_M, camera.dollied(1e9).distanceM());
   }
 
   @Test

@@ -55,7 +55,7 @@ final class SessionBranchTest {
       end
       """;
 
-  private static final int MOST_SEEN = 2000;
+  private static final int MAX_SEEN = 2000;
 
   /** So many frames that a rerun of them is not over when the next statement runs. */
   private static final long LONG = 100_000;
@@ -88,7 +88,7 @@ final class SessionBranchTest {
     CompletableFuture<Void> there = new CompletableFuture<>();
     FrameListener listener =
         state -> {
-          if (seen.size() < MOST_SEEN && !there.isDone()) {
+          if (seen.size() < MAX_SEEN && !there.isDone()) {
             seen.add(state);
           }
           if (state.frame() >= frame) {

@@ -34,7 +34,7 @@ final class EditingProcess {
 
   private static final int EDIT_MS = 20;
   private static final int SAVE_EVERY = 60;
-  private static final int MOST_NODES = 300;
+  private static final int MAX_NODES = 300;
 
   private final Random random;
   private final PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
@@ -105,7 +105,7 @@ final class EditingProcess {
 
   /** One node more or less. */
   private ProgramTree other(ProgramTree tree, long main, List<ProgramNode> nodes) {
-    if (nodes.size() < MOST_NODES && random.nextInt(3) > 0) {
+    if (nodes.size() < MAX_NODES && random.nextInt(3) > 0) {
       ProgramNode folder = ProgramTree.node(new ActionStep.Folder("Part " + edits));
       return tree.insert(main, tree.childrenOf(main).size(), List.of(folder));
     }

@@ -35,8 +35,8 @@ final class KilledWhileEditingTest {
   private static final int KILLS = Integer.getInteger("test.kills", 16);
   private static final int AT_ONCE = 4;
   private static final long SEED = 20_261_122;
-  private static final long LONGEST_MS = 6_500;
-  private static final long MOST_LOST_MS = 5_000;
+  private static final long MAX_MS = 6_500;
+  private static final long MAX_LOST_MS = 5_000;
   private static final Pattern STAMP = Pattern.compile("at (\\d{10,})");
 
   @TempDir Path folder;
@@ -52,7 +52,7 @@ final class KilledWhileEditingTest {
       List<Future<List<String>>> kills = new ArrayList<>();
       for (int i = 0; i < KILLS; i++) {
         int number = i;
-        long lifeMs = random.nextLong(LONGEST_MS);
+        long lifeMs = random.nextLong(MAX_MS);
         kills.add(hands.submit(() -> kill(number, lifeMs)));
       }
       for (Future<List<String>> each : kills) {
@@ -88,7 +88,7 @@ final class KilledWhileEditingTest {
         .forEach(
             (name, madeMs) -> {
               long lostMs = madeMs - found.getOrDefault(name, madeMs - lifeMs);
-              if (lostMs > MOST_LOST_MS) {
+              if (lostMs > MAX_LOST_MS) {
                 faults.add(lostMs + " ms of " + name + " are lost");
               }
             });

@@ -18,7 +18,7 @@ import java.util.stream.Collectors;
  */
 final class EndSearch {
   /** So many words are looked at; programs of people have fewer, and a search costs memory. */
-  private static final int MOST_WORDS = 100_000;
+  private static final int MAX_WORDS = 100_000;
 
   /** An {@code else} where there can be none is worse than any indentation. */
   private static final int WRONG_WORD = 1_000_000;
@@ -162,7 +162,7 @@ final class EndSearch {
 
   /** The fault, if there is a place that leaves everything paired. */
   Optional<BlockFaults> fault() {
-    if (behind.length > MOST_WORDS) {
+    if (behind.length > MAX_WORDS) {
       return Optional.empty();
     }
     lookBack();

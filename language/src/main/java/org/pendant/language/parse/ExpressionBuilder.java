@@ -38,7 +38,7 @@ final class ExpressionBuilder {
 
   private static final int NO_OPERATOR = 0;
   private static final int POSE_ELEMENTS = 6;
-  private static final String SMALLEST_INT_DIGITS = "2147483648";
+  private static final String MIN_INT_DIGITS = "2147483648";
 
   private final Source source;
   private final Complaints complaints;
@@ -169,7 +169,7 @@ final class ExpressionBuilder {
         && context.children.size() == 1
         && context.children.getFirst() instanceof TerminalNode number
         && number.getSymbol().getType() == INT
-        && number.getText().equals(SMALLEST_INT_DIGITS);
+        && number.getText().equals(MIN_INT_DIGITS);
   }
 
   private Expression postfix(List<ParseTree> parts) {

@@ -12,7 +12,7 @@ import org.pendant.language.parse.Lexeme.Kind;
  */
 final class Formatter {
   /** Two blank lines in a row, no more. */
-  private static final int MOST_LINE_ENDS = 3;
+  private static final int MAX_LINE_ENDS = 3;
 
   private static final String BYTE_ORDER_MARK = "\u00EF\u00BB\u00BF";
 
@@ -63,7 +63,7 @@ final class Formatter {
 
   private String lineEnds(String gap) {
     long count = gap.chars().filter(found -> found == '\n').count();
-    return lineEnd.repeat((int) Math.min(count, MOST_LINE_ENDS));
+    return lineEnd.repeat((int) Math.min(count, MAX_LINE_ENDS));
   }
 
   private int blanksAtEnd(Lexeme comment) {

@@ -16,13 +16,13 @@ import org.pendant.models.pose.Wrench;
  */
 final class PayloadEquations {
   /** Gravity below this, m/s², gives a load no weight. */
-  private static final double LEAST_GRAVITY_M_PER_S2 = 0.1;
+  private static final double MIN_GRAVITY_M_PER_S2 = 0.1;
 
   /**
    * Least ratio of the smallest to the largest singular value: errors of the measurements reach the
    * result a hundredfold there. Without any tilt against gravity it is 0.
    */
-  private static final double LEAST_VARIETY = 0.01;
+  private static final double MIN_VARIETY = 0.01;
 
   private final List<Pose> flangesInBase;
   private final List<Wrench> wrenchesInBase;
@@ -41,7 +41,7 @@ final class PayloadEquations {
   }
 
   PayloadEstimate solve() {
-    if (!(gravityMPerS2 >= LEAST_GRAVITY_M_PER_S2)) {
+    if (!(gravityMPerS2 >= MIN_GRAVITY_M_PER_S2)) {
       return new PayloadEstimate.Refused(
           "gravity is " + gravityMPerS2 + " m/s\u00b2, a load has no weight there");
     }
@@ -67,7 +67,7 @@ final class PayloadEquations {
           "the poses hardly tilt the tool, must turn it against gravity");
     }
     double massKg = solution(force, forces).get(0) / gravityMPerS2;
-    if (massKg < -PayloadEstimate.LEAST_MASS_KG) {
+    if (massKg < -PayloadEstimate.MIN_MASS_KG) {
       return new PayloadEstimate.Refused(
           String.format(
               Locale.ROOT,
@@ -75,7 +75,7 @@ final class PayloadEquations {
                   + " the tool along the axes of the base, as get_tcp_force gives them",
               massKg));
     }
-    if (massKg < PayloadEstimate.LEAST_MASS_KG) {
+    if (massKg < PayloadEstimate.MIN_MASS_KG) {
       return new PayloadEstimate.Found(Payload.NONE);
     }
     DMatrixRMaj moments = solution(torque, torques);
@@ -120,7 +120,7 @@ final class PayloadEquations {
       smallest = Math.min(smallest, svd.getSingularValues()[i]);
       largest = Math.max(largest, svd.getSingularValues()[i]);
     }
-    return smallest >= LEAST_VARIETY * largest;
+    return smallest >= MIN_VARIETY * largest;
   }
 
   private static DMatrixRMaj solution(DMatrixRMaj system, DMatrixRMaj measured) {

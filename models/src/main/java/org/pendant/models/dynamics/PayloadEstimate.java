@@ -19,17 +19,17 @@ import org.pendant.models.pose.Wrench;
  */
 public sealed interface PayloadEstimate {
   /** Fewest measurements that are accepted. */
-  int FEWEST_POSES = 4;
+  int MIN_POSES = 4;
 
   /** Most measurements that are accepted: every pose is compared with every other. */
-  int MOST_POSES = 500;
+  int MAX_POSES = 500;
 
   /** A load of less than this, kg, counts as none: its centre of gravity would be noise. */
-  double LEAST_MASS_KG = 0.01;
+  double MIN_MASS_KG = 0.01;
 
   /**
    * A point mass at the centre of gravity of the load, or {@link Payload#NONE} for less than {@link
-   * #LEAST_MASS_KG}.
+   * #MIN_MASS_KG}.
    */
   record Found(Payload payload) implements PayloadEstimate {}
 
@@ -65,9 +65,9 @@ public sealed interface PayloadEstimate {
               + wrenchesInBase.size()
               + " wrenches, must be as many of both");
     }
-    if (count < FEWEST_POSES || count > MOST_POSES) {
+    if (count < MIN_POSES || count > MAX_POSES) {
       return new Refused(
-          "there are " + count + " poses, must be " + FEWEST_POSES + " to " + MOST_POSES);
+          "there are " + count + " poses, must be " + MIN_POSES + " to " + MAX_POSES);
     }
     Optional<String> tooClose = tooClose(flangesInBase, Math.PI / (2 * count));
     if (tooClose.isPresent()) {

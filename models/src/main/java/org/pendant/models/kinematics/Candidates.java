@@ -4,7 +4,7 @@ import org.pendant.models.arm.Joints;
 
 /** The joint positions that one search found within the joint ranges; given out closest first. */
 final class Candidates {
-  /** More than {@link InverseKinematics#MOST_SOLUTIONS}: not every candidate reaches. */
+  /** More than {@link InverseKinematics#MAX_SOLUTIONS}: not every candidate reaches. */
   private static final int ROOM = 32;
 
   /** Largest difference (rad) at which two candidates of a numerical search are the same. */

@@ -35,7 +35,7 @@ import org.pendant.models.pose.Transforms;
  *
  * <p>An arm with calibration deltas has no closed form. Newton's method then leads from each
  * solution of the nominal arm, and from the position to be near to, to one of the calibrated arm;
- * those that meet are given once, and the {@value #MOST_SOLUTIONS} closest if there are more. What
+ * those that meet are given once, and the {@value #MAX_SOLUTIONS} closest if there are more. What
  * is certain: every solution given has been checked with the calibrated forward kinematics, and
  * joints that reach the pose are found when asked for near to themselves, singular or not. What
  * tests bear out: with every delta up to 1 mm or 1 mrad, and links shifted by 5 m along axes 2 and
@@ -50,7 +50,7 @@ public final class InverseKinematics {
   public static final double DEFAULT_ERROR = 1e-10;
 
   /** Most solutions a pose can have, full turns aside. */
-  public static final int MOST_SOLUTIONS = 8;
+  public static final int MAX_SOLUTIONS = 8;
 
   private final ForwardKinematics forward;
   private final SolutionSearch search;
@@ -146,9 +146,9 @@ public final class InverseKinematics {
    */
   public List<Joints> all(Pose flange, Joints qNear) {
     Candidates candidates = search(flange, qNear);
-    List<Joints> solutions = new ArrayList<>(MOST_SOLUTIONS);
+    List<Joints> solutions = new ArrayList<>(MAX_SOLUTIONS);
     int i = candidates.takeClosestExact();
-    while (i >= 0 && solutions.size() < MOST_SOLUTIONS) {
+    while (i >= 0 && solutions.size() < MAX_SOLUTIONS) {
       solutions.add(Joints.of(candidates.q(i)));
       i = candidates.takeClosestExact();
     }
@@ -161,7 +161,7 @@ public final class InverseKinematics {
    * @param flange transformation of the flange in the base frame; one that is not finite, or whose
    *     matrix is none of a rotation, has no solution
    * @param qNear six joint positions, rad; must be finite
-   * @param solutions {@value #MOST_SOLUTIONS} rows of six joint positions in rad, the first of them
+   * @param solutions {@value #MAX_SOLUTIONS} rows of six joint positions in rad, the first of them
    *     overwritten
    * @return how many there are
    */
@@ -171,7 +171,7 @@ public final class InverseKinematics {
     Candidates candidates = search.collect(target, near);
     int count = 0;
     int i = candidates.takeClosestExact();
-    while (i >= 0 && count < MOST_SOLUTIONS) {
+    while (i >= 0 && count < MAX_SOLUTIONS) {
       System.arraycopy(candidates.q(i), 0, solutions[count], 0, Joints.COUNT);
       count++;
       i = candidates.takeClosestExact();

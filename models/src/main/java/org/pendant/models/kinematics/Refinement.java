@@ -18,10 +18,10 @@ final class Refinement {
   /** Well below the errors allowed, well above rounding with links metres apart. */
   private static final double GOAL = 1e-13;
 
-  private static final int MOST_STEPS = 40;
+  private static final int MAX_STEPS = 40;
   private static final double FIRST_DAMPING = 1e-3;
-  private static final double LEAST_DAMPING = 1e-7;
-  private static final double MOST_DAMPING = 10;
+  private static final double MIN_DAMPING = 1e-7;
+  private static final double MAX_DAMPING = 10;
 
   private final ForwardKinematics forward;
   private final Jacobian jacobian;
@@ -47,10 +47,10 @@ final class Refinement {
   boolean refine(double[] target, double[] q, double tolerance) {
     double damping = FIRST_DAMPING;
     double size = measure(target, q);
-    for (int count = 0; count < MOST_STEPS && size > GOAL * GOAL; count++) {
+    for (int count = 0; count < MAX_STEPS && size > GOAL * GOAL; count++) {
       jacobian.at(q, Pose.ZERO, matrix);
       double before = size;
-      while (damping <= MOST_DAMPING) {
+      while (damping <= MAX_DAMPING) {
         jacobian.solveDamped(matrix, error, damping, step);
         for (int i = 0; i < Joints.COUNT; i++) {
           trial[i] = q[i] + step[i];
@@ -66,7 +66,7 @@ final class Refinement {
         break;
       }
       System.arraycopy(trial, 0, q, 0, Joints.COUNT);
-      damping = Math.max(LEAST_DAMPING, 0.1 * damping);
+      damping = Math.max(MIN_DAMPING, 0.1 * damping);
     }
     forward.flange(q, reached);
     return PoseError.within(reached, target, tolerance);

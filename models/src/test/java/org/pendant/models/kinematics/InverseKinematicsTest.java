@@ -325,7 +325,7 @@ class InverseKinematicsTest {
   void solutionsInPlaceAreThoseOfTheList() {
     Random random = new Random(62);
     double[] transform = new double[Transforms.SIZE];
-    double[][] solutions = new double[InverseKinematics.MOST_SOLUTIONS][Joints.COUNT];
+    double[][] solutions = new double[InverseKinematics.MAX_SOLUTIONS][Joints.COUNT];
     for (int n = 0; n < CASES; n++) {
       Pose flange = forward.flangePose(Arms.joints(random));
       Joints near = Arms.joints(random);
@@ -342,7 +342,7 @@ class InverseKinematicsTest {
   @Test
   void aMatrixThatIsNoRotationHasNoSolution() {
     double[] transform = new double[Transforms.SIZE];
-    double[][] solutions = new double[InverseKinematics.MOST_SOLUTIONS][Joints.COUNT];
+    double[][] solutions = new double[InverseKinematics.MAX_SOLUTIONS][Joints.COUNT];
     double[] q = {0.1, -1.5, 1.2, -1, -1.4, 0.3};
     forward.flange(q, transform);
     assertEquals(8, inverse.allInto(transform, q, solutions));

@@ -76,7 +76,7 @@ final class KinematicsReferenceTest {
   @Test
   void solutionsHoldTheJointsOfTheState() {
     InverseKinematics inverse = new InverseKinematics(arm);
-    double[][] solutions = new double[InverseKinematics.MOST_SOLUTIONS][Joints.COUNT];
+    double[][] solutions = new double[InverseKinematics.MAX_SOLUTIONS][Joints.COUNT];
     for (ReferenceStates.State state : states) {
       double[] q = state.numbers("q", 6);
       assertTrue(inverse.allInto(expectedFlange(state), q, solutions) > 0);

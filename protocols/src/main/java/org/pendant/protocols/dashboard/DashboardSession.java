@@ -10,7 +10,7 @@ import org.pendant.protocols.net.Session;
 
 /** One client of the dashboard server: an answer to every line, in their order. */
 final class DashboardSession implements Session {
-  private static final int LONGEST_LINE = 1 << 16;
+  private static final int MAX_LINE = 1 << 16;
   private static final String GREETING = "Connected: Universal Robots Dashboard Server";
   private static final String LOCAL =
       "Command is not allowed due to safety reasons, please switch robot to Remote Control mode"
@@ -19,7 +19,7 @@ final class DashboardSession implements Session {
   private final Connection connection;
   private final DashboardHandler dashboardHandler;
   private final boolean mayControl;
-  private final LineCutter lines = new LineCutter(LONGEST_LINE);
+  private final LineCutter lines = new LineCutter(MAX_LINE);
   private boolean left;
 
   /**

@@ -22,7 +22,7 @@ record CipPath(
     List<Integer> instances,
     OptionalInt attribute,
     int dataBytes) {
-  private static final int MOST_INSTANCES = 4;
+  private static final int MAX_INSTANCES = 4;
 
   CipPath {
     instances = List.copyOf(instances);
@@ -92,7 +92,7 @@ record CipPath(
     }
 
     private void instance(int number) throws CipRefusal {
-      if (instances.size() == MOST_INSTANCES) {
+      if (instances.size() == MAX_INSTANCES) {
         throw new CipRefusal(CipRefusal.PATH_SEGMENT);
       }
       instances.add(number);

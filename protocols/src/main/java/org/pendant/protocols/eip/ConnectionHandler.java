@@ -17,8 +17,8 @@ final class ConnectionHandler {
 
   private static final int CYCLIC = 0x01;
   private static final int MESSAGES = 0x03;
-  private static final long LEAST_US = 2_000;
-  private static final long MOST_US = 10_000_000;
+  private static final long MIN_US = 2_000;
+  private static final long MAX_US = 10_000_000;
 
   /** A packet counts its data in two bytes; one to the robot has the 32 bits of run and idle. */
   private static final int NUMBER_BYTES = 2;
@@ -77,9 +77,9 @@ final class ConnectionHandler {
 
   private static void checkIntervals(OpenRequest request) throws CipRefusal {
     boolean cyclic = request.transport() == CYCLIC;
-    if (request.toTargetUs() < LEAST_US
-        || request.toOriginatorUs() < LEAST_US
-        || (cyclic && Math.max(request.toTargetUs(), request.toOriginatorUs()) > MOST_US)) {
+    if (request.toTargetUs() < MIN_US
+        || request.toOriginatorUs() < MIN_US
+        || (cyclic && Math.max(request.toTargetUs(), request.toOriginatorUs()) > MAX_US)) {
       throw CipRefusal.connection(ConnectionFault.RPI);
     }
   }

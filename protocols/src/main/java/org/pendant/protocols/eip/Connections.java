@@ -17,10 +17,10 @@ import org.pendant.protocols.net.PeriodicTasks;
 /** All connections of scanners: opens and closes them, and keeps their data going. Any thread. */
 final class Connections implements AutoCloseable {
   /** Most connections with cyclic data. */
-  static final int MOST_CYCLIC = 32;
+  static final int MAX_CYCLIC = 32;
 
   /** Most connections for messages. */
-  static final int MOST_EXPLICIT = 64;
+  static final int MAX_EXPLICIT = 64;
 
   /** How often silent scanners are looked for, ns. */
   private static final long LOOK_NS = 5_000_000;
@@ -106,7 +106,7 @@ final class Connections implements AutoCloseable {
     lock.lock();
     try {
       refuseDuplicate(request.name());
-      if (owned.size() >= MOST_CYCLIC) {
+      if (owned.size() >= MAX_CYCLIC) {
         throw CipRefusal.connection(ConnectionFault.NO_MORE);
       }
       if (!owned.add(fromScanner)) {
@@ -146,7 +146,7 @@ final class Connections implements AutoCloseable {
     lock.lock();
     try {
       refuseDuplicate(request.name());
-      if (explicit.size() >= MOST_EXPLICIT) {
+      if (explicit.size() >= MAX_EXPLICIT) {
         throw CipRefusal.connection(ConnectionFault.NO_MORE);
       }
       int id = ++lastId;

@@ -47,7 +47,7 @@ final class DeviceObjects {
             1,
             List.of(
                 DeviceObjects::classes,
-                () -> new LittleEndian().u16(Connections.MOST_EXPLICIT),
+                () -> new LittleEndian().u16(Connections.MAX_EXPLICIT),
                 () -> new LittleEndian().u16(0)));
     CipObject tcpIp =
         new SingleObject(

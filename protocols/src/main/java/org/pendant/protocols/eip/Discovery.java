@@ -20,7 +20,7 @@ import java.util.function.Supplier;
  */
 final class Discovery {
   /** Most answers to one address in a second; who looks for devices asks once in some seconds. */
-  static final int MOST_PER_SOURCE = 10;
+  static final int MAX_PER_SOURCE = 10;
 
   /** Most answers in a second, and most addresses that are remembered. */
   static final int MOST = 200;
@@ -82,7 +82,7 @@ final class Discovery {
       answeredInAll = 0;
       answered.clear();
     }
-    if (answeredInAll == MOST || answered.getOrDefault(from.getAddress(), 0) == MOST_PER_SOURCE) {
+    if (answeredInAll == MOST || answered.getOrDefault(from.getAddress(), 0) == MAX_PER_SOURCE) {
       return false;
     }
     answeredInAll++;

@@ -19,7 +19,7 @@ record EncapsulationFrame(
   static final int HEADER = 24;
 
   /** Most bytes of data that are taken: two of the largest assemblies and what goes with them. */
-  static final int LONGEST_DATA = 4096;
+  static final int MAX_DATA = 4096;
 
   /** Whether an adapter has to look at it: what carries a status is an answer to somebody else. */
   boolean isRequest() {

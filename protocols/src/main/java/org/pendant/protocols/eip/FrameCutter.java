@@ -11,7 +11,7 @@ final class FrameCutter {
   private static final int LENGTH_KNOWN = 4;
 
   private final ByteBuffer begun =
-      ByteBuffer.allocate(EncapsulationFrame.HEADER + EncapsulationFrame.LONGEST_DATA)
+      ByteBuffer.allocate(EncapsulationFrame.HEADER + EncapsulationFrame.MAX_DATA)
           .order(ByteOrder.LITTLE_ENDIAN);
 
   /**
@@ -26,9 +26,9 @@ final class FrameCutter {
       return Optional.empty();
     }
     int length = Short.toUnsignedInt(begun.getShort(LENGTH_AT));
-    if (length > EncapsulationFrame.LONGEST_DATA) {
+    if (length > EncapsulationFrame.MAX_DATA) {
       throw new ProtocolException(
-          "the length is " + length + ", must be 0 to " + EncapsulationFrame.LONGEST_DATA);
+          "the length is " + length + ", must be 0 to " + EncapsulationFrame.MAX_DATA);
     }
     fill(bytes, EncapsulationFrame.HEADER + length);
     if (begun.position() < EncapsulationFrame.HEADER + length) {

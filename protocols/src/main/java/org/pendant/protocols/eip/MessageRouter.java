@@ -8,7 +8,7 @@ import java.util.Optional;
 /** Takes explicit messages to the objects that they are for. */
 final class MessageRouter {
   private static final int REVISION = 1;
-  private static final int HIGHEST_INSTANCE = 2;
+  private static final int MAX_INSTANCE = 2;
 
   /** What stands in front of a message within another one: two times and its length. */
   private static final int EMBEDDING = 4;
@@ -112,8 +112,7 @@ final class MessageRouter {
   private static Optional<ByteBuffer> ofClass(CipObject object, int attribute) {
     return switch (attribute) {
       case REVISION -> Optional.of(new LittleEndian().u16(object.revision()).toBuffer());
-      case HIGHEST_INSTANCE ->
-          Optional.of(new LittleEndian().u16(object.highestInstance()).toBuffer());
+      case MAX_INSTANCE -> Optional.of(new LittleEndian().u16(object.highestInstance()).toBuffer());
       default -> Optional.empty();
     };
   }

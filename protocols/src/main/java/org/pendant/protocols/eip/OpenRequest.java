@@ -22,7 +22,7 @@ record OpenRequest(
     ConnectionParameters toOriginator,
     int transport,
     CipPath path) {
-  private static final int HIGHEST_MULTIPLIER = 7;
+  private static final int MAX_MULTIPLIER = 7;
   private static final int SHORT_FIXED = 36;
   private static final int LARGE_FIXED = 40;
 
@@ -55,7 +55,7 @@ record OpenRequest(
     if (in.remaining() > pathBytes) {
       throw new CipRefusal(CipRefusal.TOO_LONG);
     }
-    if (multiplier > HIGHEST_MULTIPLIER) {
+    if (multiplier > MAX_MULTIPLIER) {
       throw CipRefusal.connection(ConnectionFault.TYPE);
     }
     return new OpenRequest(

@@ -41,7 +41,7 @@ record PacketItem(int type, ByteBuffer data) {
   static final int SEQUENCED_ADDRESS = 0x8002;
 
   /** More are never needed. */
-  private static final int MOST_ITEMS = 8;
+  private static final int MAX_ITEMS = 8;
 
   /** The items of a message; empty when it is not made of items from begin to end. */
   static Optional<List<PacketItem>> decode(ByteBuffer bytes) {
@@ -50,7 +50,7 @@ record PacketItem(int type, ByteBuffer data) {
       return Optional.empty();
     }
     int count = Short.toUnsignedInt(in.getShort());
-    if (count > MOST_ITEMS) {
+    if (count > MAX_ITEMS) {
       return Optional.empty();
     }
     List<PacketItem> items = new ArrayList<>(count);

@@ -27,10 +27,10 @@ public final class ScriptRequest {
   private static final byte[] LINE = "request_program\n".getBytes(StandardCharsets.US_ASCII);
 
   /** That of the driver for ROS has 50 kB. */
-  private static final int LARGEST_BYTES = 4 << 20;
+  private static final int MAX_BYTES = 4 << 20;
 
   /** In all nodes of a program together. */
-  private static final int LARGEST_TOTAL_BYTES = 16 << 20;
+  private static final int MAX_TOTAL_BYTES = 16 << 20;
 
   private static final int CHUNK_BYTES = 16 << 10;
 
@@ -57,7 +57,7 @@ public final class ScriptRequest {
 
   /** How large a script may be that stands in a program {@code nodes} times. */
   static int largestBytes(int nodes) {
-    return Math.min(LARGEST_BYTES, LARGEST_TOTAL_BYTES / Math.max(1, nodes));
+    return Math.min(MAX_BYTES, MAX_TOTAL_BYTES / Math.max(1, nodes));
   }
 
   /** Who is asked. */

@@ -9,9 +9,9 @@ import java.util.regex.Pattern;
 /** What a form sends, {@code multipart/form-data} (RFC 7578). */
 public final class FormData {
   /** More parts than any form that is understood here has. */
-  private static final int MOST_PARTS = 16;
+  private static final int MAX_PARTS = 16;
 
-  private static final int LONGEST_HEAD = 4096;
+  private static final int MAX_HEAD = 4096;
 
   private static final Pattern TYPE =
       Pattern.compile(
@@ -46,7 +46,7 @@ public final class FormData {
 
   private Optional<byte[]> field(String name) {
     int at = startsWith(0, delimiter) ? delimiter.length : -1;
-    for (int part = 0; at >= 0 && part < MOST_PARTS; part++) {
+    for (int part = 0; at >= 0 && part < MAX_PARTS; part++) {
       int head = afterLine(at);
       int end = head < 0 ? -1 : nextDelimiter(head);
       int content = end < 0 ? -1 : afterHead(head, end);
@@ -55,7 +55,7 @@ public final class FormData {
       }
       // the head keeps the end of its last line
       String lines =
-          new String(body, head, Math.min(content - head, LONGEST_HEAD), StandardCharsets.UTF_8);
+          new String(body, head, Math.min(content - head, MAX_HEAD), StandardCharsets.UTF_8);
       Matcher named = NAME.matcher(lines);
       if (named.find() && name.equals(named.group(1) == null ? named.group(2) : named.group(1))) {
         return Optional.of(Arrays.copyOfRange(body, content, end));
@@ -95,7 +95,7 @@ public final class FormData {
 
   /** Behind the blank line that ends the head of a part; -1 if there is none. */
   private int afterHead(int from, int end) {
-    for (int i = from; i + 2 <= end && i - from < LONGEST_HEAD; i++) {
+    for (int i = from; i + 2 <= end && i - from < MAX_HEAD; i++) {
       if (lineEnds(i) && lineEnds(i + 2)) {
         return Math.min(i + 4, end);
       }

@@ -12,7 +12,7 @@ import org.pendant.protocols.net.ProtocolException;
 /** Cuts what one peer sends into requests of HTTP with a body of known length. */
 final class HttpCutter {
   /** Most bytes of a head. */
-  static final int LONGEST_HEAD = 8192;
+  static final int MAX_HEAD = 8192;
 
   private static final String LENGTH = "content-length";
 
@@ -106,8 +106,8 @@ final class HttpCutter {
   }
 
   private void takeOfHead(byte next) throws ProtocolException {
-    if (head.size() == LONGEST_HEAD) {
-      throw new ProtocolException("the head of a request has more than " + LONGEST_HEAD + " bytes");
+    if (head.size() == MAX_HEAD) {
+      throw new ProtocolException("the head of a request has more than " + MAX_HEAD + " bytes");
     }
     head.write(next);
     if (next != '\n') {

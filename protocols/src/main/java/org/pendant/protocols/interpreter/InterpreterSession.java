@@ -20,19 +20,19 @@ import org.pendant.script.vm.InterpreterStatus;
  * control lines are not held up by statements that wait.
  */
 final class InterpreterSession implements Session {
-  private static final int LONGEST_LINE = 1 << 16;
+  private static final int MAX_LINE = 1 << 16;
 
   /** Most control lines of one client in a frame. */
-  private static final int MOST_UNANSWERED = 16;
+  private static final int MAX_UNANSWERED = 16;
 
   private static final String NOT_REMOTE = "the robot is not in remote control";
 
   private final Connection connection;
   private final Controller controller;
   private final boolean mayControl;
-  private final LineCutter lines = new LineCutter(LONGEST_LINE);
+  private final LineCutter lines = new LineCutter(MAX_LINE);
   private final LineQueue statements;
-  private final Semaphore unanswered = new Semaphore(MOST_UNANSWERED);
+  private final Semaphore unanswered = new Semaphore(MAX_UNANSWERED);
 
   /**
    * A client that has just connected.

@@ -13,10 +13,10 @@ import org.pendant.script.vm.InterpretedLine;
 /** The statements of one client on their way to the controller, a few at a time. */
 final class LineQueue {
   /** Most lines of one client in a frame: each is checked in the frame loop. */
-  private static final int MOST_UNDER_WAY = 16;
+  private static final int MAX_UNDER_WAY = 16;
 
   /** Beyond this the client has to wait with what it sends. */
-  private static final int MOST_WAITING_BYTES = 1 << 20;
+  private static final int MAX_WAITING_BYTES = 1 << 20;
 
   private final Controller controller;
   private final BiConsumer<InterpretedLine, Reply> answer;
@@ -41,7 +41,7 @@ final class LineQueue {
   void add(InterpretedLine line) throws InterruptedException {
     lock.lock();
     try {
-      while (waitingBytes > MOST_WAITING_BYTES) {
+      while (waitingBytes > MAX_WAITING_BYTES) {
         room.await();
       }
       waiting.add(line);
@@ -54,7 +54,7 @@ final class LineQueue {
 
   private void pump() {
     pumping = true;
-    while (underWay < MOST_UNDER_WAY && !waiting.isEmpty()) {
+    while (underWay < MAX_UNDER_WAY && !waiting.isEmpty()) {
       InterpretedLine next = waiting.remove();
       waitingBytes -= next.text().length();
       underWay++;

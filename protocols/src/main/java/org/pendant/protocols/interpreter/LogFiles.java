@@ -17,7 +17,7 @@ import org.pendant.script.vm.InterpreterEvent;
  */
 final class LogFiles {
   /** What programs keep is begun anew beyond this: nobody can fill the disk. */
-  private static final long LARGEST_BYTES = 16 << 20;
+  private static final long MAX_BYTES = 16 << 20;
 
   private final Path folder;
   private String program = "";
@@ -83,7 +83,7 @@ final class LogFiles {
     begun = false;
     Path saved = folder.resolve(InterpreterFiles.SAVED);
     byte[] statements = Files.readAllBytes(current());
-    if (Files.exists(saved) && Files.size(saved) + statements.length > LARGEST_BYTES) {
+    if (Files.exists(saved) && Files.size(saved) + statements.length > MAX_BYTES) {
       Files.delete(saved);
     }
     Files.write(saved, statements, StandardOpenOption.CREATE, StandardOpenOption.APPEND);

@@ -10,14 +10,14 @@ final class FrameCutter {
   static final int PREFIX = 6;
 
   /** Unit and function. */
-  static final int SHORTEST_REST = 2;
+  static final int MIN_REST = 2;
 
   /** Unit and the longest request, 253 bytes. */
-  static final int LONGEST_REST = 254;
+  static final int MAX_REST = 254;
 
   private static final int LENGTH_AT = 4;
 
-  private final ByteBuffer begun = ByteBuffer.allocate(PREFIX + LONGEST_REST);
+  private final ByteBuffer begun = ByteBuffer.allocate(PREFIX + MAX_REST);
 
   /**
    * Takes bytes until a request is whole.
@@ -31,9 +31,9 @@ final class FrameCutter {
       return Optional.empty();
     }
     int rest = begun.getShort(LENGTH_AT) & 0xFFFF;
-    if (rest < SHORTEST_REST || rest > LONGEST_REST) {
+    if (rest < MIN_REST || rest > MAX_REST) {
       throw new ProtocolException(
-          "the length is " + rest + ", must be " + SHORTEST_REST + " to " + LONGEST_REST);
+          "the length is " + rest + ", must be " + MIN_REST + " to " + MAX_REST);
     }
     take(bytes, PREFIX + rest);
     if (begun.position() < PREFIX + rest) {

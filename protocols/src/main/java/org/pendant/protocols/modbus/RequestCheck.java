@@ -10,19 +10,19 @@ import org.pendant.protocols.modbus.RefusedRequest.Reason;
  */
 final class RequestCheck {
   /** Most bits that one request reads. */
-  static final int MOST_BITS_READ = 2000;
+  static final int MAX_BITS_READ = 2000;
 
   /** Most bits that one request writes. */
-  static final int MOST_BITS_WRITTEN = 1968;
+  static final int MAX_BITS_WRITTEN = 1968;
 
   /** Most registers that one request reads. */
-  static final int MOST_REGISTERS_READ = 125;
+  static final int MAX_REGISTERS_READ = 125;
 
   /** Most registers that one request writes. */
-  static final int MOST_REGISTERS_WRITTEN = 123;
+  static final int MAX_REGISTERS_WRITTEN = 123;
 
   /** Most registers that a request writes that reads as well. */
-  static final int MOST_WRITTEN_AND_READ = 121;
+  static final int MAX_WRITTEN_AND_READ = 121;
 
   /** Where unit, function and what belongs to the function stand in a frame. */
   private static final int FUNCTION_AT = 7;
@@ -55,11 +55,11 @@ final class RequestCheck {
     switch (function) {
       case Modbus.READ_COILS, Modbus.READ_INPUT_DISCRETES -> {
         lengthIs(4);
-        range(word(), count(MOST_BITS_READ));
+        range(word(), count(MAX_BITS_READ));
       }
       case Modbus.READ_HOLDING_REGISTERS, Modbus.READ_INPUT_REGISTERS -> {
         lengthIs(4);
-        range(word(), count(MOST_REGISTERS_READ));
+        range(word(), count(MAX_REGISTERS_READ));
       }
       case Modbus.WRITE_COIL -> {
         lengthIs(4);
@@ -71,14 +71,14 @@ final class RequestCheck {
       case Modbus.WRITE_MULTIPLE_COILS -> {
         lengthIsAtLeast(5);
         int address = word();
-        int count = count(MOST_BITS_WRITTEN);
+        int count = count(MAX_BITS_WRITTEN);
         bytesFollow((count + Byte.SIZE - 1) / Byte.SIZE);
         range(address, count);
       }
       case Modbus.WRITE_MULTIPLE_REGISTERS -> {
         lengthIsAtLeast(5);
         int address = word();
-        int count = count(MOST_REGISTERS_WRITTEN);
+        int count = count(MAX_REGISTERS_WRITTEN);
         bytesFollow(Short.BYTES * count);
         range(address, count);
       }
@@ -86,9 +86,9 @@ final class RequestCheck {
       case Modbus.READ_WRITE_MULTIPLE -> {
         lengthIsAtLeast(9);
         int read = word();
-        int readCount = count(MOST_REGISTERS_READ);
+        int readCount = count(MAX_REGISTERS_READ);
         int written = word();
-        int writtenCount = count(MOST_WRITTEN_AND_READ);
+        int writtenCount = count(MAX_WRITTEN_AND_READ);
         bytesFollow(Short.BYTES * writtenCount);
         range(read, readCount);
         range(written, writtenCount);

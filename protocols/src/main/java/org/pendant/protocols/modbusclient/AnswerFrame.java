@@ -17,10 +17,10 @@ final class AnswerFrame {
   static final int FUNCTION = PREFIX + 1;
 
   /** Unit, function and one more byte, as in a refusal. */
-  static final int SHORTEST_REST = 3;
+  static final int MIN_REST = 3;
 
   /** Unit and the longest answer, 253 bytes. */
-  static final int LONGEST_REST = 254;
+  static final int MAX_REST = 254;
 
   private AnswerFrame() {}
 
@@ -38,7 +38,7 @@ final class AnswerFrame {
     ByteBuffer head = ByteBuffer.wrap(prefix);
     int protocol = head.getShort(2) & 0xFFFF;
     int rest = head.getShort(4) & 0xFFFF;
-    if (protocol != 0 || rest < SHORTEST_REST || rest > LONGEST_REST) {
+    if (protocol != 0 || rest < MIN_REST || rest > MAX_REST) {
       throw new ProtocolException("protocol " + protocol + ", length " + rest);
     }
     byte[] frame = Arrays.copyOf(prefix, PREFIX + rest);

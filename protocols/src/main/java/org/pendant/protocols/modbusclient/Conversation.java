@@ -21,13 +21,13 @@ import java.util.concurrent.locks.LockSupport;
  */
 final class Conversation {
   /** Most questions that wait for an answer at once. */
-  static final int MOST_UNANSWERED = 16;
+  static final int MAX_UNANSWERED = 16;
 
   /** How long a device may take for an answer. */
   static final long ANSWER_NS = TimeUnit.SECONDS.toNanos(1);
 
   /** So many questions without an answer, one after the other, and nobody is there. */
-  private static final int MOST_MISSED = 3;
+  private static final int MAX_MISSED = 3;
 
   /**
    * How long the answer to one question is waited for before the next one is asked all the same:
@@ -41,7 +41,7 @@ final class Conversation {
   private final Socket socket;
   private final Thread asking = Thread.currentThread();
   private final Map<Integer, Waiting> unanswered = new HashMap<>();
-  private final BlockingQueue<byte[]> answers = new ArrayBlockingQueue<>(2 * MOST_UNANSWERED);
+  private final BlockingQueue<byte[]> answers = new ArrayBlockingQueue<>(2 * MAX_UNANSWERED);
   private volatile Optional<IOException> end = Optional.empty();
   private int transaction;
   private int turn;
@@ -140,14 +140,14 @@ final class Conversation {
         }
       }
     }
-    if (missed > 0 && missed >= Math.min(MOST_MISSED, device.askers().size())) {
+    if (missed > 0 && missed >= Math.min(MAX_MISSED, device.askers().size())) {
       throw new SocketTimeoutException("no answer");
     }
   }
 
   /** Sends the questions that are due; answers how long there is nothing more to do, ns. */
   private long askWhatIsDue() throws IOException {
-    int most = device.sequential() ? 1 : MOST_UNANSWERED;
+    int most = device.sequential() ? 1 : MAX_UNANSWERED;
     List<? extends Asker> askers = device.askers();
     long nowNs = System.nanoTime();
     long waitNs = oldestNs(nowNs);

@@ -10,15 +10,15 @@ import org.pendant.controller.message.LogEntry.Level;
  */
 final class Acceptor<P> implements Runnable {
   /** The first wait, and the longest. */
-  static final Duration SHORTEST_WAIT = Duration.ofMillis(10);
+  static final Duration MIN_WAIT = Duration.ofMillis(10);
 
-  static final Duration LONGEST_WAIT = Duration.ofSeconds(1);
+  static final Duration MAX_WAIT = Duration.ofSeconds(1);
 
   private final String name;
   private final Door<P> door;
   private final Waiting waiting;
   private final PeerLog log;
-  private Duration wait = SHORTEST_WAIT;
+  private Duration wait = MIN_WAIT;
   private boolean failing;
 
   /** Where peers come in. */
@@ -69,7 +69,7 @@ final class Acceptor<P> implements Runnable {
     }
     if (failing) {
       failing = false;
-      wait = SHORTEST_WAIT;
+      wait = MIN_WAIT;
       log.write(Level.INFO, name + ": connections are taken again");
     }
     greet(peer);
@@ -97,6 +97,6 @@ final class Acceptor<P> implements Runnable {
     }
     waiting.await(wait);
     wait = wait.multipliedBy(2);
-    wait = wait.compareTo(LONGEST_WAIT) > 0 ? LONGEST_WAIT : wait;
+    wait = wait.compareTo(MAX_WAIT) > 0 ? MAX_WAIT : wait;
   }
 }

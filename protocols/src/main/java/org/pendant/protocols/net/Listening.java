@@ -14,11 +14,11 @@ import java.net.InetAddress;
 public record Listening(
     String name, InetAddress host, int port, int mostConnections, IdleLimits idle) {
   /** How many peers a port takes unless told otherwise. */
-  public static final int MOST_CONNECTIONS = 256;
+  public static final int MAX_CONNECTIONS = 256;
 
   /** With the usual number of connections, which may be silent for ever. */
   public Listening(String name, InetAddress host, int port) {
-    this(name, host, port, MOST_CONNECTIONS, IdleLimits.NONE);
+    this(name, host, port, MAX_CONNECTIONS, IdleLimits.NONE);
   }
 
   /** With other limits for peers that say nothing. */

@@ -28,7 +28,7 @@ final class ConfigurationParts {
   /** How much faster than its largest speed a joint may turn, rad/s. */
   private static final double BEYOND_SPEED_RAD_PER_S = 0.2;
 
-  private static final double MOST_ACCELERATION_RAD_PER_S2 = 40;
+  private static final double MAX_ACCELERATION_RAD_PER_S2 = 40;
   private static final double DEFAULT_JOINT_SPEED_RAD_PER_S = Math.toRadians(60);
   private static final double DEFAULT_JOINT_ACCELERATION_RAD_PER_S2 = Math.toRadians(80);
   private static final double DEFAULT_TOOL_SPEED_M_PER_S = 0.25;
@@ -66,7 +66,7 @@ final class ConfigurationParts {
     }
     for (JointLimits joint : arm.joints()) {
       out.putDouble(joint.maxSpeedRadPerS() + BEYOND_SPEED_RAD_PER_S)
-          .putDouble(MOST_ACCELERATION_RAD_PER_S2);
+          .putDouble(MAX_ACCELERATION_RAD_PER_S2);
     }
     out.putDouble(DEFAULT_JOINT_SPEED_RAD_PER_S)
         .putDouble(DEFAULT_JOINT_ACCELERATION_RAD_PER_S2)

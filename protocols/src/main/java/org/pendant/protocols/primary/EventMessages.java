@@ -27,7 +27,7 @@ final class EventMessages {
   static final int READ_ONLY = 210;
 
   /** The longest text of a message, bytes. */
-  static final int LONGEST_TEXT = 1 << 16;
+  static final int MAX_TEXT = 1 << 16;
 
   private static final Pattern CODE = Pattern.compile("C(\\d{1,9})A(\\d{1,9})");
   private static final double US_PER_S = 1e6;
@@ -106,8 +106,7 @@ final class EventMessages {
 
   private static Optional<RobotMessage> of(long timeUs, LogEntry entry) {
     if (entry.origin() == LogEntry.Origin.SCRIPT) {
-      return Optional.of(
-          new RobotMessage.Text(timeUs, LogEntry.shortened(entry.text(), LONGEST_TEXT)));
+      return Optional.of(new RobotMessage.Text(timeUs, LogEntry.shortened(entry.text(), MAX_TEXT)));
     }
     Matcher code = CODE.matcher(entry.code());
     return code.matches()

@@ -28,9 +28,9 @@ final class RobotMessageCodec {
   private static final String BUILD_DATE = "01-10-2025, 00:00:00";
 
   /** Bytes of a text that are sent; what a program writes may be longer. */
-  static final int MOST_TEXT = 1 << 15;
+  static final int MAX_TEXT = 1 << 15;
 
-  private static final int MOST_TITLE = 255;
+  private static final int MAX_TITLE = 255;
 
   private RobotMessageCodec() {}
 
@@ -44,7 +44,7 @@ final class RobotMessageCodec {
               .put((byte) 1)
               .array();
       case RobotMessage.Text text -> {
-        byte[] bytes = bytes(text.text(), MOST_TEXT);
+        byte[] bytes = bytes(text.text(), MAX_TEXT);
         yield begin(text.timeUs(), REALTIME_MACHINE, TEXT, bytes.length).put(bytes).array();
       }
       case RobotMessage.Safety safety ->
@@ -56,7 +56,7 @@ final class RobotMessageCodec {
               .putInt(0)
               .array();
       case RobotMessage.ErrorCode error -> {
-        byte[] bytes = bytes(error.text(), MOST_TEXT);
+        byte[] bytes = bytes(error.text(), MAX_TEXT);
         yield begin(error.timeUs(), REALTIME_MACHINE, ERROR_CODE, 20 + bytes.length)
             .putInt(error.code())
             .putInt(error.argument())
@@ -67,8 +67,8 @@ final class RobotMessageCodec {
             .array();
       }
       case RobotMessage.Key key -> {
-        byte[] title = bytes(key.title(), MOST_TITLE);
-        byte[] bytes = bytes(key.text(), MOST_TEXT);
+        byte[] title = bytes(key.title(), MAX_TITLE);
+        byte[] bytes = bytes(key.text(), MAX_TEXT);
         yield begin(key.timeUs(), REALTIME_MACHINE, KEY, 9 + title.length + bytes.length)
             .putInt(0)
             .putInt(0)
@@ -78,7 +78,7 @@ final class RobotMessageCodec {
             .array();
       }
       case RobotMessage.Request request -> {
-        byte[] bytes = bytes(request.text(), MOST_TEXT);
+        byte[] bytes = bytes(request.text(), MAX_TEXT);
         yield begin(request.timeUs(), REALTIME_MACHINE, REQUEST_VALUE, 5 + bytes.length)
             .putInt((int) request.id())
             .put((byte) request.wanted().number())
@@ -86,7 +86,7 @@ final class RobotMessageCodec {
             .array();
       }
       case RobotMessage.RuntimeFault exception -> {
-        byte[] bytes = bytes(exception.text(), MOST_TEXT);
+        byte[] bytes = bytes(exception.text(), MAX_TEXT);
         yield begin(exception.timeUs(), REALTIME_MACHINE, RUNTIME_EXCEPTION, 8 + bytes.length)
             .putInt(exception.line())
             .putInt(exception.column())
@@ -94,8 +94,8 @@ final class RobotMessageCodec {
             .array();
       }
       case RobotMessage.Labels labels -> {
-        byte[] text = bytes(labels.text(), MOST_TEXT);
-        byte[] thread = bytes(labels.thread(), MOST_TEXT);
+        byte[] text = bytes(labels.text(), MAX_TEXT);
+        byte[] thread = bytes(labels.thread(), MAX_TEXT);
         yield begin(labels.timeUs(), REALTIME_MACHINE, LABELS, 12 + text.length + thread.length)
             .putInt(labels.number())
             .putInt(text.length)
@@ -108,8 +108,8 @@ final class RobotMessageCodec {
   }
 
   private static byte[] version() {
-    byte[] name = bytes(PRODUCT, MOST_TITLE);
-    byte[] date = bytes(BUILD_DATE, MOST_TITLE);
+    byte[] name = bytes(PRODUCT, MAX_TITLE);
+    byte[] date = bytes(BUILD_DATE, MAX_TITLE);
     return begin(RobotMessage.BEFORE, ROBOT_INTERFACE, VERSION, 11 + name.length + date.length)
         .put((byte) name.length)
         .put(name)

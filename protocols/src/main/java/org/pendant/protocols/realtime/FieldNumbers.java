@@ -11,10 +11,10 @@ import org.pendant.controller.state.ControllerState;
  * uses an object.
  */
 final class FieldNumbers {
-  private static final int MOST_BYTES = 48;
+  private static final int MAX_BYTES = 48;
 
   private final OutputField field;
-  private final ByteBuffer scratch = ByteBuffer.allocate(MOST_BYTES);
+  private final ByteBuffer scratch = ByteBuffer.allocate(MAX_BYTES);
 
   /**
    * The field called {@code name}.

@@ -23,16 +23,14 @@ final class ProgramTransfers {
   private static final int FORM_BYTES = 8192;
 
   /** So much more is read before it is refused, as clients send all before they read. */
-  private static final int MOST_READ = 64 << 20;
+  private static final int MAX_READ = 64 << 20;
 
-  private static final int MOST_AT_ONCE = 16;
+  private static final int MAX_AT_ONCE = 16;
 
   private final ProgramStore store;
   private final BodyLimit limit =
       new BodyLimit(
-          ProgramStore.LARGEST_BYTES + FORM_BYTES,
-          MOST_READ,
-          Optional.of(new LargeBodies(MOST_AT_ONCE)));
+          ProgramStore.MAX_BYTES + FORM_BYTES, MAX_READ, Optional.of(new LargeBodies(MAX_AT_ONCE)));
 
   ProgramTransfers(ProgramStore store) {
     this.store = store;
@@ -70,7 +68,7 @@ final class ProgramTransfers {
     if (file.isEmpty()) {
       return invalid("the body must be multipart/form-data with a part \"" + FIELD + "\"");
     }
-    if (file.get().length > ProgramStore.LARGEST_BYTES) {
+    if (file.get().length > ProgramStore.MAX_BYTES) {
       return notKept(HttpStatus.TOO_LARGE);
     }
     try {
@@ -86,9 +84,9 @@ final class ProgramTransfers {
         ? ApiReply.refused(
             why,
             "Program too large",
-            "a program may have at most " + ProgramStore.LARGEST_BYTES + " bytes")
+            "a program may have at most " + ProgramStore.MAX_BYTES + " bytes")
         : ApiReply.refused(
-            why, "Busy", MOST_AT_ONCE + " programs are being taken already, try again");
+            why, "Busy", MAX_AT_ONCE + " programs are being taken already, try again");
   }
 
   /**

@@ -22,13 +22,13 @@ import org.pendant.protocols.server.RetriedCommands;
  */
 final class InputHandler {
   /** Their numbers have one byte, and 0 is none. */
-  static final int MOST_RECIPES = 255;
+  static final int MAX_RECIPES = 255;
 
   /** A client that writes more than so many packages a frame waits for the frame. */
-  private static final int MOST_IN_A_FRAME = 8;
+  private static final int MAX_IN_A_FRAME = 8;
 
   /** What all clients together have waiting, so that others find places for their commands. */
-  static final int MOST_OF_ALL = 512;
+  static final int MAX_OF_ALL = 512;
 
   /**
    * So long after a client has closed its connection another one may still find its inputs taken.
@@ -44,7 +44,7 @@ final class InputHandler {
   private final RetriedCommands commands;
   private final long openedNs = System.nanoTime();
   private final Semaphore roomOfAll;
-  private final Semaphore room = new Semaphore(MOST_IN_A_FRAME);
+  private final Semaphore room = new Semaphore(MAX_IN_A_FRAME);
 
   /** What was wrong with the last package of each recipe. */
   private final Map<Integer, String> complaints = new HashMap<>();
@@ -52,7 +52,7 @@ final class InputHandler {
   /**
    * Nothing yet.
    *
-   * @param roomOfAll what all clients share, {@link #MOST_OF_ALL} at first
+   * @param roomOfAll what all clients share, {@link #MAX_OF_ALL} at first
    */
   InputHandler(Controller controller, String client, Semaphore roomOfAll) {
     this.controller = controller;
@@ -63,7 +63,7 @@ final class InputHandler {
 
   /** Whether there may be another recipe. */
   boolean hasRoom() {
-    return recipes.size() < MOST_RECIPES;
+    return recipes.size() < MAX_RECIPES;
   }
 
   /** Keeps a recipe whose inputs are {@link #claim claimed}; answers its number, from 1. */

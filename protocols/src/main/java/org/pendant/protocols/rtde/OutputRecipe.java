@@ -32,7 +32,7 @@ record OutputRecipe(List<OutputField> fields, boolean numbered) {
     return bytes;
   }
 
-  /** How long a data package is; more than {@link Packet#MOST_BYTES} cannot be sent. */
+  /** How long a data package is; more than {@link Packet#MAX_BYTES} cannot be sent. */
   int packetBytes() {
     int bytes = Packet.HEADER_BYTES + (numbered ? 1 : 0);
     for (int i = 0; i < fields.size(); i++) {

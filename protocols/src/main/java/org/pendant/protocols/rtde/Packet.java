@@ -13,5 +13,5 @@ record Packet(int type, ByteBuffer payload) {
   static final int HEADER_BYTES = 3;
 
   /** The size has two bytes. */
-  static final int MOST_BYTES = 0xFFFF;
+  static final int MAX_BYTES = 0xFFFF;
 }

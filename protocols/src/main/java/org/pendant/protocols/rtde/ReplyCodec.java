@@ -8,7 +8,7 @@ import org.pendant.controller.state.SoftwareVersion;
 /** What goes to clients, as packages. */
 final class ReplyCodec {
   private static final String SOURCE = "RTDE";
-  private static final int LONGEST_TEXT = 255;
+  private static final int MAX_TEXT = 255;
 
   private ReplyCodec() {}
 
@@ -58,7 +58,7 @@ final class ReplyCodec {
    * @param version of the protocol that is spoken, 1 or 2
    */
   static byte[] text(TextLevel level, String text, int version) {
-    byte[] message = bytes(text.substring(0, Math.min(LONGEST_TEXT, text.length())));
+    byte[] message = bytes(text.substring(0, Math.min(MAX_TEXT, text.length())));
     if (version == 1) {
       return packet(PacketType.TEXT_MESSAGE, 1 + message.length)
           .put((byte) level.number())

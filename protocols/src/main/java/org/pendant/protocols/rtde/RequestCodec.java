@@ -8,7 +8,7 @@ import java.util.List;
 /** Packages of clients as requests. */
 final class RequestCodec {
   /** Most bytes that the names of a recipe may take together. */
-  static final int LONGEST_NAMES = 16_384;
+  static final int MAX_NAMES = 16_384;
 
   /** How often version 1 sends, Hz: its requests name no frequency. */
   static final double VERSION_1_HZ = 125;
@@ -83,13 +83,13 @@ final class RequestCodec {
   }
 
   private static Request names(int type, ByteBuffer payload, Named request) {
-    if (payload.remaining() > LONGEST_NAMES) {
+    if (payload.remaining() > MAX_NAMES) {
       return new Request.RefusedSetup(
           type,
           "the names of a recipe take "
               + payload.remaining()
               + " bytes, must be at most "
-              + LONGEST_NAMES);
+              + MAX_NAMES);
     }
     List<String> names = split(StandardCharsets.ISO_8859_1.decode(payload).toString());
     return names.isEmpty()

@@ -32,7 +32,7 @@ public final class RtdeServer implements Server {
   public static RtdeServer open(ServerContext serverContext, PortNumbers numbers)
       throws IOException {
     Listening listening = numbers.listening("RTDE", STANDARD_PORT).with(IdleLimits.peerBegins());
-    Semaphore inputRoom = new Semaphore(InputHandler.MOST_OF_ALL);
+    Semaphore inputRoom = new Semaphore(InputHandler.MAX_OF_ALL);
     return new RtdeServer(
         TcpPort.open(
             listening,

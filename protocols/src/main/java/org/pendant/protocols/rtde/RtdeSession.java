@@ -24,7 +24,7 @@ import org.pendant.protocols.server.ServerContext;
 /** One client. Requests are answered in their order; nothing comes unasked before a start. */
 final class RtdeSession implements Session {
   private static final int NEWEST_VERSION = 2;
-  private static final double LEAST_HZ = 1;
+  private static final double MIN_HZ = 1;
   private static final String NOT_FOUND = "NOT_FOUND";
   private static final String IN_USE = "IN_USE";
 
@@ -116,9 +116,9 @@ final class RtdeSession implements Session {
     }
     OutputRecipe recipe = new OutputRecipe(fields, version > 1);
     boolean known = fields.size() == wanted.names().size() && Double.isFinite(wanted.frequencyHz());
-    boolean usable = known && recipe.packetBytes() <= Packet.MOST_BYTES;
+    boolean usable = known && recipe.packetBytes() <= Packet.MAX_BYTES;
     if (usable) {
-      flow.setUp(recipe, Math.clamp(wanted.frequencyHz(), LEAST_HZ, Pacing.FRAMES_HZ));
+      flow.setUp(recipe, Math.clamp(wanted.frequencyHz(), MIN_HZ, Pacing.FRAMES_HZ));
     } else {
       flow.clear();
     }
@@ -129,7 +129,7 @@ final class RtdeSession implements Session {
           "a data package of the recipe would take "
               + recipe.packetBytes()
               + " bytes, must be at most "
-              + Packet.MOST_BYTES);
+              + Packet.MAX_BYTES);
     }
   }
 
@@ -145,7 +145,7 @@ final class RtdeSession implements Session {
   private void answerSetup(int type, int id, List<String> types) {
     boolean numbered = version > 1 || type == PacketType.SETUP_INPUTS;
     byte[] answer = numbered ? ReplyCodec.recipe(type, id, types) : ReplyCodec.recipe(type, types);
-    if (answer.length <= Packet.MOST_BYTES) {
+    if (answer.length <= Packet.MAX_BYTES) {
       connection.send(answer);
     } else {
       refuseSetup(
@@ -156,7 +156,7 @@ final class RtdeSession implements Session {
                   + " variables take "
                   + answer.length
                   + " bytes, must be at most "
-                  + Packet.MOST_BYTES));
+                  + Packet.MAX_BYTES));
     }
   }
 
@@ -174,7 +174,7 @@ final class RtdeSession implements Session {
     if (!inputs.hasRoom() && id == UNUSABLE) {
       tell(
           TextLevel.ERROR,
-          "a connection has " + InputHandler.MOST_RECIPES + " input recipes, which is the most");
+          "a connection has " + InputHandler.MAX_RECIPES + " input recipes, which is the most");
     }
   }
 

@@ -16,7 +16,7 @@ import org.pendant.protocols.net.ProtocolException;
  */
 final class ScriptFramer implements AutoCloseable {
   /** Bytes of the longest program or line. */
-  static final int MOST_BYTES = 16 << 20;
+  static final int MAX_BYTES = 16 << 20;
 
   private static final int FIRST_BYTES = 1 << 12;
   private static final byte[] DEF = word("def");
@@ -79,11 +79,11 @@ final class ScriptFramer implements AutoCloseable {
   }
 
   private void grow() throws ProtocolException {
-    int wanted = Math.min(MOST_BYTES, Math.max(FIRST_BYTES, text.length * 2));
+    int wanted = Math.min(MAX_BYTES, Math.max(FIRST_BYTES, text.length * 2));
     if (wanted <= text.length) {
       close();
       throw new ProtocolException(
-          "a script is longer than " + (MOST_BYTES >> 20) + " MB, the most that is taken");
+          "a script is longer than " + (MAX_BYTES >> 20) + " MB, the most that is taken");
     }
     if (!budget.take(wanted - text.length)) {
       close();

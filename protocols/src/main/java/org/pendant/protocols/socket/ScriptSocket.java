@@ -22,7 +22,7 @@ final class ScriptSocket implements ExternalSocket {
   static final int CONNECT_MS = 10_000;
 
   /** Most bytes that wait to be sent. */
-  static final int MOST_UNSENT = 1 << 20;
+  static final int MAX_UNSENT = 1 << 20;
 
   private static final int OBJECT_BYTES = 48;
 
@@ -160,7 +160,7 @@ final class ScriptSocket implements ExternalSocket {
     if (stage != Stage.OPEN || bytes.length == 0) {
       return stage == Stage.OPEN;
     }
-    if (unsentBytes.addAndGet(size(bytes)) > MOST_UNSENT) {
+    if (unsentBytes.addAndGet(size(bytes)) > MAX_UNSENT) {
       unsentBytes.addAndGet(-size(bytes));
       return false;
     }

@@ -33,11 +33,11 @@ import org.pendant.script.vm.Program;
 
 /** Program repository: the programs and installations of the programs folder. Any thread. */
 final class ProgramRepository {
-  private static final long LARGEST_BYTES = 32 << 20;
+  private static final long MAX_BYTES = 32 << 20;
   private static final String SCRIPT = ".script";
 
   /** Programs that are listed: more are of no use to anybody. */
-  static final int MOST_LISTED = 1000;
+  static final int MAX_LISTED = 1000;
 
   private final ProgramsFolder folder;
   private final Controller controller;
@@ -72,7 +72,7 @@ final class ProgramRepository {
   }
 
   /**
-   * The programs that stand in the folder itself, at most {@link #MOST_LISTED}, by name.
+   * The programs that stand in the folder itself, at most {@link #MAX_LISTED}, by name.
    *
    * @throws IOException if the folder cannot be read
    */
@@ -86,7 +86,7 @@ final class ProgramRepository {
           files
               .filter(each -> ProgramFile.isProgram(each.getFileName().toString()))
               .filter(Files::isRegularFile)
-              .limit(MOST_LISTED)
+              .limit(MAX_LISTED)
               .toList();
     } catch (UncheckedIOException e) {
       throw e.getCause();
@@ -299,7 +299,7 @@ final class ProgramRepository {
   private byte[] read(String name, String ending) throws LoadTrouble {
     ProgramsFolder.Found found;
     try {
-      found = folder.find(name, ending, LARGEST_BYTES);
+      found = folder.find(name, ending, MAX_BYTES);
     } catch (ScriptError e) {
       throw new LoadTrouble(true, e.getMessage());
     }

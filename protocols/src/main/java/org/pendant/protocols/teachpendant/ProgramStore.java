@@ -22,10 +22,10 @@ import org.pendant.script.value.ScriptError;
  */
 public final class ProgramStore {
   /** Most bytes of a program: what is sent to a client has to fit into what may wait for it. */
-  public static final int LARGEST_BYTES = 1_000_000;
+  public static final int MAX_BYTES = 1_000_000;
 
   /** Most bytes of a name: with the ending it has to be one of a file. */
-  private static final int LONGEST_NAME = 200;
+  private static final int MAX_NAME = 200;
 
   private final ProgramsFolder folder;
   private final ProgramRepository programRepository;
@@ -53,11 +53,11 @@ public final class ProgramStore {
       if (there.isPresent()) {
         throw exists(name, there.get());
       }
-      if (programRepository.programs().size() >= ProgramRepository.MOST_LISTED) {
+      if (programRepository.programs().size() >= ProgramRepository.MAX_LISTED) {
         throw new StoreTrouble(
             Kind.FULL,
             "the programs folder has "
-                + ProgramRepository.MOST_LISTED
+                + ProgramRepository.MAX_LISTED
                 + " programs, which are the most");
       }
       AtomicFile.create(root().resolve(name + UrpxPrograms.ENDING), out -> out.write(json));
@@ -101,7 +101,7 @@ public final class ProgramStore {
     try {
       var _ = foreign(name);
       return folder
-          .find(ByteText.asBytes(name + UrpxPrograms.ENDING), UrpxPrograms.ENDING, LARGEST_BYTES)
+          .find(ByteText.asBytes(name + UrpxPrograms.ENDING), UrpxPrograms.ENDING, MAX_BYTES)
           .read();
     } catch (ScriptError e) {
       throw new StoreTrouble(Kind.OTHER, ByteText.decoded(e.getMessage()));
@@ -141,9 +141,9 @@ public final class ProgramStore {
           "the name of the program must not end with " + String.join(", ", ProgramFile.ENDINGS));
     }
     int bytes = ByteText.asBytes(name).length();
-    return bytes > LONGEST_NAME
+    return bytes > MAX_NAME
         ? Optional.of(
-            "the name of the program has " + bytes + " bytes, must have at most " + LONGEST_NAME)
+            "the name of the program has " + bytes + " bytes, must have at most " + MAX_NAME)
         : Optional.empty();
   }
 

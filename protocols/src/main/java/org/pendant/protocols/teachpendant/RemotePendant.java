@@ -37,7 +37,7 @@ public final class RemotePendant {
   private static final long PAUSE_NS = TimeUnit.MILLISECONDS.toNanos(800);
 
   /** More remarks about an installation are of no use in a log. */
-  private static final int MOST_REMARKS = 20;
+  private static final int MAX_REMARKS = 20;
 
   private static final String POPUP_TITLE = "Popup";
 
@@ -194,7 +194,7 @@ public final class RemotePendant {
       }
       installation = programRepository.nameOf(name);
       found.remarks().stream()
-          .limit(MOST_REMARKS)
+          .limit(MAX_REMARKS)
           .forEach(each -> log(Level.INFO, ByteText.asBytes("installation: " + each)));
     } finally {
       changing.unlock();

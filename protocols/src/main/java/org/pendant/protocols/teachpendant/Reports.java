@@ -33,7 +33,7 @@ public final class Reports {
   private static final DateTimeFormatter STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss-SSS");
 
   /** Nobody can fill the disk by asking for reports: the oldest ones go. */
-  private static final int MOST_REPORTS = 20;
+  private static final int MAX_REPORTS = 20;
 
   private static final String FLIGHT = "flightreport-";
   private static final String SUPPORT = "supportfile-";
@@ -69,17 +69,14 @@ public final class Reports {
    * @param directory bytes, one {@code char} a byte: a folder in the programs folder; empty for
    *     that itself
    * @return where it is
-   * @throws IOException if there is no such folder, it has {@value #MOST_REPORTS} of them already,
+   * @throws IOException if there is no such folder, it has {@value #MAX_REPORTS} of them already,
    *     or it cannot be written
    */
   public synchronized Path supportFile(String directory) throws IOException {
     Path folder = folder(directory);
-    if (reports(folder, SUPPORT).size() >= MOST_REPORTS) {
+    if (reports(folder, SUPPORT).size() >= MAX_REPORTS) {
       throw new IOException(
-          directory
-              + " has "
-              + MOST_REPORTS
-              + " support files already, some must be removed first");
+          directory + " has " + MAX_REPORTS + " support files already, some must be removed first");
     }
     Path file =
         folder.resolve(SUPPORT + LocalDateTime.now(ZoneId.systemDefault()).format(STAMP) + ZIP);
@@ -111,7 +108,7 @@ public final class Reports {
 
   private static void removeOldest(Path folder) throws IOException {
     List<Path> present = reports(folder, FLIGHT);
-    for (int i = 0; i <= present.size() - MOST_REPORTS; i++) {
+    for (int i = 0; i <= present.size() - MAX_REPORTS; i++) {
       Files.delete(present.get(i));
     }
   }

@@ -23,7 +23,7 @@ import org.pendant.controller.io.ToolCommunication;
  */
 public final class ToolSerialLine implements ToolSerialConnector, AutoCloseable {
   /** Bytes that wait for the device before senders have to wait. */
-  private static final int MOST_WAITING = 1 << 16;
+  private static final int MAX_WAITING = 1 << 16;
 
   /** How often a device is looked for that was there or should be, ms. */
   private static final long RETRY_MS = 1000;
@@ -118,7 +118,7 @@ public final class ToolSerialLine implements ToolSerialConnector, AutoCloseable 
   void send(Consumer<byte[]> from, byte[] bytes) {
     lock.lock();
     try {
-      while (waitingBytes >= MOST_WAITING && !closing) {
+      while (waitingBytes >= MAX_WAITING && !closing) {
         room.await();
       }
       waiting.add(new Message(from, bytes, asked));

@@ -8,8 +8,8 @@ import java.util.Map;
 
 /** Reads one HTTP answer, of whatever server. */
 final class HttpAnswer {
-  private static final int LONGEST_LINE = 8192;
-  private static final int MOST_HEADERS = 100;
+  private static final int MAX_LINE = 8192;
+  private static final int MAX_HEADERS = 100;
   private static final int OK = 200;
 
   private final ByteArrayOutputStream body = new ByteArrayOutputStream();
@@ -79,7 +79,7 @@ final class HttpAnswer {
     Map<String, String> read = new HashMap<>();
     for (String line = readLine(); !line.isEmpty(); line = readLine()) {
       int colon = line.indexOf(':');
-      if (colon < 1 || read.size() == MOST_HEADERS) {
+      if (colon < 1 || read.size() == MAX_HEADERS) {
         throw new IOException("the head of the answer is not HTTP");
       }
       read.put(
@@ -91,8 +91,8 @@ final class HttpAnswer {
   private String readLine() throws IOException {
     StringBuilder line = new StringBuilder();
     for (int next = Line.orEnd(in.read()); next != '\n'; next = Line.orEnd(in.read())) {
-      if (line.length() == LONGEST_LINE) {
-        throw new IOException("a line of the answer has more than " + LONGEST_LINE + " characters");
+      if (line.length() == MAX_LINE) {
+        throw new IOException("a line of the answer has more than " + MAX_LINE + " characters");
       }
       line.append((char) next);
     }

@@ -16,7 +16,7 @@ import org.pendant.protocols.egress.HostPolicy;
  */
 final class Line {
   /** Most bytes of an answer. */
-  static final int MOST_BYTES = 1 << 22;
+  static final int MAX_BYTES = 1 << 22;
 
   private static final int CONNECT_MS = 2_000;
 
@@ -94,10 +94,10 @@ final class Line {
     return read;
   }
 
-  /** Refuses an answer of more than {@link #MOST_BYTES}. */
+  /** Refuses an answer of more than {@link #MAX_BYTES}. */
   static void bound(long bytes) throws IOException {
-    if (bytes > MOST_BYTES) {
-      throw new IOException("the answer has more than " + MOST_BYTES + " bytes");
+    if (bytes > MAX_BYTES) {
+      throw new IOException("the answer has more than " + MAX_BYTES + " bytes");
     }
   }
 

@@ -17,7 +17,7 @@ public final class XmlRpcConnector implements RpcConnector, AutoCloseable {
       Pattern.compile("(?:\\[([0-9A-Fa-f:.]+)]|([^/:\\[\\]\\s]+)):([0-9]{1,5})");
 
   private static final int HTTP_PORT = 80;
-  private static final int HIGHEST_PORT = 65_535;
+  private static final int MAX_PORT = 65_535;
 
   private final HostPolicy hostPolicy;
   private final Set<XmlRpcLink> open = ConcurrentHashMap.newKeySet();
@@ -73,7 +73,7 @@ public final class XmlRpcConnector implements RpcConnector, AutoCloseable {
   }
 
   private static int port(int port, String url) throws ScriptError {
-    if (port < 1 || port > HIGHEST_PORT) {
+    if (port < 1 || port > MAX_PORT) {
       throw wrong(url);
     }
     return port;

@@ -23,7 +23,7 @@ import org.pendant.script.value.Value;
  * one connection at a time would never come to a second one.
  */
 final class XmlRpcLink implements RpcLink {
-  private static final int LONGEST_MESSAGE = 300;
+  private static final int MAX_MESSAGE = 300;
 
   private final Wire wire;
   private final Consumer<XmlRpcLink> afterwards;
@@ -103,7 +103,7 @@ final class XmlRpcLink implements RpcLink {
 
   private static String shortened(String text) {
     String line = String.valueOf(text).replaceAll("\\p{Cntrl}+", " ").strip();
-    return line.length() > LONGEST_MESSAGE ? line.substring(0, LONGEST_MESSAGE) + "..." : line;
+    return line.length() > MAX_MESSAGE ? line.substring(0, MAX_MESSAGE) + "..." : line;
   }
 
   @Override

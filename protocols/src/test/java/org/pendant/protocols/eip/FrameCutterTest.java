@@ -63,7 +63,7 @@ class FrameCutterTest {
 
   @Test
   void takesTheLongestFrame() throws ProtocolException {
-    byte[] longest = new byte[EncapsulationFrame.HEADER + EncapsulationFrame.LONGEST_DATA];
+    byte[] longest = new byte[EncapsulationFrame.HEADER + EncapsulationFrame.MAX_DATA];
     longest[3] = 0x10;
     assertEquals(List.of(Hex.text(longest)), cut(new FrameCutter(), longest));
   }

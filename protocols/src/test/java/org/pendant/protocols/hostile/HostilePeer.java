@@ -12,7 +12,7 @@ final class HostilePeer {
   private static final int GIVE_UP_MS = 30_000;
 
   /** As many packets a connection at most, most of them with a length that is right. */
-  private static final int MOST_PACKETS = 200;
+  private static final int MAX_PACKETS = 200;
 
   private final InetAddress host;
   private final int port;
@@ -34,7 +34,7 @@ final class HostilePeer {
    */
   void send(int packets) throws IOException {
     for (int sent = 0; sent < packets; ) {
-      int count = Math.min(packets - sent, random.nextInt(1, MOST_PACKETS));
+      int count = Math.min(packets - sent, random.nextInt(1, MAX_PACKETS));
       ByteArrayOutputStream stream = new ByteArrayOutputStream();
       for (int i = 1; i < count; i++) {
         stream.writeBytes(dialect.withinFrame(random));

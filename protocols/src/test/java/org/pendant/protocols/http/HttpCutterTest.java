@@ -149,7 +149,7 @@ class HttpCutterTest {
 
   @Test
   void refusesAHeadWithoutEnd() {
-    String endless = "x".repeat(HttpCutter.LONGEST_HEAD + 1);
+    String endless = "x".repeat(HttpCutter.MAX_HEAD + 1);
     assertThrows(ProtocolException.class, () -> cut(new HttpCutter(LIMITS), endless));
   }
 }

@@ -290,8 +290,7 @@ class AnswersTest {
     for (int i = 0; i < 20_000; i++) {
       byte[] body =
           new byte
-              [random.nextInt(
-                  FrameCutter.SHORTEST_REST, i % 4 == 0 ? FrameCutter.LONGEST_REST + 1 : 16)];
+              [random.nextInt(FrameCutter.MIN_REST, i % 4 == 0 ? FrameCutter.MAX_REST + 1 : 16)];
       random.nextBytes(body);
       if (i % 8 != 0) {
         body[1] = new byte[] {1, 2, 3, 4, 5, 6, 15, 16, 22, 23}[random.nextInt(10)];

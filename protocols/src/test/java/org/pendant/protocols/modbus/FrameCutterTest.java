@@ -67,8 +67,8 @@ class FrameCutterTest {
 
   @Test
   void takesTheLongestRequest() throws Exception {
-    byte[] frame = new byte[FrameCutter.PREFIX + FrameCutter.LONGEST_REST];
-    frame[5] = (byte) FrameCutter.LONGEST_REST;
+    byte[] frame = new byte[FrameCutter.PREFIX + FrameCutter.MAX_REST];
+    frame[5] = (byte) FrameCutter.MAX_REST;
     assertEquals(1, feed(frame).size());
   }
 
@@ -80,7 +80,7 @@ class FrameCutterTest {
       List<byte[]> sent = new ArrayList<>();
       ByteArrayOutputStream stream = new ByteArrayOutputStream();
       for (int i = random.nextInt(1, 20); i > 0; i--) {
-        int rest = random.nextInt(FrameCutter.SHORTEST_REST, FrameCutter.LONGEST_REST + 1);
+        int rest = random.nextInt(FrameCutter.MIN_REST, FrameCutter.MAX_REST + 1);
         byte[] frame = new byte[FrameCutter.PREFIX + rest];
         random.nextBytes(frame);
         frame[4] = 0;

@@ -102,7 +102,7 @@ class RobotMessageCodecTest {
   @Test
   void aLongTextIsCut() {
     byte[] bytes = RobotMessageCodec.encode(new RobotMessage.Text(TIME_US, "x".repeat(100_000)));
-    assertEquals(15 + RobotMessageCodec.MOST_TEXT, bytes.length);
+    assertEquals(15 + RobotMessageCodec.MAX_TEXT, bytes.length);
     assertEquals(bytes.length, ByteBuffer.wrap(bytes).getInt());
   }
 }

@@ -22,7 +22,7 @@ class RealtimeServerTest {
   private static final int DIGITAL_OUTPUTS = 1044;
 
   /** When a test has waited in vain. */
-  private static final int MOST_FRAMES = 10_000;
+  private static final int MAX_FRAMES = 10_000;
 
   private final RemoteControl remote = new RemoteControl(true, true);
   private final RunningBox box = new RunningBox(ControllerOptions.headless(), remote);
@@ -74,7 +74,7 @@ class RealtimeServerTest {
       send(socket, "def p():\n  set_digital_out(2, True)\n  while True:\n    sync()\n  end\nend\n");
       ByteBuffer state = next(socket);
       for (int i = 0; state.getDouble(PROGRAM_STATE) != 2; i++) {
-        assertTrue(i < MOST_FRAMES, "the program must have started");
+        assertTrue(i < MAX_FRAMES, "the program must have started");
         state = next(socket);
       }
       assertEquals(4, next(socket).getDouble(DIGITAL_OUTPUTS));
@@ -89,7 +89,7 @@ class RealtimeServerTest {
       send(writer, "set_digital_out(1, True)\n");
       ByteBuffer state = next(reader);
       for (int i = 0; state.getDouble(DIGITAL_OUTPUTS) == 0; i++) {
-        assertTrue(i < MOST_FRAMES, "the output must have been set");
+        assertTrue(i < MAX_FRAMES, "the output must have been set");
         state = next(reader);
       }
       assertEquals(2, state.getDouble(DIGITAL_OUTPUTS));
@@ -105,7 +105,7 @@ class RealtimeServerTest {
       remote.setRemote(false);
       byte[] rest = new byte[RealtimeCodec.BYTES];
       for (int i = 0; writer.getInputStream().read(rest) >= 0; i++) {
-        assertTrue(i < MOST_FRAMES, "must have been disconnected");
+        assertTrue(i < MAX_FRAMES, "must have been disconnected");
       }
       next(reader);
     }

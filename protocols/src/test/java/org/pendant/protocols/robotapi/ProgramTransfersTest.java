@@ -246,7 +246,7 @@ class ProgramTransfersTest {
   @Test
   void aProgramThatIsTooLargeIsRefusedAndTheConnectionGoesOn() throws Exception {
     String empty = program("pick", "");
-    String filler = "#".repeat(ProgramStore.LARGEST_BYTES - empty.length());
+    String filler = "#".repeat(ProgramStore.MAX_BYTES - empty.length());
     String refused =
         "413 {\"message\":\"Program too large\",\"details\":\"a program may have at most 1000000"
             + " bytes\"}";

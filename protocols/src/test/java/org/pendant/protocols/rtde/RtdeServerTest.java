@@ -29,7 +29,7 @@ import org.pendant.protocols.server.RemoteControl;
 import org.pendant.protocols.server.ServerContext;
 
 class RtdeServerTest {
-  private static final int MOST_FRAMES = 5000;
+  private static final int MAX_FRAMES = 5000;
 
   private final BlockingQueue<String> logged = new LinkedBlockingQueue<>();
   private final Controller controller = new Controller(ControllerOptions.headless());
@@ -65,14 +65,14 @@ class RtdeServerTest {
 
   private ControllerState await(Predicate<ControllerState> wanted) throws InterruptedException {
     try (StateStream.Follower follower = controller.feed().follow()) {
-      for (int i = 0; i < MOST_FRAMES; i++) {
+      for (int i = 0; i < MAX_FRAMES; i++) {
         ControllerState state = follower.take();
         if (wanted.test(state)) {
           return state;
         }
       }
     }
-    throw new AssertionError("did not come within " + MOST_FRAMES + " frames");
+    throw new AssertionError("did not come within " + MAX_FRAMES + " frames");
   }
 
   private static byte[] integer(int recipe, int value) {

@@ -152,8 +152,8 @@ class ScriptFramerTest {
   @Test
   void allClientsTogetherAreBounded() throws Exception {
     List<ScriptFramer> clients = new ArrayList<>();
-    byte[] most = new byte[ScriptFramer.MOST_BYTES];
-    for (int i = 0; i < TextBudget.CAPACITY / ScriptFramer.MOST_BYTES; i++) {
+    byte[] most = new byte[ScriptFramer.MAX_BYTES];
+    for (int i = 0; i < TextBudget.CAPACITY / ScriptFramer.MAX_BYTES; i++) {
       ScriptFramer client = new ScriptFramer(budget);
       clients.add(client);
       assertEquals(List.of(), client.all(ByteBuffer.wrap(most)));

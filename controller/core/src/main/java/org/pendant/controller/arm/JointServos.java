@@ -42,7 +42,7 @@ final class JointServos implements Drives {
    * The least dry friction, Nm: too little to be noticed, enough for a drive without friction to
    * come to rest for good.
    */
-  private static final double LEAST_FRICTION_NM = 1e-6;
+  private static final double MIN_FRICTION_NM = 1e-6;
 
   private static final int N = Joints.COUNT;
 
@@ -75,7 +75,7 @@ final class JointServos implements Drives {
     DMatrixRMaj heaviest = heaviest(arm);
     for (int i = 0; i < N; i++) {
       Actuator actuator = actuators.get(i);
-      frictionNm[i] = Math.max(LEAST_FRICTION_NM, actuator.coulombNm());
+      frictionNm[i] = Math.max(MIN_FRICTION_NM, actuator.coulombNm());
       viscousNmSPerRad[i] = actuator.viscousNmSPerRad();
       damping[i] = SPEED_RATE_PER_S * heaviest.get(i, i);
       fastest[i] = SPEED_MARGIN * arm.joints().get(i).maxSpeedRadPerS();

@@ -27,7 +27,7 @@ final class JointStep {
   /** Corrections of all joints at once; beyond, which hardly ever happens, one joint at a time. */
   private static final int BOLD_ROUNDS = 8;
 
-  private static final int MOST_ROUNDS = 60;
+  private static final int MAX_ROUNDS = 60;
 
   /** Share by which static friction may be exceeded: more than rounding, less than matters. */
   private static final double ROUNDING = 1e-9;
@@ -80,7 +80,7 @@ final class JointStep {
       limited[i] = beyondLimit(i, speedRadPerS[i]);
       start[i] = row(mass, i, speedRadPerS) + stepS * freeNm[i];
     }
-    for (int round = 0; round < MOST_ROUNDS; round++) {
+    for (int round = 0; round < MAX_ROUNDS; round++) {
       speeds(stepS);
       if (!revise(stepS, round >= BOLD_ROUNDS)) {
         break;

@@ -11,7 +11,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
  */
 public final class Determinism {
   /** Files that are remembered; a run that reads more cannot be repeated from there on. */
-  private static final int MOST_FILES = 1000;
+  private static final int MAX_FILES = 1000;
 
   private final BoxClock clock;
   private final List<FileRead> files = new CopyOnWriteArrayList<>();
@@ -61,10 +61,10 @@ public final class Determinism {
    * @param fingerprint of what was in it
    */
   public void read(String file, int fingerprint) {
-    if (files.size() < MOST_FILES) {
+    if (files.size() < MAX_FILES) {
       files.add(new FileRead(clock.frame(), file, fingerprint));
     } else {
-      taint("programs have read more than " + MOST_FILES + " files");
+      taint("programs have read more than " + MAX_FILES + " files");
     }
   }
 

@@ -16,7 +16,7 @@ import java.util.Optional;
  */
 public record Inertia(double ixx, double iyy, double izz, double ixy, double ixz, double iyz) {
   /** Largest element either way, kg m² (manual 16.52). */
-  public static final double LARGEST_KG_M2 = 133;
+  public static final double MAX_KG_M2 = 133;
 
   /** That of a point. */
   public static final Inertia NONE = new Inertia(0, 0, 0, 0, 0, 0);
@@ -40,9 +40,9 @@ public record Inertia(double ixx, double iyy, double izz, double ixy, double ixz
 
   /** Why no payload can be declared to have it, such as {@code Ixx must not be negative}. */
   public Optional<String> problem() {
-    if (Arrays.stream(elements()).anyMatch(each -> !(Math.abs(each) <= LARGEST_KG_M2))) {
+    if (Arrays.stream(elements()).anyMatch(each -> !(Math.abs(each) <= MAX_KG_M2))) {
       return Optional.of(
-          "each must be -" + (int) LARGEST_KG_M2 + " to " + (int) LARGEST_KG_M2 + " kg m\u00b2");
+          "each must be -" + (int) MAX_KG_M2 + " to " + (int) MAX_KG_M2 + " kg m\u00b2");
     }
     if (ixx < 0 || iyy < 0 || izz < 0) {
       return Optional.of("the first three must not be negative");

@@ -11,7 +11,7 @@ import org.pendant.models.arm.ArmDescription;
  */
 public final class MotionSettings {
   /** Smallest share of the usual jerk. */
-  public static final double LEAST_JERK_GAIN = 0.01;
+  public static final double MIN_JERK_GAIN = 0.01;
 
   /**
    * How long the acceleration takes to grow to its limit with the usual jerk, s. Our choice: the
@@ -59,7 +59,7 @@ public final class MotionSettings {
   /**
    * Changes the share of the usual jerk.
    *
-   * @param gain {@value #LEAST_JERK_GAIN} to 1
+   * @param gain {@value #MIN_JERK_GAIN} to 1
    */
   public void setJerkGain(double gain) {
     jerkGain = gain;

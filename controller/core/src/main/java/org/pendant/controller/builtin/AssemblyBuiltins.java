@@ -24,7 +24,7 @@ import org.pendant.script.value.Value;
 /** Data that programs exchange with an EtherNet/IP scanner (manual 21). */
 final class AssemblyBuiltins {
   private static final String MODULE = "eip";
-  private static final double MOST_WATCHDOG_HZ = 10;
+  private static final double MAX_WATCHDOG_HZ = 10;
   private static final int LARGEST = 0xFFFF;
 
   private AssemblyBuiltins() {}
@@ -266,7 +266,7 @@ final class AssemblyBuiltins {
 
   private static Outcome setWatchdog(Call<ControlBox> call) throws ScriptError {
     double leastHz = call.number(1);
-    if (!(leastHz > 0 && leastHz <= MOST_WATCHDOG_HZ)) {
+    if (!(leastHz > 0 && leastHz <= MAX_WATCHDOG_HZ)) {
       throw call.refuse(1, "must be above 0 and at most 10 Hz");
     }
     WatchdogAction action = action(call);

@@ -19,7 +19,7 @@ import org.pendant.script.value.ScriptError;
 final class ForceBuiltins {
   private static final String MODULE = "motion";
 
-  private static final double LARGEST_GAIN = 2;
+  private static final double MAX_GAIN = 2;
 
   private ForceBuiltins() {}
 
@@ -95,7 +95,7 @@ final class ForceBuiltins {
         .needs("scaling", Type.NUMBER)
         .does(
             call -> {
-              call.host().forceMode().setGainScaling(within(call, LARGEST_GAIN));
+              call.host().forceMode().setGainScaling(within(call, MAX_GAIN));
               return call.answer();
             });
     builtins

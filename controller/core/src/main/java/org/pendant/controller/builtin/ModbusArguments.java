@@ -19,8 +19,8 @@ final class ModbusArguments {
   /** The text of most first parameters. */
   static final String NAME = "signal_name";
 
-  private static final int LONGEST_NAME = 20;
-  private static final int HIGHEST_REGISTER = 65_535;
+  private static final int MAX_NAME = 20;
+  private static final int MAX_REGISTER = 65_535;
 
   private ModbusArguments() {}
 
@@ -36,8 +36,8 @@ final class ModbusArguments {
   /** A name for a new signal. */
   static String newName(Call<ControlBox> call, int index) throws ScriptError {
     String name = call.text(index);
-    if (name.isEmpty() || name.length() > LONGEST_NAME) {
-      throw call.refuse(index, "must have 1 to " + LONGEST_NAME + " characters");
+    if (name.isEmpty() || name.length() > MAX_NAME) {
+      throw call.refuse(index, "must have 1 to " + MAX_NAME + " characters");
     }
     return name;
   }
@@ -79,12 +79,12 @@ final class ModbusArguments {
   /** One register or a list of them for an output that has {@code most}. */
   static List<Integer> registers(Call<ControlBox> call, int index, int most) throws ScriptError {
     if (call.kind(index) != Kind.LIST) {
-      return List.of(call.integer(index, 0, HIGHEST_REGISTER));
+      return List.of(call.integer(index, 0, MAX_REGISTER));
     }
     List<Integer> values = new ArrayList<>();
     for (double number : numbers(call, index, most, "a list of ints")) {
-      if (number != (int) number || number < 0 || number > HIGHEST_REGISTER) {
-        throw call.refuse(index, "must have ints of 0 to " + HIGHEST_REGISTER);
+      if (number != (int) number || number < 0 || number > MAX_REGISTER) {
+        throw call.refuse(index, "must have ints of 0 to " + MAX_REGISTER);
       }
       values.add((int) number);
     }

@@ -20,10 +20,10 @@ import org.pendant.script.value.Value;
 
 /** Setting Modbus signals, and speaking to devices (manual 18.22 to 18.25, 18.30, 19.1). */
 final class ModbusOutputBuiltins {
-  private static final int HIGHEST_UNIT = 255;
-  private static final int HIGHEST_FUNCTION = 127;
-  private static final int HIGHEST_BYTE = 255;
-  private static final int MOST_BYTES = 252;
+  private static final int MAX_UNIT = 255;
+  private static final int MAX_FUNCTION = 127;
+  private static final int MAX_BYTE = 255;
+  private static final int MAX_BYTES = 252;
   private static final int LAST_CHOICE = 5;
 
   private ModbusOutputBuiltins() {}
@@ -152,8 +152,8 @@ final class ModbusOutputBuiltins {
   private static Outcome send(Call<ControlBox> call) throws ScriptError {
     call.program().reachesOutside();
     ModbusAddress device = ModbusArguments.address(call, 0);
-    int unit = call.integer(1, 0, HIGHEST_UNIT);
-    int function = call.integer(2, 1, HIGHEST_FUNCTION);
+    int unit = call.integer(1, 0, MAX_UNIT);
+    int function = call.integer(2, 1, MAX_FUNCTION);
     byte[] data = bytes(call, 3);
     try {
       return new PendingWait(
@@ -170,14 +170,14 @@ final class ModbusOutputBuiltins {
         || (list.length() > 0 && list.elementKind() != Kind.INT)) {
       throw call.wrongKind(index, "a list of ints");
     }
-    if (list.length() > MOST_BYTES) {
-      throw call.refuse(index, "must have at most " + MOST_BYTES + " elements");
+    if (list.length() > MAX_BYTES) {
+      throw call.refuse(index, "must have at most " + MAX_BYTES + " elements");
     }
     byte[] bytes = new byte[list.length()];
     for (int i = 0; i < bytes.length; i++) {
       double number = list.numberAt(i);
-      if (number < 0 || number > HIGHEST_BYTE) {
-        throw call.refuse(index, "must have ints of 0 to " + HIGHEST_BYTE);
+      if (number < 0 || number > MAX_BYTE) {
+        throw call.refuse(index, "must have ints of 0 to " + MAX_BYTE);
       }
       bytes[i] = (byte) number;
     }

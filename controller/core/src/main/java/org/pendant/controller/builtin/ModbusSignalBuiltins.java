@@ -21,14 +21,14 @@ import org.pendant.script.value.Value;
 
 /** Adding and reading Modbus signals (manual 18.18 to 18.21, 18.26 to 18.29, 18.31). */
 final class ModbusSignalBuiltins {
-  private static final int HIGHEST_UNIT = 255;
-  private static final int HIGHEST_ADDRESS = 65_535;
+  private static final int MAX_UNIT = 255;
+  private static final int MAX_ADDRESS = 65_535;
 
   /** Registers that fit a request which reads as well (Modbus V1.1b3, 6.17). */
-  private static final int MOST_WRITTEN = 121;
+  private static final int MAX_WRITTEN = 121;
 
-  private static final int HIGHEST_HZ = 500;
-  private static final int LONGEST_WATCHDOG_S = 300;
+  private static final int MAX_HZ = 500;
+  private static final int MAX_WATCHDOG_S = 300;
 
   private ModbusSignalBuiltins() {}
 
@@ -145,7 +145,7 @@ final class ModbusSignalBuiltins {
         ModbusArguments.newName(call, 4),
         new ModbusExchange(
             ModbusArguments.address(call, 0),
-            call.integer(1, 0, HIGHEST_UNIT),
+            call.integer(1, 0, MAX_UNIT),
             kind.get(),
             address,
             count,
@@ -157,15 +157,15 @@ final class ModbusSignalBuiltins {
   private static Outcome addReadWrite(Call<ControlBox> call) throws ScriptError {
     int readCount = call.integer(3, 1, ModbusExchange.MOST);
     int writeCount = call.integer(5, 1, ModbusExchange.MOST);
-    if (writeCount > MOST_WRITTEN) {
-      throw call.refuse(5, "must be 1 to " + MOST_WRITTEN + ", more do not fit one request");
+    if (writeCount > MAX_WRITTEN) {
+      throw call.refuse(5, "must be 1 to " + MAX_WRITTEN + ", more do not fit one request");
     }
     return add(
         call,
         ModbusArguments.newName(call, 6),
         new ModbusExchange(
             ModbusArguments.address(call, 0),
-            call.integer(1, 0, HIGHEST_UNIT),
+            call.integer(1, 0, MAX_UNIT),
             ModbusKind.READ_WRITE_REGISTERS,
             address(call, 2, readCount),
             readCount,
@@ -175,9 +175,9 @@ final class ModbusSignalBuiltins {
   }
 
   private static int address(Call<ControlBox> call, int index, int count) throws ScriptError {
-    int address = call.integer(index, 0, HIGHEST_ADDRESS);
-    if (address + count - 1 > HIGHEST_ADDRESS) {
-      throw call.refuse(index, "must leave room for " + count + " up to " + HIGHEST_ADDRESS);
+    int address = call.integer(index, 0, MAX_ADDRESS);
+    if (address + count - 1 > MAX_ADDRESS) {
+      throw call.refuse(index, "must leave room for " + count + " up to " + MAX_ADDRESS);
     }
     return address;
   }
@@ -237,7 +237,7 @@ final class ModbusSignalBuiltins {
 
   private static Outcome setFrequency(Call<ControlBox> call) throws ScriptError {
     ModbusSignal signal = ModbusArguments.signal(call);
-    signal.setUpdateHz(Math.max(0, call.integer(1, -1, HIGHEST_HZ)));
+    signal.setUpdateHz(Math.max(0, call.integer(1, -1, MAX_HZ)));
     return call.answer();
   }
 
@@ -254,8 +254,8 @@ final class ModbusSignalBuiltins {
   private static Outcome setWatchdog(Call<ControlBox> call) throws ScriptError {
     ModbusSignal signal = ModbusArguments.signal(call);
     double timeoutS = call.number(1);
-    if (!(timeoutS >= 0 && timeoutS <= LONGEST_WATCHDOG_S)) {
-      throw call.refuse(1, "must be 0 to " + LONGEST_WATCHDOG_S);
+    if (!(timeoutS >= 0 && timeoutS <= MAX_WATCHDOG_S)) {
+      throw call.refuse(1, "must be 0 to " + MAX_WATCHDOG_S);
     }
     signal.setWatchdogS(timeoutS);
     return call.answer();

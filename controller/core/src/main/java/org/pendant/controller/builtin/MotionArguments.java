@@ -14,10 +14,10 @@ import org.pendant.script.value.Value;
 /** Checks of what programs hand to the functions that move or locate the arm. */
 final class MotionArguments {
   /** Products of larger numbers would overflow, and make a pose of NaN of a finite one. */
-  private static final double LARGEST_IN_POSE = 1e100;
+  private static final double MAX_IN_POSE = 1e100;
 
   /** Farthest position of a joint, rad: positions stay exact. */
-  private static final double FARTHEST_RAD = 10_000;
+  private static final double MAX_RAD = 10_000;
 
   private static final List<String> JOINT_NAMES =
       List.of("base", "shoulder", "elbow", "wrist 1", "wrist 2", "wrist 3");
@@ -53,7 +53,7 @@ final class MotionArguments {
       if (!Double.isFinite(pose.get(i))) {
         throw call.refuse(index, "must be finite");
       }
-      if (Math.abs(pose.get(i)) > LARGEST_IN_POSE) {
+      if (Math.abs(pose.get(i)) > MAX_IN_POSE) {
         throw call.refuse(index, "its numbers must lie within 1e100");
       }
     }
@@ -91,7 +91,7 @@ final class MotionArguments {
    * the arm stops before.
    */
   static Joints jointGoal(Call<ControlBox> call, int index) throws ScriptError {
-    return Joints.of(bounded(call, index, Joints.COUNT, FARTHEST_RAD, "rad"));
+    return Joints.of(bounded(call, index, Joints.COUNT, MAX_RAD, "rad"));
   }
 
   /** Six joint positions, each within the range of its joint. */

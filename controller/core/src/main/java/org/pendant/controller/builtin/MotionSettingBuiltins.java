@@ -72,7 +72,7 @@ final class MotionSettingBuiltins {
 
   private static Outcome setJerkGain(Call<ControlBox> call) throws ScriptError {
     double gain = call.number(0);
-    if (!(gain >= MotionSettings.LEAST_JERK_GAIN && gain <= 1)) {
+    if (!(gain >= MotionSettings.MIN_JERK_GAIN && gain <= 1)) {
       throw call.refuse(0, "must be 0.01 to 1");
     }
     settings(call).setJerkGain(gain);

@@ -15,7 +15,7 @@ final class MountingBuiltins {
   private static final String MODULE = "internals";
 
   /** Largest component of an acceleration, m/s²: ten times that of gravity. */
-  private static final double LARGEST_M_PER_S2 = 100;
+  private static final double MAX_M_PER_S2 = 100;
 
   private MountingBuiltins() {}
 
@@ -82,6 +82,6 @@ final class MountingBuiltins {
   }
 
   private static double[] acceleration(Call<ControlBox> call) throws ScriptError {
-    return MotionArguments.bounded(call, 0, 3, LARGEST_M_PER_S2, "m/s\u00b2");
+    return MotionArguments.bounded(call, 0, 3, MAX_M_PER_S2, "m/s\u00b2");
   }
 }

@@ -28,12 +28,12 @@ final class NumberText {
   private static final String INT = "an int, -2147483648 to 2147483647";
 
   /** Hexadecimal digits of the largest int. */
-  private static final int MOST_DIGITS = 8;
+  private static final int MAX_DIGITS = 8;
 
   private static final int NS_A_BYTE = 10;
 
   /** Characters of the string that a message shows. */
-  private static final int LONGEST_SHOWN = 80;
+  private static final int MAX_SHOWN = 80;
 
   private NumberText() {}
 
@@ -66,7 +66,7 @@ final class NumberText {
   private static Value hexadecimal(Call<?> call, boolean negative, String digits)
       throws ScriptError {
     String significant = digits.replaceFirst("^0+(?=.)", "");
-    if (significant.length() > MOST_DIGITS) {
+    if (significant.length() > MAX_DIGITS) {
       // reading them would take time that grows with their square
       throw outOfRange(call, INT);
     }
@@ -99,6 +99,6 @@ final class NumberText {
   }
 
   private static String shown(Call<?> call) {
-    return ValueText.shortened(call.value(0), LONGEST_SHOWN);
+    return ValueText.shortened(call.value(0), MAX_SHOWN);
   }
 }

@@ -20,10 +20,10 @@ import org.pendant.script.value.Value;
 /** Checks of what programs say about payloads. */
 final class PayloadArguments {
   /** How often the rated payload a program may declare; beyond, it likely means grams. */
-  private static final double MOST_RATED_PAYLOADS = 4;
+  private static final double MAX_RATED_PAYLOADS = 4;
 
   /** Farthest centre of gravity along each axis of the flange, m. */
-  private static final double FARTHEST_COG_M = 4;
+  private static final double MAX_COG_M = 4;
 
   private PayloadArguments() {}
 
@@ -33,14 +33,14 @@ final class PayloadArguments {
   static double massKg(Call<ControlBox> call, int index) throws ScriptError {
     double massKg = call.number(index);
     ArmDescription arm = call.host().armDescription();
-    double most = MOST_RATED_PAYLOADS * arm.payloadKg();
+    double most = MAX_RATED_PAYLOADS * arm.payloadKg();
     if (!(massKg >= 0 && massKg <= most)) {
       throw call.refuse(
           index,
           "must be 0 to "
               + text(most)
               + " kg, "
-              + text(MOST_RATED_PAYLOADS)
+              + text(MAX_RATED_PAYLOADS)
               + " times what "
               + arm.id()
               + " is made for");
@@ -62,13 +62,12 @@ final class PayloadArguments {
 
   /** A centre of gravity in the flange frame, m. */
   static double[] cogM(Call<ControlBox> call, int index) throws ScriptError {
-    return MotionArguments.bounded(call, index, 3, FARTHEST_COG_M, "m");
+    return MotionArguments.bounded(call, index, 3, MAX_COG_M, "m");
   }
 
   /** An inertia [Ixx, Iyy, Izz, Ixy, Ixz, Iyz] that a body can have, kg m². */
   static double[] inertiaKgM2(Call<ControlBox> call, int index) throws ScriptError {
-    double[] elements =
-        MotionArguments.bounded(call, index, 6, Inertia.LARGEST_KG_M2, "kg m\u00b2");
+    double[] elements = MotionArguments.bounded(call, index, 6, Inertia.MAX_KG_M2, "kg m\u00b2");
     Optional<String> problem = Inertia.of(elements).problem();
     if (problem.isPresent()) {
       throw call.refuse(index, problem.get());

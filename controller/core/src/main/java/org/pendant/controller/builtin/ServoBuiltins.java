@@ -22,12 +22,12 @@ final class ServoBuiltins {
   private static final String MODULE = "motion";
 
   /** Faster than any joint turns or tool moves, rad/s and m/s: more is a mistake in the units. */
-  private static final double MOST_SPEED = 20;
+  private static final double MAX_SPEED = 20;
 
-  private static final double LEAST_LOOKAHEAD_S = 0.03;
-  private static final double MOST_LOOKAHEAD_S = 0.2;
-  private static final double LEAST_GAIN = 100;
-  private static final double MOST_GAIN = 2000;
+  private static final double MIN_LOOKAHEAD_S = 0.03;
+  private static final double MAX_LOOKAHEAD_S = 0.2;
+  private static final double MIN_GAIN = 100;
+  private static final double MAX_GAIN = 2000;
 
   private static final Optional<Value> DONE = Optional.of(NoneValue.NONE);
 
@@ -133,7 +133,7 @@ final class ServoBuiltins {
   }
 
   private static double[] speeds(Call<ControlBox> call, String unit) throws ScriptError {
-    return MotionArguments.bounded(call, 0, Joints.COUNT, MOST_SPEED, unit);
+    return MotionArguments.bounded(call, 0, Joints.COUNT, MAX_SPEED, unit);
   }
 
   private static OptionalDouble returnS(Call<ControlBox> call) throws ScriptError {
@@ -147,8 +147,8 @@ final class ServoBuiltins {
     unused(call, 1);
     unused(call, 2);
     double timeS = MotionArguments.notNegative(call, 3);
-    double lookaheadS = within(call, 4, LEAST_LOOKAHEAD_S, MOST_LOOKAHEAD_S, " s");
-    double gain = within(call, 5, LEAST_GAIN, MOST_GAIN, "");
+    double lookaheadS = within(call, 4, MIN_LOOKAHEAD_S, MAX_LOOKAHEAD_S, " s");
+    double gain = within(call, 5, MIN_GAIN, MAX_GAIN, "");
     return MotionWait.goOn(
         call, "servoj", call.host().servoing().servoJ(goal, timeS, lookaheadS, gain));
   }

@@ -20,7 +20,7 @@ final class SocketArguments {
   static final double DEFAULT_TIMEOUT_S = 2;
 
   /** Beyond this a wait is one for ever, s: more than a century. */
-  private static final double LONGEST_S = 4e9;
+  private static final double MAX_S = 4e9;
 
   private SocketArguments() {}
 
@@ -49,7 +49,7 @@ final class SocketArguments {
     if (Double.isNaN(timeoutS)) {
       throw call.refuse(index, "must be a number of seconds");
     }
-    return timeoutS <= 0 || timeoutS > LONGEST_S
+    return timeoutS <= 0 || timeoutS > MAX_S
         ? Long.MAX_VALUE
         : call.frame() + FrameTime.framesFor(timeoutS);
   }

@@ -12,8 +12,8 @@ import org.pendant.script.value.ScriptError;
 
 /** Opening, closing and sending by sockets (manual 18.54, 18.56, 18.62 to 18.66). */
 final class SocketBuiltins {
-  private static final int HIGHEST_PORT = 65_535;
-  private static final int HIGHEST_BYTE = 255;
+  private static final int MAX_PORT = 65_535;
+  private static final int MAX_BYTE = 255;
 
   private SocketBuiltins() {}
 
@@ -53,7 +53,7 @@ final class SocketBuiltins {
         .needs("value", Type.INT)
         .takes(SocketArguments.NAME, Type.STRING, SocketArguments.DEFAULT_NAME)
         .returns(Type.BOOL)
-        .does(call -> send(call, "socket_send_byte", 1, (byte) call.integer(0, 0, HIGHEST_BYTE)));
+        .does(call -> send(call, "socket_send_byte", 1, (byte) call.integer(0, 0, MAX_BYTE)));
     builtins
         .declare("socket_send_int")
         .manual(SocketArguments.MODULE, "18.63")
@@ -108,7 +108,7 @@ final class SocketBuiltins {
 
   private static Outcome open(Call<ControlBox> call) throws ScriptError {
     String host = call.text(0);
-    int port = call.integer(1, 1, HIGHEST_PORT);
+    int port = call.integer(1, 1, MAX_PORT);
     String name = call.text(2);
     ExternalSocket socket;
     try {

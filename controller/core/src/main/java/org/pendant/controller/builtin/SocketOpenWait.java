@@ -9,7 +9,7 @@ import org.pendant.script.value.Value;
 
 /** A script thread waits for a connection (manual 18.56). */
 final class SocketOpenWait implements Wait {
-  private static final int LONGEST_S = 2;
+  private static final int MAX_S = 2;
 
   private final ControlBox box;
   private final String name;
@@ -27,7 +27,7 @@ final class SocketOpenWait implements Wait {
     this.name = name;
     this.socket = socket;
     this.target = target;
-    deadline = frame + FrameTime.framesFor(LONGEST_S);
+    deadline = frame + FrameTime.framesFor(MAX_S);
   }
 
   @Override
@@ -40,9 +40,7 @@ final class SocketOpenWait implements Wait {
               Value.of(box.links().outside().socket(name).filter(socket::equals).isPresent()));
       case FAILED -> failed(socket.failure());
       case CONNECTING ->
-          frame < deadline
-              ? Optional.empty()
-              : failed("no answer within " + LONGEST_S + " seconds");
+          frame < deadline ? Optional.empty() : failed("no answer within " + MAX_S + " seconds");
     };
   }
 

@@ -18,7 +18,7 @@ import org.pendant.script.value.Value;
 /** Reading from sockets (manual 18.55, 18.57 to 18.61). */
 final class SocketReadBuiltins {
   /** Most values that one call reads. */
-  private static final int MOST_VALUES = 30;
+  private static final int MAX_VALUES = 30;
 
   private static final int INT_BYTES = 4;
 
@@ -133,7 +133,7 @@ final class SocketReadBuiltins {
   }
 
   private static int count(Call<ControlBox> call) throws ScriptError {
-    return call.integer(0, 1, MOST_VALUES);
+    return call.integer(0, 1, MAX_VALUES);
   }
 
   private static Outcome variable(Call<ControlBox> call) throws ScriptError {

@@ -19,7 +19,7 @@ final class StringBuiltins {
   static final int MAX_LENGTH = 1023;
 
   /** Characters that are made to tell how long a text would be. */
-  private static final int MOST_CONVERTED = 65_536;
+  private static final int MAX_CONVERTED = 65_536;
 
   private static final int CONVERTED_NS = 10;
   private static final int NUMBER_NS = 300;
@@ -186,7 +186,7 @@ final class StringBuiltins {
       throw call.wrongKind(
           argument, "a string, bool, number, pose or a list of bools, numbers or poses");
     }
-    return ValueText.start(value, MOST_CONVERTED);
+    return ValueText.start(value, MAX_CONVERTED);
   }
 
   private static Outcome answerLimited(Call<?> call, String text) throws ScriptError {
@@ -194,7 +194,7 @@ final class StringBuiltins {
       throw call.failure(
           "string-too-long",
           "the result has "
-              + (text.length() > MOST_CONVERTED ? "more than " + MOST_CONVERTED : text.length())
+              + (text.length() > MAX_CONVERTED ? "more than " + MAX_CONVERTED : text.length())
               + " characters, must have at most "
               + MAX_LENGTH);
     }

@@ -54,15 +54,15 @@ final class ToolSerialBuiltins {
         baudRate,
         ToolCommunication.Parity.of(call.integer(2, 0, 2)),
         call.integer(3, 1, 2),
-        idleChars(call, 4, ToolCommunication.LEAST_RX_IDLE_CHARS),
+        idleChars(call, 4, ToolCommunication.MIN_RX_IDLE_CHARS),
         idleChars(call, 5, 0));
   }
 
   private static float idleChars(Call<ControlBox> call, int index, float least) throws ScriptError {
     double chars = call.number(index);
-    if (!(chars >= least && chars <= ToolCommunication.MOST_IDLE_CHARS)) {
+    if (!(chars >= least && chars <= ToolCommunication.MAX_IDLE_CHARS)) {
       throw call.refuse(
-          index, "must be " + (int) least + " to " + (int) ToolCommunication.MOST_IDLE_CHARS);
+          index, "must be " + (int) least + " to " + (int) ToolCommunication.MAX_IDLE_CHARS);
     }
     return (float) chars;
   }

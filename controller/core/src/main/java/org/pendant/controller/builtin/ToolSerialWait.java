@@ -13,7 +13,7 @@ import org.pendant.script.value.Value;
  * and trouble is logged where it began. A device that takes too long is not waited for.
  */
 final class ToolSerialWait implements Wait {
-  private static final int LONGEST_S = 2;
+  private static final int MAX_S = 2;
 
   private final ToolLine line;
   private final ToolSerialConnector.SetUp setUp;
@@ -23,7 +23,7 @@ final class ToolSerialWait implements Wait {
   ToolSerialWait(ToolLine line, ToolSerialConnector.SetUp setUp, long frame) {
     this.line = line;
     this.setUp = setUp;
-    deadline = frame + FrameTime.framesFor(LONGEST_S);
+    deadline = frame + FrameTime.framesFor(MAX_S);
   }
 
   @Override

@@ -220,7 +220,7 @@ final class ToolpathBuiltins {
         call,
         () -> {
           NcFile found =
-              new FoundNcFile(box.programsFolder().find(name, ".nc", NcReader.LARGEST_BYTES));
+              new FoundNcFile(box.programsFolder().find(name, ".nc", NcReader.MAX_BYTES));
           return Toolpaths.small(found)
               ? call.answerInt(LoadWait.keep(box, Toolpaths.read(found, feeds), feeds))
               : new LoadWait(box, box.toolpaths().load(found, feeds), feeds);

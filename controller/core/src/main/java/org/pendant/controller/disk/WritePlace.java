@@ -16,10 +16,10 @@ import java.util.concurrent.ThreadLocalRandom;
  *     /dev/stdout}, into which bytes go as they come; no file can take its place
  */
 public record WritePlace(Path path, boolean special) {
-  private static final int MOST_LINKS = 40;
+  private static final int MAX_LINKS = 40;
 
   /** Names have at most 255 bytes in most file systems; a character takes up to 4. */
-  private static final int MOST_CHARACTERS = 40;
+  private static final int MAX_CHARACTERS = 40;
 
   /** Folders whose entries stand for open files, also for regular ones. */
   private static final List<Path> OPEN_FILES = List.of(Path.of("/proc"), Path.of("/dev/fd"));
@@ -38,7 +38,7 @@ public record WritePlace(Path path, boolean special) {
       if (!Files.isSymbolicLink(path)) {
         break;
       }
-      if (links == MOST_LINKS) {
+      if (links == MAX_LINKS) {
         throw new FileSystemLoopException(name.toString());
       }
       path = path.resolveSibling(Files.readSymbolicLink(path));
@@ -59,7 +59,7 @@ public record WritePlace(Path path, boolean special) {
   /** A hidden name in the same folder, another one each time. */
   Path beside() {
     String name = path.getFileName().toString();
-    int characters = Math.min(MOST_CHARACTERS, name.codePointCount(0, name.length()));
+    int characters = Math.min(MAX_CHARACTERS, name.codePointCount(0, name.length()));
     return path.resolveSibling(
         "."
             + name.substring(0, name.offsetByCodePoints(0, characters))

@@ -14,10 +14,10 @@ import org.pendant.script.value.ScriptError;
  */
 public final class Assemblies {
   /** Most pairs that can be configured. */
-  public static final int MOST_PAIRS = 16;
+  public static final int MAX_PAIRS = 16;
 
   /** Most handles that a program may open. */
-  public static final int MOST_HANDLES = 128;
+  public static final int MAX_HANDLES = 128;
 
   private final List<AssemblyPair> pairs = new ArrayList<>();
   private final Map<Integer, AssemblyData> toPlc = new LinkedHashMap<>();
@@ -41,8 +41,8 @@ public final class Assemblies {
         return Optional.of("instance " + id + " exists already");
       }
     }
-    if (pairs.size() >= MOST_PAIRS) {
-      return Optional.of("there are " + MOST_PAIRS + " pairs of assemblies, which is the most");
+    if (pairs.size() >= MAX_PAIRS) {
+      return Optional.of("there are " + MAX_PAIRS + " pairs of assemblies, which is the most");
     }
     pairs.add(pair);
     toPlc.put(pair.toPlcId(), AssemblyData.zero(pair.toPlcBytes()));
@@ -126,10 +126,10 @@ public final class Assemblies {
           "value-out-of-range",
           "data_size is " + bytes + ", must be " + data.size() + " for instance " + instance);
     }
-    if (handles.size() >= MOST_HANDLES) {
+    if (handles.size() >= MAX_HANDLES) {
       throw new ScriptError(
           "too-many-handles",
-          "a program opens more than " + MOST_HANDLES + " handles, use one again");
+          "a program opens more than " + MAX_HANDLES + " handles, use one again");
     }
     handles.add(new AssemblyHandle(this, reading, instance, bytes));
     return handles.size();

@@ -19,9 +19,9 @@ import org.pendant.script.value.Value;
  */
 public final class AssemblyHandle {
   /** Most labels of a handle. */
-  public static final int MOST_LABELS = 1024;
+  public static final int MAX_LABELS = 1024;
 
-  private static final int LONGEST_LABEL = 255;
+  private static final int MAX_LABEL = 255;
 
   private final Assemblies assemblies;
   private final boolean reading;
@@ -56,16 +56,16 @@ public final class AssemblyHandle {
    * @throws ScriptError when the label is used, or the field does not fit
    */
   public void define(String label, AssemblyField field) throws ScriptError {
-    if (label.isBlank() || label.length() > LONGEST_LABEL) {
+    if (label.isBlank() || label.length() > MAX_LABEL) {
       throw new ScriptError(
           "value-out-of-range",
-          "data_name has " + label.length() + " characters, must have 1 to " + LONGEST_LABEL);
+          "data_name has " + label.length() + " characters, must have 1 to " + MAX_LABEL);
     }
     if (fields.containsKey(label)) {
       throw new ScriptError("label-in-use", "data_name " + label + " is defined already");
     }
-    if (fields.size() >= MOST_LABELS) {
-      throw new ScriptError("too-many-labels", "a handle has more than " + MOST_LABELS + " labels");
+    if (fields.size() >= MAX_LABELS) {
+      throw new ScriptError("too-many-labels", "a handle has more than " + MAX_LABELS + " labels");
     }
     if (field.endBit() > (long) bytes * Byte.SIZE) {
       throw new ScriptError(

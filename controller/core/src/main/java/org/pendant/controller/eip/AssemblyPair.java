@@ -21,9 +21,9 @@ public record AssemblyPair(int toPlcId, int toPlcBytes, int fromPlcId, int fromP
   public static final int CONFIGURATION = 1;
 
   /** The largest assembly: what fits an Ethernet frame with its headers. */
-  public static final int MOST_BYTES = 1400;
+  public static final int MAX_BYTES = 1400;
 
-  private static final int HIGHEST_ID = 0xFFFF;
+  private static final int MAX_ID = 0xFFFF;
   private static final Set<Integer> TAKEN =
       Set.of(CONFIGURATION, BUILT_IN_TO_PLC, BUILT_IN_FROM_PLC);
 
@@ -44,8 +44,8 @@ public record AssemblyPair(int toPlcId, int toPlcBytes, int fromPlcId, int fromP
   }
 
   private static void checkId(int id) {
-    if (id < 1 || id > HIGHEST_ID) {
-      throw new IllegalArgumentException("instance is " + id + ", must be 1 to " + HIGHEST_ID);
+    if (id < 1 || id > MAX_ID) {
+      throw new IllegalArgumentException("instance is " + id + ", must be 1 to " + MAX_ID);
     }
     if (TAKEN.contains(id)) {
       throw new IllegalArgumentException("instance " + id + " is built in");
@@ -53,9 +53,9 @@ public record AssemblyPair(int toPlcId, int toPlcBytes, int fromPlcId, int fromP
   }
 
   private static void checkBytes(int id, int bytes) {
-    if (bytes < 1 || bytes > MOST_BYTES) {
+    if (bytes < 1 || bytes > MAX_BYTES) {
       throw new IllegalArgumentException(
-          "instance " + id + " has " + bytes + " bytes, must have 1 to " + MOST_BYTES);
+          "instance " + id + " has " + bytes + " bytes, must have 1 to " + MAX_BYTES);
     }
   }
 }

@@ -15,7 +15,7 @@ public final class Encoder implements BeltPosition {
   public static final int FILTERED_SIZE = 65536;
 
   /** The fastest that a simulated belt may run, ticks/s. */
-  public static final double MOST_TICKS_PER_S = 1_000_000;
+  public static final double MAX_TICKS_PER_S = 1_000_000;
 
   /** Part of a tick that counts as rounding. */
   private static final double ROUNDING = 1e-6;
@@ -104,10 +104,10 @@ public final class Encoder implements BeltPosition {
    * counts that a program tells are not changed.
    *
    * @param ticksPerS 0 for a belt that stands
-   * @throws IllegalArgumentException for a belt faster than {@value #MOST_TICKS_PER_S} ticks/s
+   * @throws IllegalArgumentException for a belt faster than {@value #MAX_TICKS_PER_S} ticks/s
    */
   public void run(double ticksPerS) {
-    if (!(Math.abs(ticksPerS) <= MOST_TICKS_PER_S)) {
+    if (!(Math.abs(ticksPerS) <= MAX_TICKS_PER_S)) {
       throw new IllegalArgumentException(
           "encoder runs at "
               + Value.of(ticksPerS).text()

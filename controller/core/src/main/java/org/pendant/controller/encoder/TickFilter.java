@@ -15,10 +15,10 @@ final class TickFilter {
   private static final double MEMORY_S = 0.03;
 
   /** The longest time without a tick before a belt counts as standing, s. */
-  private static final double LONGEST_GAP_S = 0.1;
+  private static final double MAX_GAP_S = 0.1;
 
   /** As the same, in gaps between the ticks before. */
-  private static final double LONGEST_GAPS = 2;
+  private static final double MAX_GAPS = 2;
 
   /** Slower than this, and nearer to the count, the belt stands, ticks/s and ticks. */
   private static final double STANDS = 1e-9;
@@ -26,8 +26,8 @@ final class TickFilter {
   private long count;
   private double position;
   private double ticksPerS;
-  private double gapS = LONGEST_GAP_S;
-  private double sinceTickS = LONGEST_GAP_S;
+  private double gapS = MAX_GAP_S;
+  private double sinceTickS = MAX_GAP_S;
   private double sinceCorrectionS;
 
   /** The count jumps: somebody has set it. */
@@ -35,8 +35,8 @@ final class TickFilter {
     count = ticks;
     position = ticks;
     ticksPerS = 0;
-    gapS = LONGEST_GAP_S;
-    sinceTickS = LONGEST_GAP_S;
+    gapS = MAX_GAP_S;
+    sinceTickS = MAX_GAP_S;
     sinceCorrectionS = 0;
   }
 
@@ -48,16 +48,16 @@ final class TickFilter {
     boolean ticked = ticks != count;
     count = ticks;
     if (ticked) {
-      gapS = Math.min(LONGEST_GAP_S, sinceTickS);
+      gapS = Math.min(MAX_GAP_S, sinceTickS);
       sinceTickS = 0;
     }
-    if (ticked || sinceTickS > Math.min(LONGEST_GAP_S, LONGEST_GAPS * gapS)) {
+    if (ticked || sinceTickS > Math.min(MAX_GAP_S, MAX_GAPS * gapS)) {
       correct();
     }
   }
 
   private void correct() {
-    double elapsedS = Math.min(sinceCorrectionS, LONGEST_GAP_S);
+    double elapsedS = Math.min(sinceCorrectionS, MAX_GAP_S);
     double fading = Math.exp(-elapsedS / MEMORY_S);
     double error = count - position;
     position += (1 - fading * fading) * error;

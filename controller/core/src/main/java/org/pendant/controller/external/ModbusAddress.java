@@ -10,7 +10,7 @@ public record ModbusAddress(String host, int port) {
   /** The port of devices that name none. */
   public static final int STANDARD_PORT = 502;
 
-  private static final int HIGHEST_PORT = 65_535;
+  private static final int MAX_PORT = 65_535;
 
   /**
    * Reads {@code host}, {@code host:port} or, for IPv6, {@code [host]:port} (manual 18.18).
@@ -27,7 +27,7 @@ public record ModbusAddress(String host, int port) {
     String port = text.substring(colon + 1);
     if (!port.matches("[0-9]{1,5}")
         || Integer.parseInt(port) < 1
-        || Integer.parseInt(port) > HIGHEST_PORT) {
+        || Integer.parseInt(port) > MAX_PORT) {
       throw new IllegalArgumentException("must have a port of 1 to 65535 behind the colon");
     }
     return new ModbusAddress(host(text.substring(0, colon)), Integer.parseInt(port));

@@ -45,10 +45,10 @@ final class AxisConstraint {
   private static final double CLOSE_ENOUGH_RAD = 5e-5;
 
   /** Inverse of the largest mass that is reckoned with, 1/kg. */
-  private static final double LEAST_MOBILITY_PER_KG = 0.005;
+  private static final double MIN_MOBILITY_PER_KG = 0.005;
 
   /** The same for turning, 1/(kg m²). */
-  private static final double LEAST_MOBILITY_PER_KG_M2 = 0.1;
+  private static final double MIN_MOBILITY_PER_KG_M2 = 0.1;
 
   private static final int N = Joints.COUNT;
 
@@ -250,8 +250,7 @@ final class AxisConstraint {
         mobility.data[count * k + l] = product;
         mobility.data[count * l + k] = product;
       }
-      mobility.data[count * k + k] +=
-          locked[k] < 3 ? LEAST_MOBILITY_PER_KG : LEAST_MOBILITY_PER_KG_M2;
+      mobility.data[count * k + k] += locked[k] < 3 ? MIN_MOBILITY_PER_KG : MIN_MOBILITY_PER_KG_M2;
     }
   }
 

@@ -16,7 +16,7 @@ final class PayloadCheck {
   private static final double SHARE = 0.15;
 
   /** Small arms may be wrong by this, N. */
-  private static final double LEAST_N = 5;
+  private static final double MIN_N = 5;
 
   /** How far off the centre of the allowed wrong weight may be, m. */
   private static final double LEVER_M = 0.1;
@@ -24,7 +24,7 @@ final class PayloadCheck {
   private final double toleranceN;
 
   PayloadCheck(ArmDescription arm) {
-    toleranceN = Math.max(LEAST_N, SHARE * arm.payloadKg() * ArmDynamics.STANDARD_GRAVITY_M_PER_S2);
+    toleranceN = Math.max(MIN_N, SHARE * arm.payloadKg() * ArmDynamics.STANDARD_GRAVITY_M_PER_S2);
   }
 
   /** What may be felt beyond the declared payload, N. */

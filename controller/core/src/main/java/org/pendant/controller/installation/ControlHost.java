@@ -14,7 +14,7 @@ public record ControlHost(String host, int port) {
   /** What the URCap of that name asks unless it is told another one. */
   public static final ControlHost STANDARD = new ControlHost("192.168.56.1", 50002);
 
-  private static final int LARGEST_PORT = 65_535;
+  private static final int MAX_PORT = 65_535;
 
   /** Names of the DNS, addresses of both kinds, with a zone perhaps. */
   private static final Pattern HOST = Pattern.compile("[A-Za-z0-9_.:%-]{1,253}");
@@ -56,9 +56,9 @@ public record ControlHost(String host, int port) {
     if (!HOST.matcher(host).matches()) {
       return Optional.of("the host is \"" + host + "\", must be the name or address of a computer");
     }
-    return port >= 1 && port <= LARGEST_PORT
+    return port >= 1 && port <= MAX_PORT
         ? Optional.empty()
-        : Optional.of("the port is " + port + ", must be 1 to " + LARGEST_PORT);
+        : Optional.of("the port is " + port + ", must be 1 to " + MAX_PORT);
   }
 
   /** As people write it, such as {@code 192.168.56.1:50002}. */

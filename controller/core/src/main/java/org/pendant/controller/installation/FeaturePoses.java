@@ -19,7 +19,7 @@ public final class FeaturePoses {
   private static final double NEAREST_M = 1e-5;
 
   /** Sine of the angle below which two directions are taken for the same. */
-  private static final double SMALLEST_SINE = 1e-6;
+  private static final double MIN_SINE = 1e-6;
 
   private FeaturePoses() {}
 
@@ -51,7 +51,7 @@ public final class FeaturePoses {
     }
     scale(y);
     double[] z = upright(axis(first, 2), y);
-    if (norm(z) < SMALLEST_SINE) {
+    if (norm(z) < MIN_SINE) {
       z = upright(axis(first, 0), y);
     }
     scale(z);
@@ -67,7 +67,7 @@ public final class FeaturePoses {
     scale(x);
     scale(side);
     double[] z = cross(x, side);
-    if (norm(z) < SMALLEST_SINE) {
+    if (norm(z) < MIN_SINE) {
       return Optional.empty();
     }
     scale(z);

@@ -8,17 +8,17 @@ import org.pendant.controller.external.ModbusKind;
 
 /** Whether conveyors and Modbus signals can be as an installation says. */
 final class FieldbusCheck {
-  private static final int MOST_CONVEYORS = 2;
+  private static final int MAX_CONVEYORS = 2;
   private static final int LAST_DECODER = 4;
   private static final int QUADRATURE = 1;
 
   /** Numbers of inputs that a decoder can look at (manual 15.3). */
   private static final Set<Integer> PULSE_INPUTS = Set.of(8, 9, 10, 11);
 
-  private static final int MOST_SIGNALS = 1000;
+  private static final int MAX_SIGNALS = 1000;
   private static final int LAST_UNIT = 255;
   private static final int LAST_ADDRESS = 65_535;
-  private static final int MOST_HZ = 500;
+  private static final int MAX_HZ = 500;
 
   private final ProblemList problems;
   private final Installation installation;
@@ -31,9 +31,9 @@ final class FieldbusCheck {
   void check() {
     List<ConveyorSetup> conveyors = installation.conveyors();
     problems.require(
-        conveyors.size() <= MOST_CONVEYORS,
+        conveyors.size() <= MAX_CONVEYORS,
         "conveyors",
-        () -> "there are " + conveyors.size() + ", must be at most " + MOST_CONVEYORS);
+        () -> "there are " + conveyors.size() + ", must be at most " + MAX_CONVEYORS);
     Set<Integer> numbers = new HashSet<>();
     for (int i = 0; i < conveyors.size(); i++) {
       ConveyorSetup each = conveyors.get(i);
@@ -45,9 +45,9 @@ final class FieldbusCheck {
       conveyor(field, each);
     }
     problems.require(
-        installation.modbus().size() <= MOST_SIGNALS,
+        installation.modbus().size() <= MAX_SIGNALS,
         "modbus",
-        () -> "there are more than " + MOST_SIGNALS);
+        () -> "there are more than " + MAX_SIGNALS);
     Set<String> names = new HashSet<>();
     for (int i = 0; i < installation.modbus().size(); i++) {
       modbus("modbus[" + i + "].", installation.modbus().get(i), names);
@@ -104,7 +104,7 @@ final class FieldbusCheck {
     }
     within(field + "unit", signal.unit(), LAST_UNIT);
     within(field + "address", signal.address(), LAST_ADDRESS);
-    within(field + "updateHz", signal.updateHz(), MOST_HZ);
+    within(field + "updateHz", signal.updateHz(), MAX_HZ);
     problems.require(
         signal.kind() != ModbusKind.READ_WRITE_REGISTERS,
         field + "kind",

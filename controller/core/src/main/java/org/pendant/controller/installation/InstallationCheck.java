@@ -16,15 +16,15 @@ import org.pendant.models.pose.Pose;
 /** Finds what is wrong with an installation before a controller is set up with it. */
 public final class InstallationCheck {
   /** Farthest TCP and centre of gravity along each axis of the flange, m. */
-  private static final double FARTHEST_M = 4;
+  private static final double MAX_M = 4;
 
   /** Farthest point of a feature along each axis of the base, m. */
-  private static final double FARTHEST_POINT_M = 100;
+  private static final double MAX_POINT_M = 100;
 
   /** How often the rated payload may be declared; beyond, it likely means grams. */
-  private static final double MOST_RATED_PAYLOADS = 4;
+  private static final double MAX_RATED_PAYLOADS = 4;
 
-  private static final int LONGEST_NAME = 100;
+  private static final int MAX_NAME = 100;
   private static final int MOST = 1000;
 
   private final Installation installation;
@@ -100,9 +100,9 @@ public final class InstallationCheck {
   private void readable(String field, String name) {
     problems.require(!name.isBlank(), field, () -> "there is no name");
     problems.require(
-        name.length() <= LONGEST_NAME && name.chars().noneMatch(Character::isISOControl),
+        name.length() <= MAX_NAME && name.chars().noneMatch(Character::isISOControl),
         field,
-        () -> "the name must have at most " + LONGEST_NAME + " characters on one line");
+        () -> "the name must have at most " + MAX_NAME + " characters on one line");
   }
 
   private void count(String field, int size) {
@@ -116,7 +116,7 @@ public final class InstallationCheck {
       NamedTool tool = installation.tools().get(i);
       String field = "tools[" + i + "].";
       name(field + "name", tool.name(), names);
-      pose(field + "inFlange", tool.inFlange(), FARTHEST_M);
+      pose(field + "inFlange", tool.inFlange(), MAX_M);
     }
     problems.require(
         installation.activeTool().isEmpty() || names.contains(installation.activeTool()),
@@ -127,7 +127,7 @@ public final class InstallationCheck {
   private void payloads() {
     count("payloads", installation.payloads().size());
     Set<String> names = new HashSet<>();
-    double mostKg = MOST_RATED_PAYLOADS * arm.payloadKg();
+    double mostKg = MAX_RATED_PAYLOADS * arm.payloadKg();
     for (int i = 0; i < installation.payloads().size(); i++) {
       NamedPayload payload = installation.payloads().get(i);
       String field = "payloads[" + i + "].";
@@ -139,9 +139,9 @@ public final class InstallationCheck {
           () -> "the mass is " + massKg + " kg, must be 0 to " + mostKg + " kg on " + arm.id());
       Vector3 cog = payload.cogM();
       problems.require(
-          near(cog.x(), cog.y(), cog.z(), FARTHEST_M),
+          near(cog.x(), cog.y(), cog.z(), MAX_M),
           field + "cogM",
-          () -> "each number must be -" + FARTHEST_M + " to " + FARTHEST_M + " m");
+          () -> "each number must be -" + MAX_M + " to " + MAX_M + " m");
       payload
           .inertia()
           .problem()
@@ -237,7 +237,7 @@ public final class InstallationCheck {
       String field = "features[" + i + "].";
       scriptName(field + "name", feature.name(), names);
       for (int j = 0; j < feature.points().size(); j++) {
-        pose(field + "points[" + j + "]", feature.points().get(j), FARTHEST_POINT_M);
+        pose(field + "points[" + j + "]", feature.points().get(j), MAX_POINT_M);
       }
       int wanted = feature.kind().points();
       int given = feature.points().size();
@@ -269,9 +269,9 @@ public final class InstallationCheck {
     problems.require(
         name.isEmpty() || taken.add(name), field, () -> name + " is the name of another one too");
     problems.require(
-        name.length() <= LONGEST_NAME,
+        name.length() <= MAX_NAME,
         field,
-        () -> "the name must have at most " + LONGEST_NAME + " characters");
+        () -> "the name must have at most " + MAX_NAME + " characters");
   }
 
   private void variables() {

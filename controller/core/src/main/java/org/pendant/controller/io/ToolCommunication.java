@@ -25,10 +25,10 @@ public record ToolCommunication(
       List.of(9600, 19200, 38400, 57600, 115200, 1000000, 2000000, 5000000);
 
   /** Fewest and most characters of silence after a message from the tool. */
-  public static final float LEAST_RX_IDLE_CHARS = 1;
+  public static final float MIN_RX_IDLE_CHARS = 1;
 
   /** Most characters of silence, either way. */
-  public static final float MOST_IDLE_CHARS = 40;
+  public static final float MAX_IDLE_CHARS = 40;
 
   /** How a new box sets it up: off. */
   public static final ToolCommunication STANDARD =
@@ -69,10 +69,10 @@ public record ToolCommunication(
         BAUD_RATES.contains(baudRate), "baud rate is " + baudRate + ", must be one of " + rates());
     check(stopBits == 1 || stopBits == 2, "stop bits are " + stopBits + ", must be 1 or 2");
     check(
-        rxIdleChars >= LEAST_RX_IDLE_CHARS && rxIdleChars <= MOST_IDLE_CHARS,
+        rxIdleChars >= MIN_RX_IDLE_CHARS && rxIdleChars <= MAX_IDLE_CHARS,
         "rx idle chars are " + rxIdleChars + ", must be 1 to 40");
     check(
-        txIdleChars >= 0 && txIdleChars <= MOST_IDLE_CHARS,
+        txIdleChars >= 0 && txIdleChars <= MAX_IDLE_CHARS,
         "tx idle chars are " + txIdleChars + ", must be 0 to 40");
   }
 

@@ -8,7 +8,7 @@ import java.util.Map;
 /** A JSON value that knows where it stands. */
 public sealed interface Json {
   /** Letters of a text that a message repeats at most. */
-  int LONGEST_QUOTE = 40;
+  int MAX_QUOTE = 40;
 
   /** Where it begins. */
   Place place();
@@ -69,7 +69,7 @@ public sealed interface Json {
 
   /** A text for a message: in quotes, not too long, and without line ends. */
   static String quoted(String text) {
-    String start = text.length() > LONGEST_QUOTE ? text.substring(0, LONGEST_QUOTE) + "..." : text;
+    String start = text.length() > MAX_QUOTE ? text.substring(0, MAX_QUOTE) + "..." : text;
     StringBuilder quoted = new StringBuilder("\"");
     for (int i = 0; i < start.length(); i++) {
       char letter = start.charAt(i);

@@ -26,7 +26,7 @@ import tools.jackson.core.json.JsonFactory;
  */
 public final class JsonFile {
   /** Far above what anybody writes by hand; a larger file is a mistake. */
-  static final int LARGEST_BYTES = 1 << 20;
+  static final int MAX_BYTES = 1 << 20;
 
   /** Objects and arrays within one another at most: twice what any file needs. */
   static final int DEEPEST = 8;
@@ -73,10 +73,10 @@ public final class JsonFile {
   private byte[] bytes(InputStream in) throws JsonException {
     try {
       // what a device or a pipe says of its size is worth nothing, so the reading itself is bounded
-      byte[] bytes = in.readNBytes(LARGEST_BYTES + 1);
-      if (bytes.length > LARGEST_BYTES) {
+      byte[] bytes = in.readNBytes(MAX_BYTES + 1);
+      if (bytes.length > MAX_BYTES) {
         throw new JsonException(
-            file + ": has more than " + LARGEST_BYTES + " bytes, must be at most that many");
+            file + ": has more than " + MAX_BYTES + " bytes, must be at most that many");
       }
       return bytes;
     } catch (IOException e) {

@@ -26,16 +26,16 @@ public final class MessageLog {
   public static final int KEPT_BYTES = 16 << 20;
 
   /** The longest text of an entry, bytes; a longer one is cut, and its end says so. */
-  public static final int LONGEST_TEXT = Call.LONGEST_TEXT;
+  public static final int MAX_TEXT = Call.MAX_TEXT;
 
   /** Entries of a frame, errors not counted; more are left out, and one entry says how many. */
-  public static final int MOST_IN_FRAME = 4096;
+  public static final int MAX_IN_FRAME = 4096;
 
-  /** What the texts of a frame's entries take together, at most; as {@link #MOST_IN_FRAME}. */
-  public static final int MOST_BYTES_IN_FRAME = 8 << 20;
+  /** What the texts of a frame's entries take together, at most; as {@link #MAX_IN_FRAME}. */
+  public static final int MAX_BYTES_IN_FRAME = 8 << 20;
 
   /** Different warnings of a program that are given once; more are not given at all. */
-  private static final int MOST_WARNED = 1000;
+  private static final int MAX_WARNED = 1000;
 
   private final RecentEntries<LogEntry> recent =
       new RecentEntries<>(KEPT, KEPT_BYTES, LogEntry::number, each -> each.text().length());
@@ -122,7 +122,7 @@ public final class MessageLog {
 
   /** Warns, unless the same text was a warning of this kind since {@link #programStarted}. */
   public void warnOnce(String text) {
-    if (warned.size() < MOST_WARNED && warned.add(text)) {
+    if (warned.size() < MAX_WARNED && warned.add(text)) {
       warning(text);
     }
   }
@@ -179,10 +179,10 @@ public final class MessageLog {
       Level level, Origin origin, String code, String text, Optional<ScriptPlace> place) {
     LogEntry entry =
         new LogEntry(recent.newest() + 1, timeS, level, origin, code, text, place)
-            .shortened(LONGEST_TEXT);
+            .shortened(MAX_TEXT);
     linesOfFrame++;
     bytesOfFrame += entry.text().length();
-    boolean fits = linesOfFrame <= MOST_IN_FRAME && bytesOfFrame <= MOST_BYTES_IN_FRAME;
+    boolean fits = linesOfFrame <= MAX_IN_FRAME && bytesOfFrame <= MAX_BYTES_IN_FRAME;
     if (fits || level == Level.ERROR) {
       recent.add(entry);
     } else {

@@ -8,15 +8,15 @@ import org.pendant.controller.message.Popup.Severity;
 /** Open popups: those that are on the screen. Owned by the frame loop. */
 public final class OpenPopups {
   /** More open windows than this help nobody: the oldest one that does not block goes. */
-  private static final int MOST_OPEN = 64;
+  private static final int MAX_OPEN = 64;
 
   /** Windows of a frame that hold up nothing; more are not shown. */
-  static final int MOST_IN_FRAME = 16;
+  static final int MAX_IN_FRAME = 16;
 
   /** Bytes of a text that are shown. */
-  static final int LONGEST_TEXT = 4096;
+  static final int MAX_TEXT = 4096;
 
-  private static final int LONGEST_TITLE = 256;
+  private static final int MAX_TITLE = 256;
 
   private final Operator operator;
   private final MessageLog log;
@@ -43,11 +43,11 @@ public final class OpenPopups {
         new Popup(
             numbers.next(),
             timeS,
-            LogEntry.shortened(title, LONGEST_TITLE),
-            LogEntry.shortened(text, LONGEST_TEXT),
+            LogEntry.shortened(title, MAX_TITLE),
+            LogEntry.shortened(text, MAX_TEXT),
             severity,
             blocking);
-    if (shown.size() >= MOST_IN_FRAME && !blocking) {
+    if (shown.size() >= MAX_IN_FRAME && !blocking) {
       notShown++;
       return popup;
     }
@@ -56,7 +56,7 @@ public final class OpenPopups {
       case Operator.Absent absent -> {}
       case Operator.Present present -> {
         List<Popup> more = new ArrayList<>(open);
-        if (more.size() >= MOST_OPEN) {
+        if (more.size() >= MAX_OPEN) {
           dropOldest(more);
         }
         more.add(popup);
@@ -73,7 +73,7 @@ public final class OpenPopups {
           popups.remove(popup);
           log.warning(
               "popup closed unread, as "
-                  + MOST_OPEN
+                  + MAX_OPEN
                   + " are open: "
                   + popup.title()
                   + ": "

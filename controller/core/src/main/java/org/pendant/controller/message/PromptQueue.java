@@ -7,10 +7,10 @@ import java.util.Optional;
 /** Prompt queue: the questions to the operator that wait for an answer. Owned by the frame loop. */
 public final class PromptQueue {
   /** Questions of a frame with a prepared answer that are told; more are answered all the same. */
-  private static final int MOST_TOLD = 64;
+  private static final int MAX_TOLD = 64;
 
   /** Bytes of a text that are asked. */
-  private static final int LONGEST_TEXT = 4096;
+  private static final int MAX_TEXT = 4096;
 
   private final Optional<ScriptedAnswers> sheet;
   private final MessageLog log;
@@ -41,10 +41,10 @@ public final class PromptQueue {
    * @param text bytes, one {@code char} a byte; not empty
    */
   public PendingPrompt ask(double timeS, Question.Kind kind, String text) {
-    String shown = LogEntry.shortened(text, LONGEST_TEXT);
+    String shown = LogEntry.shortened(text, MAX_TEXT);
     PendingPrompt pendingPrompt =
         new PendingPrompt(new Question(numbers.next(), timeS, kind, shown));
-    if (sheet.isEmpty() || fresh.size() < MOST_TOLD) {
+    if (sheet.isEmpty() || fresh.size() < MAX_TOLD) {
       fresh.add(pendingPrompt.question());
     }
     if (sheet.isPresent()) {

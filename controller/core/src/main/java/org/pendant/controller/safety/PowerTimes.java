@@ -14,7 +14,7 @@ public record PowerTimes(
   /** Until an arm that was off can move, without its last steps: cutting power and unlocking. */
   private static final double ON_S = 2.6;
 
-  private static final double LONGEST_S = 60;
+  private static final double MAX_S = 60;
 
   /** As the other end of a network sees them on a real box: nothing changes at once. */
   public static final PowerTimes REAL = new PowerTimes(1.0, 0.6, 1.0, 0.1, 0.1);
@@ -36,8 +36,8 @@ public record PowerTimes(
   }
 
   private static void check(String name, double timeS) {
-    if (!(timeS >= 0 && timeS <= LONGEST_S)) {
-      throw new IllegalArgumentException(name + " is " + timeS + ", must be 0 to " + LONGEST_S);
+    if (!(timeS >= 0 && timeS <= MAX_S)) {
+      throw new IllegalArgumentException(name + " is " + timeS + ", must be 0 to " + MAX_S);
     }
   }
 

@@ -16,7 +16,7 @@ final class PressCheck {
   static final int FRAMES = (int) FrameTime.framesFor(0.1);
 
   /** Below this lever the base joint cannot feel the elbow, as a share of the upper arm. */
-  private static final double SHORTEST_LEVER = 0.2;
+  private static final double MIN_LEVER = 0.2;
 
   private int power;
   private int tool;
@@ -87,7 +87,7 @@ final class PressCheck {
     double dy = points.elbow(1) - points.shoulder(1);
     double dz = points.elbow(2) - points.shoulder(2);
     double upperArmM = Math.sqrt(dx * dx + dy * dy + dz * dz);
-    double leverM = Math.max(Math.hypot(dx, dy), SHORTEST_LEVER * upperArmM);
+    double leverM = Math.max(Math.hypot(dx, dy), MIN_LEVER * upperArmM);
     return Math.hypot(base / leverM, shoulder / upperArmM);
   }
 

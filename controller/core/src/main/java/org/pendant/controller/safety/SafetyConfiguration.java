@@ -11,7 +11,7 @@ import org.pendant.models.arm.ArmDescription;
  *
  * @param normal limits that hold as a rule
  * @param reduced limits that hold in the reduced mode; nothing wider than {@code normal}
- * @param planes at most {@value #MOST_PLANES}, each with its own name
+ * @param planes at most {@value #MAX_PLANES}, each with its own name
  * @param toolDirection how far the tool may be tilted, if that is restricted
  */
 public record SafetyConfiguration(
@@ -20,7 +20,7 @@ public record SafetyConfiguration(
     List<SafetyPlane> planes,
     Optional<ToolDirection> toolDirection) {
   /** Planes at most, as on the robot. */
-  public static final int MOST_PLANES = 8;
+  public static final int MAX_PLANES = 8;
 
   /**
    * Copies the list and checks.
@@ -31,9 +31,9 @@ public record SafetyConfiguration(
   public SafetyConfiguration {
     planes = List.copyOf(planes);
     reduced.requireWithin(normal);
-    if (planes.size() > MOST_PLANES) {
+    if (planes.size() > MAX_PLANES) {
       throw new IllegalArgumentException(
-          "safety configuration has " + planes.size() + " planes, must be at most " + MOST_PLANES);
+          "safety configuration has " + planes.size() + " planes, must be at most " + MAX_PLANES);
     }
     Set<String> names = new HashSet<>();
     for (SafetyPlane plane : planes) {

@@ -43,7 +43,7 @@ public final class SafetyConfigurationReader {
             "the reduced limits",
             StandardLimits.reduced(standard).tighterOf(normal));
     List<SafetyPlane> planes = new ArrayList<>();
-    for (Json each : fields.array("planes", SafetyConfiguration.MOST_PLANES)) {
+    for (Json each : fields.array("planes", SafetyConfiguration.MAX_PLANES)) {
       planes.add(plane(each));
     }
     Optional<Json> direction = fields.optional("toolDirection");

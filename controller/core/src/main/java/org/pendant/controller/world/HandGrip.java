@@ -21,7 +21,7 @@ public final class HandGrip {
   public static final double DEAD_MAN_S = 0.25;
 
   /** The largest force of a pull, N. */
-  public static final double LARGEST_PULL_N = 100;
+  public static final double MAX_PULL_N = 100;
 
   /** Force of the spring for each metre of distance, N/m. */
   static final double STIFFNESS_N_PER_M = 1000;
@@ -191,8 +191,8 @@ public final class HandGrip {
       force3[axis] = spring - DAMPING_N_S_PER_M * velocity3[axis];
       squared += force3[axis] * force3[axis];
     }
-    if (squared > LARGEST_PULL_N * LARGEST_PULL_N) {
-      double share = LARGEST_PULL_N / Math.sqrt(squared);
+    if (squared > MAX_PULL_N * MAX_PULL_N) {
+      double share = MAX_PULL_N / Math.sqrt(squared);
       for (int axis = 0; axis < 3; axis++) {
         force3[axis] *= share;
       }

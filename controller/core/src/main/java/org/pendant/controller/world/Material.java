@@ -9,8 +9,8 @@ import org.pendant.controller.json.Range;
  * interpreted as damping in vibroimpact" (1975), with a linear spring: {@code f = k d (1 - 1.5 e
  * v)}, where v is the speed out of the surface. It sets in without a step, takes energy out of an
  * impact, and never pulls. Friction is Coulomb's, with a ramp instead of the step at rest: below
- * {@value #CREEP_M_PER_S} m/s (or the speed at which {@value #LARGEST_DRAG_N_S_PER_M} N s/m reach
- * the full friction, if that is more) it is proportional to the speed. So nothing sticks: what is
+ * {@value #CREEP_M_PER_S} m/s (or the speed at which {@value #MAX_DRAG_N_S_PER_M} N s/m reach the
+ * full friction, if that is more) it is proportional to the speed. So nothing sticks: what is
  * pushed sideways by less than the friction creeps.
  *
  * <p>The ranges keep explicit steps stable for masses of 2 kg and more: 2 ms against the stiffest
@@ -30,7 +30,7 @@ public record Material(double stiffnessNPerM, double dampingSPerM, double fricti
   static final double CREEP_M_PER_S = 1e-3;
 
   /** Friction rises with speed by no more than this, N s/m. */
-  static final double LARGEST_DRAG_N_S_PER_M = 4000;
+  static final double MAX_DRAG_N_S_PER_M = 4000;
 
   /** What a surface is of when nothing else is said: 1 mm deep under 40 N. */
   public static final Material DEFAULT = new Material(4e4, 0.2, 0.3);
@@ -64,6 +64,6 @@ public record Material(double stiffnessNPerM, double dampingSPerM, double fricti
    */
   double dragNSPerM(double normalForceN, double slidingMPerS) {
     double drag = friction * normalForceN / Math.max(slidingMPerS, CREEP_M_PER_S);
-    return Math.min(drag, LARGEST_DRAG_N_S_PER_M);
+    return Math.min(drag, MAX_DRAG_N_S_PER_M);
   }
 }

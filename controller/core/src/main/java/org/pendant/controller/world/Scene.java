@@ -11,11 +11,11 @@ import org.pendant.models.pose.Wrench;
 /**
  * What is around the arm; {@link SceneReader} reads it from a file.
  *
- * @param objects what the tool can touch, at most {@value #MOST_OBJECTS}, each with its own name
+ * @param objects what the tool can touch, at most {@value #MAX_OBJECTS}, each with its own name
  * @param load what truly hangs on the flange, whatever a program declares; empty when nothing is
  *     known beyond that
- * @param toolPoints where the tool touches things, at most {@value #MOST_TOOL_POINTS}; empty for
- *     the active tool centre point alone
+ * @param toolPoints where the tool touches things, at most {@value #MAX_TOOL_POINTS}; empty for the
+ *     active tool centre point alone
  * @param pushAtTcpInBase what pushes the tool from the start: at the tool centre point, along the
  *     axes of the base
  */
@@ -25,10 +25,10 @@ public record Scene(
     List<ToolPoint> toolPoints,
     Wrench pushAtTcpInBase) {
   /** Objects in a scene at most; each of them is looked at for every tool point in every step. */
-  public static final int MOST_OBJECTS = 1000;
+  public static final int MAX_OBJECTS = 1000;
 
   /** Tool points in a scene at most. */
-  public static final int MOST_TOOL_POINTS = 16;
+  public static final int MAX_TOOL_POINTS = 16;
 
   /** Nothing around the arm. */
   public static final Scene EMPTY = new Scene(List.of(), Optional.empty(), List.of(), Wrench.ZERO);
@@ -42,8 +42,8 @@ public record Scene(
   public Scene {
     objects = List.copyOf(objects);
     toolPoints = List.copyOf(toolPoints);
-    requireCount("objects", objects.size(), MOST_OBJECTS);
-    requireCount("tool points", toolPoints.size(), MOST_TOOL_POINTS);
+    requireCount("objects", objects.size(), MAX_OBJECTS);
+    requireCount("tool points", toolPoints.size(), MAX_TOOL_POINTS);
     Set<String> names = new HashSet<>();
     for (SceneObject object : objects) {
       if (!names.add(object.name())) {

@@ -35,11 +35,11 @@ public final class SceneReader {
   private Scene scene(Json root) throws JsonException {
     Fields fields = new Fields(root, "a scene");
     fields.allow("objects", "load", "tool", "push");
-    for (Json each : fields.array("objects", Scene.MOST_OBJECTS)) {
+    for (Json each : fields.array("objects", Scene.MAX_OBJECTS)) {
       add(each);
     }
     List<ToolPoint> toolPoints = new ArrayList<>();
-    for (Json each : fields.array("tool", Scene.MOST_TOOL_POINTS)) {
+    for (Json each : fields.array("tool", Scene.MAX_TOOL_POINTS)) {
       toolPoints.add(toolPoint(new Fields(each, "a tool point")));
     }
     Optional<Json> load = fields.optional("load");

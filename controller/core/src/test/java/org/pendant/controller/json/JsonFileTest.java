@@ -77,7 +77,7 @@ final class JsonFileTest {
   void largeFilesAreRefused() {
     assertEquals(
         "a.json: has more than 1048576 bytes, must be at most that many",
-        refusal(new byte[JsonFile.LARGEST_BYTES + 1]));
+        refusal(new byte[JsonFile.MAX_BYTES + 1]));
   }
 
   @Test

@@ -43,11 +43,11 @@ final class MessageLogTest {
 
   @Test
   void aFrameHoldsSoManyLinesAndOneThatSaysHowManyMoreThereWere() {
-    for (int i = 0; i < MessageLog.MOST_IN_FRAME + 7; i++) {
+    for (int i = 0; i < MessageLog.MAX_IN_FRAME + 7; i++) {
       log.script("x");
     }
     List<LogEntry> lines = log.takeNew().entries();
-    assertEquals(MessageLog.MOST_IN_FRAME + 1, lines.size());
+    assertEquals(MessageLog.MAX_IN_FRAME + 1, lines.size());
     assertEquals("7 more lines were left out in this frame", lines.getLast().text());
     assertEquals(Level.WARNING, lines.getLast().level());
     log.script("y");
@@ -56,7 +56,7 @@ final class MessageLogTest {
 
   @Test
   void errorsAreNeverLeftOut() {
-    for (int i = 0; i < MessageLog.MOST_IN_FRAME; i++) {
+    for (int i = 0; i < MessageLog.MAX_IN_FRAME; i++) {
       log.script("x");
     }
     log.error("fire");
@@ -76,9 +76,9 @@ final class MessageLogTest {
 
   @Test
   void aLongLineIsCutAndSaysHowLongItWas() {
-    log.script("x".repeat(MessageLog.LONGEST_TEXT + 1));
+    log.script("x".repeat(MessageLog.MAX_TEXT + 1));
     String text = log.takeNew().entries().getFirst().text();
-    assertEquals(MessageLog.LONGEST_TEXT, text.length());
+    assertEquals(MessageLog.MAX_TEXT, text.length());
     assertTrue(text.endsWith("x ... (cut, 4194305 bytes in all)"));
   }
 

@@ -64,7 +64,7 @@ final class OpenPopupsTest {
   void aLongTextIsCutAndSaysHowLongItWas() {
     Popup shown =
         board(Operator.present()).show(0, "Popup", "x".repeat(5000), Severity.MESSAGE, false);
-    assertEquals(OpenPopups.LONGEST_TEXT, shown.text().length());
+    assertEquals(OpenPopups.MAX_TEXT, shown.text().length());
     assertTrue(shown.text().endsWith("(cut, 5000 bytes in all)"));
   }
 

@@ -62,7 +62,7 @@ final class MaterialTest {
   void steepestFrictionAndStiffestSpringSuitSmallSteps() {
     double lightKg = 2;
     assertTrue(0.002 < 2 * Math.sqrt(lightKg / Material.STIFFNESS.most()));
-    assertTrue(0.001 <= 2 * lightKg / Material.LARGEST_DRAG_N_S_PER_M);
+    assertTrue(0.001 <= 2 * lightKg / Material.MAX_DRAG_N_S_PER_M);
   }
 
   private static void assertRefused(String message, double k, double e, double mu) {

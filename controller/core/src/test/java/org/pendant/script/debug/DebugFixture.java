@@ -21,7 +21,7 @@ import org.pendant.script.vm.ThreadSnapshot;
 
 /** A control box with a debugger, driven frame by frame as the controller does. */
 final class DebugFixture {
-  private static final int MOST_FRAMES = 3000;
+  private static final int MAX_FRAMES = 3000;
   private static final Builtins<ControlBox> BUILTINS = StandardBuiltins.create();
 
   final ControlBox box = new ControlBox(BoxSetup.headless("ur5e"));
@@ -75,12 +75,12 @@ final class DebugFixture {
 
   /** Runs until the program is held or over. */
   DebugFixture go() {
-    for (int i = 0; i < MOST_FRAMES; i++) {
+    for (int i = 0; i < MAX_FRAMES; i++) {
       if (!advance() || machine.state() != ProgramState.RUNNING) {
         return this;
       }
     }
-    throw new AssertionError("neither held nor over after " + MOST_FRAMES + " frames");
+    throw new AssertionError("neither held nor over after " + MAX_FRAMES + " frames");
   }
 
   DebugFixture resume() {

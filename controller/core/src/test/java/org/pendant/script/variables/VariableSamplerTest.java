@@ -116,11 +116,11 @@ final class VariableSamplerTest {
     VariableSample many = program.sample("many");
     assertEquals(5000, many.length());
     assertEquals(5000, many.variable().children());
-    assertEquals(VariableSampler.MOST_PARTS, many.kept() + 1);
+    assertEquals(VariableSampler.MAX_PARTS, many.kept() + 1);
     assertTrue(many.variable().text().length() < 250, many.variable().text());
     assertEquals(
-        BoundedCopy.MOST_BYTES, program.sample("text").value().orElseThrow().text().length());
-    assertTrue(program.sample("parts.many").kept() < VariableSampler.MOST_PARTS);
+        BoundedCopy.MAX_BYTES, program.sample("text").value().orElseThrow().text().length());
+    assertTrue(program.sample("parts.many").kept() < VariableSampler.MAX_PARTS);
     VariableSamples before = program.samples();
     program.frames(200);
     assertSame(before, program.samples(), "also what was cut is compared");

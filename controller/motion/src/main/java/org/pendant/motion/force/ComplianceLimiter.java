@@ -33,7 +33,7 @@ final class ComplianceLimiter {
   private static final double SINGULARITY_RAD_PER_S = 8;
 
   /** A joint that cannot follow its target any better than this presses no harder, rad. */
-  private static final double FARTHEST_LEAD_RAD = 0.03;
+  private static final double MAX_LEAD_RAD = 0.03;
 
   /** Looks in the search for a speed that is allowed. */
   private static final int CHORDS = 3;
@@ -170,7 +170,7 @@ final class ComplianceLimiter {
     double share = 1;
     for (int i = 0; i < N; i++) {
       double lead = (q[i] - actual[i]) * Math.signum(speed[i]);
-      share = Math.min(share, 2 - 2 * lead / FARTHEST_LEAD_RAD);
+      share = Math.min(share, 2 - 2 * lead / MAX_LEAD_RAD);
     }
     return Math.max(0, share);
   }

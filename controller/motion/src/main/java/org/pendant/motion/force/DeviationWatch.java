@@ -17,10 +17,10 @@ import org.pendant.motion.FrameTime;
  */
 final class DeviationWatch {
   /** Limits below this count as this much: an arm that moves lags behind a little, m. */
-  static final double LEAST_M = 1e-3;
+  static final double MIN_M = 1e-3;
 
-  /** As {@link #LEAST_M}, rad. */
-  static final double LEAST_RAD = 5e-3;
+  /** As {@link #MIN_M}, rad. */
+  static final double MIN_RAD = 5e-3;
 
   /** Frames in a row that count: 20 ms, as for a joint. */
   static final int FRAMES = (int) FrameTime.framesFor(0.02);
@@ -87,7 +87,7 @@ final class DeviationWatch {
     if (axis.compliant()) {
       return Double.POSITIVE_INFINITY;
     }
-    return Math.max(axis.limit(), i < 3 ? LEAST_M : LEAST_RAD);
+    return Math.max(axis.limit(), i < 3 ? MIN_M : MIN_RAD);
   }
 
   /** What was seen before does not count. */

@@ -10,7 +10,7 @@ final class TaskAxes {
   static final double NEAREST_POINT_M = 0.01;
 
   /** Slower than this the path does not say where to point the x axis, m/s. */
-  private static final double SLOWEST_M_PER_S = 1e-3;
+  private static final double MIN_M_PER_S = 1e-3;
 
   /** Below this sine two directions are taken to be parallel. */
   private static final double PARALLEL = 1e-6;
@@ -84,7 +84,7 @@ final class TaskAxes {
     double x = vx * given[0] + vy * given[3] + vz * given[6];
     double y = vx * given[1] + vy * given[4] + vz * given[7];
     double speed = Math.sqrt(x * x + y * y);
-    if (speed < SLOWEST_M_PER_S) {
+    if (speed < MIN_M_PER_S) {
       return;
     }
     double c = x / speed;

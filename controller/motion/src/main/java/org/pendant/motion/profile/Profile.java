@@ -144,13 +144,13 @@ public final class Profile {
   /** Puts phases one after another. */
   static final class Builder {
     /** A ramp up, an even part and a ramp down. */
-    private static final int MOST_PHASES = 7;
+    private static final int MAX_PHASES = 7;
 
-    private final double[] beginS = new double[MOST_PHASES];
-    private final double[] position = new double[MOST_PHASES];
-    private final double[] speed = new double[MOST_PHASES];
-    private final double[] acceleration = new double[MOST_PHASES];
-    private final double[] jerk = new double[MOST_PHASES];
+    private final double[] beginS = new double[MAX_PHASES];
+    private final double[] position = new double[MAX_PHASES];
+    private final double[] speed = new double[MAX_PHASES];
+    private final double[] acceleration = new double[MAX_PHASES];
+    private final double[] jerk = new double[MAX_PHASES];
     private int phases;
     private double timeS;
     private double covered;

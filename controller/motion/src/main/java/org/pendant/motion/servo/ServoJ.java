@@ -22,7 +22,7 @@ import org.pendant.motion.StopJ;
  */
 final class ServoJ implements Motion {
   /** No joint is asked to speed up or slow down faster, rad/s²; our choice. */
-  static final double MOST_RAD_PER_S2 = 40;
+  static final double MAX_RAD_PER_S2 = 40;
 
   private static final int N = Joints.COUNT;
 
@@ -69,8 +69,8 @@ final class ServoJ implements Motion {
   private void accelerate() {
     for (int i = 0; i < N; i++) {
       double wanted = gain * (goal.get(i) - (q[i] + lookaheadS * qd[i]));
-      double possible = Math.max(-MOST_RAD_PER_S2, Math.min(MOST_RAD_PER_S2, wanted));
-      double slowed = Math.abs(qd[i]) - MOST_RAD_PER_S2 * FrameTime.FRAME_S;
+      double possible = Math.max(-MAX_RAD_PER_S2, Math.min(MAX_RAD_PER_S2, wanted));
+      double slowed = Math.abs(qd[i]) - MAX_RAD_PER_S2 * FrameTime.FRAME_S;
       double most = Math.max(limits.get(i).maxSpeedRadPerS(), slowed);
       double speed = Math.max(-most, Math.min(most, qd[i] + possible * FrameTime.FRAME_S));
       qdd[i] = (speed - qd[i]) / FrameTime.FRAME_S;

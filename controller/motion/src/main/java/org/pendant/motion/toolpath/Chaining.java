@@ -24,7 +24,7 @@ final class Chaining {
   private static final double RADIAN_M = 0.25;
 
   /** The least length of a leg for each rad that the tool turns on it, m. */
-  static final double LEAST_M_PER_RAD = 0.005;
+  static final double MIN_M_PER_RAD = 0.005;
 
   /** A change of direction below this is none. */
   private static final double NO_CORNER = 1e-9;

@@ -16,11 +16,11 @@ import org.pendant.models.pose.Transforms;
  * Springer 2009, section 3.5.1.)
  */
 final class FreeTurn {
-  private static final int MOST_POINTS = 2000;
+  private static final int MAX_POINTS = 2000;
   private static final double DISTANCE_M = 0.004;
 
   /** The fastest turn, rad for each metre. */
-  private static final double FASTEST_RAD_PER_M = 40;
+  private static final double MAX_RAD_PER_M = 40;
 
   /** Points looked at on a step, and how often the search narrows down around the best. */
   private static final int LOOKS = 4;
@@ -63,7 +63,7 @@ final class FreeTurn {
 
   private Spline angles(double[] q) {
     double length = chain.length();
-    int steps = (int) Math.max(4, Math.min(MOST_POINTS, Math.ceil(length / DISTANCE_M)));
+    int steps = (int) Math.max(4, Math.min(MAX_POINTS, Math.ceil(length / DISTANCE_M)));
     double step = length / steps;
     double[] angles = new double[steps + 1];
     for (int i = 1; i <= steps; i++) {
@@ -79,12 +79,12 @@ final class FreeTurn {
   private double next(double[] q, double angle, double step) {
     double best = angle;
     double least = cost(q, angle, step);
-    double width = FASTEST_RAD_PER_M * step / LOOKS;
+    double width = MAX_RAD_PER_M * step / LOOKS;
     for (int narrowing = 0; narrowing < NARROWINGS; narrowing++) {
       double middle = best;
       for (int i = -LOOKS; i <= LOOKS; i++) {
         double candidate = middle + i * width;
-        boolean slow = Math.abs(candidate - angle) <= FASTEST_RAD_PER_M * step * (1 + 1e-9);
+        boolean slow = Math.abs(candidate - angle) <= MAX_RAD_PER_M * step * (1 + 1e-9);
         double cost = slow && i != 0 ? cost(q, candidate, step) : Double.POSITIVE_INFINITY;
         if (cost < least) {
           least = cost;

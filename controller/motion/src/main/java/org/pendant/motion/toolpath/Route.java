@@ -18,7 +18,7 @@ import org.pendant.motion.toolpath.nc.NcPoint;
  */
 final class Route {
   /** Legs of one run. */
-  static final int MOST_LEGS = 120_000;
+  static final int MAX_LEGS = 120_000;
 
   private static final double NOTHING_M = 1e-9;
 
@@ -77,7 +77,7 @@ final class Route {
   private void line(Pose wanted, Leg.Pace pace, String name) throws PlanningException {
     Pose to = turnFree ? unturned(wanted) : wanted;
     StraightLine line = new StraightLine(at, to);
-    double length = Math.max(line.lengthM(), Chaining.LEAST_M_PER_RAD * line.angleRad());
+    double length = Math.max(line.lengthM(), Chaining.MIN_M_PER_RAD * line.angleRad());
     if (length > NOTHING_M) {
       at = to;
       add(new Leg(new LineSegment(line, length), length, pace, name));
@@ -89,7 +89,7 @@ final class Route {
     Optional<ArcSegment> found = ArcSegment.through(at, order.via(), to, order.withTangent());
     if (found.isPresent()) {
       ArcSegment arc = found.get();
-      double length = Math.max(arc.arcM(), Chaining.LEAST_M_PER_RAD * arc.turnRad());
+      double length = Math.max(arc.arcM(), Chaining.MIN_M_PER_RAD * arc.turnRad());
       add(new Leg(arc.over(length), length, order.pace(), name));
       at = arc.end();
       return;
@@ -120,10 +120,10 @@ final class Route {
   }
 
   private void add(Leg leg) throws PlanningException {
-    if (legs.size() == MOST_LEGS) {
+    if (legs.size() == MAX_LEGS) {
       throw new PlanningException(
           "toolpath-too-long",
-          leg.name() + ": too long for one run, must have at most " + MOST_LEGS + " legs");
+          leg.name() + ": too long for one run, must have at most " + MAX_LEGS + " legs");
     }
     legs.add(leg);
   }

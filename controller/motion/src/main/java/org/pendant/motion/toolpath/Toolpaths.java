@@ -30,9 +30,9 @@ public final class Toolpaths {
   private static final long BYTES_A_FRAME = 64 << 10;
   private static final int LEGS_A_FRAME = 500;
 
-  private static final int MOST_FILES = 64;
-  private static final int MOST_LOADED_POINTS = 400_000;
-  private static final int MOST_ORDERS = 20_000;
+  private static final int MAX_FILES = 64;
+  private static final int MAX_LOADED_POINTS = 400_000;
+  private static final int MAX_ORDERS = 20_000;
 
   private final ArmDescription arm;
   private final boolean virtualTime;
@@ -180,9 +180,9 @@ public final class Toolpaths {
 
   private int queue(QueuedMotion queuedMotion) throws PlanningException {
     initialized();
-    if (orders.size() == MOST_ORDERS) {
+    if (orders.size() == MAX_ORDERS) {
       throw new PlanningException(
-          "too-many-motions", "too many motions are queued, must be at most " + MOST_ORDERS);
+          "too-many-motions", "too many motions are queued, must be at most " + MAX_ORDERS);
     }
     orders.add(queuedMotion);
     return orders.size() - 1;
@@ -224,13 +224,13 @@ public final class Toolpaths {
 
   /** Keeps a file that has been read; its number. */
   public int keep(NcPath path, boolean feeds) throws PlanningException {
-    if (files.size() == MOST_FILES || loadedPoints + path.points().size() > MOST_LOADED_POINTS) {
+    if (files.size() == MAX_FILES || loadedPoints + path.points().size() > MAX_LOADED_POINTS) {
       throw new PlanningException(
           "toolpath-too-long",
           "too much is loaded, must be at most "
-              + MOST_FILES
+              + MAX_FILES
               + " files with "
-              + MOST_LOADED_POINTS
+              + MAX_LOADED_POINTS
               + " points");
     }
     loadedPoints += path.points().size();

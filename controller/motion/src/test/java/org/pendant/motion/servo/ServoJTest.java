@@ -101,7 +101,7 @@ class ServoJTest {
   void aJumpOfTheGoalKeepsToWhatTheJointsCanDo() throws PlanningException {
     Joints far = Rig.READY.with(0, 2).with(4, -2);
     rig.stream(1500, i -> to(far, 0.002, 0.03, 2000));
-    assertTrue(rig.largestAcceleration <= ServoJ.MOST_RAD_PER_S2 * (1 + 1e-9));
+    assertTrue(rig.largestAcceleration <= ServoJ.MAX_RAD_PER_S2 * (1 + 1e-9));
     assertEquals(0, rig.control.positionRad().maxAbsDifference(far), 1e-3);
   }
 
@@ -132,7 +132,7 @@ class ServoJTest {
     rig.control.resume();
     rig.stream(1500, i -> to(goal, 0.002, 0.1, 300));
     assertEquals(0, rig.control.positionRad().maxAbsDifference(goal), 1e-6);
-    assertTrue(rig.largestAcceleration <= ServoJ.MOST_RAD_PER_S2 * (1 + 1e-9));
+    assertTrue(rig.largestAcceleration <= ServoJ.MAX_RAD_PER_S2 * (1 + 1e-9));
   }
 
   @Test
@@ -158,7 +158,7 @@ class ServoJTest {
         }
       }
       // the servo's own and that of the slider
-      double most = ServoJ.MOST_RAD_PER_S2 + MotionControl.SCALING_ACCELERATION_RAD_PER_S2;
+      double most = ServoJ.MAX_RAD_PER_S2 + MotionControl.SCALING_ACCELERATION_RAD_PER_S2;
       assertTrue(one.largestAcceleration <= most * (1 + 1e-6), input);
       one.untilRest();
     }

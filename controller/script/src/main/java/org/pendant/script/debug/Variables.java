@@ -16,7 +16,7 @@ import org.pendant.script.vm.NamedValue;
 /** Makes {@link Variable}s of values. */
 public final class Variables {
   /** Most elements of a value that are made at once. */
-  static final int MOST_CHILDREN = 1000;
+  static final int MAX_CHILDREN = 1000;
 
   /** An operand that an index or a member may follow without brackets around it. */
   private static final Pattern OPERAND = Pattern.compile("[A-Za-z_]\\w*(\\.\\w+|\\[[\\w, ]+])*");
@@ -61,8 +61,8 @@ public final class Variables {
     if (from < 0) {
       throw new IllegalArgumentException("from is " + from + ", must be at least 0");
     }
-    if (count < 1 || count > MOST_CHILDREN) {
-      throw new IllegalArgumentException("count is " + count + ", must be 1 to " + MOST_CHILDREN);
+    if (count < 1 || count > MAX_CHILDREN) {
+      throw new IllegalArgumentException("count is " + count + ", must be 1 to " + MAX_CHILDREN);
     }
     List<Variable> children = new ArrayList<>();
     for (int i = from; i < childCount(value) && i - from < count; i++) {

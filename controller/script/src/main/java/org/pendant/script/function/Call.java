@@ -30,10 +30,10 @@ import org.pendant.script.value.ValueText;
  */
 public final class Call<H extends Host> {
   /** Characters of a value that a message shows. */
-  private static final int LONGEST_SHOWN = 80;
+  private static final int MAX_SHOWN = 80;
 
   /** Most bytes of a text that is made of values for the log or the outside. */
-  public static final int LONGEST_TEXT = 4 << 20;
+  public static final int MAX_TEXT = 4 << 20;
 
   /** Bytes that are copied in a nanosecond, roughly. */
   private static final int BYTES_A_NS = 8;
@@ -87,7 +87,7 @@ public final class Call<H extends Host> {
 
   /**
    * Answers what {@code use} does with the texts of arguments, one behind the other. Long ones take
-   * several frames; of more than {@link #LONGEST_TEXT} bytes only the beginning is made, a little
+   * several frames; of more than {@link #MAX_TEXT} bytes only the beginning is made, a little
    * longer than that.
    */
   public Outcome withText(TextUse use, int... arguments) throws ScriptError {
@@ -98,7 +98,7 @@ public final class Call<H extends Host> {
     for (int i = 0; i < values.length; i++) {
       values[i] = value(arguments[i]);
     }
-    LongOperation conversion = ValueText.begin(LONGEST_TEXT, values);
+    LongOperation conversion = ValueText.begin(MAX_TEXT, values);
     charge(conversion.advance());
     return conversion.done() ? use.use(conversion.result().text()) : new Outcome.Begun(conversion);
   }
@@ -285,7 +285,7 @@ public final class Call<H extends Host> {
   }
 
   private String shown(int index) {
-    String text = ValueText.shortened(value(index), LONGEST_SHOWN);
+    String text = ValueText.shortened(value(index), MAX_SHOWN);
     return text.isEmpty() ? "\"\"" : text;
   }
 

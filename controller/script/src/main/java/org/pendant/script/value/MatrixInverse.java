@@ -11,7 +11,7 @@ final class MatrixInverse implements LongOperation {
    * Smallest reciprocal condition number of a matrix that counts as invertible: at the precision of
    * a double, below it not one digit of an inverse would be right.
    */
-  private static final double SMALLEST_RECIPROCAL_CONDITION = 1e-15;
+  private static final double MIN_RECIPROCAL_CONDITION = 1e-15;
 
   private final int size;
   private final double[] a;
@@ -112,7 +112,7 @@ final class MatrixInverse implements LongOperation {
     }
     double condition = normOfOriginal * norm();
     // not a number is no inverse either
-    if (singular || !(1 / condition > SMALLEST_RECIPROCAL_CONDITION)) {
+    if (singular || !(1 / condition > MIN_RECIPROCAL_CONDITION)) {
       throw new ScriptError("matrix-singular", "inv: m is singular, it has no inverse");
     }
     return MatrixValue.owning(size, size, a, false);

@@ -8,7 +8,7 @@ public final class MatrixValue extends Container implements Value {
   public static final int MAX_ELEMENTS = 4_000_000;
 
   /** Matrices up to this size are copied at once: sharing would cost more than it saves. */
-  private static final int LARGEST_COPIED = 36;
+  private static final int MAX_COPIED = 36;
 
   private final int rows;
   private final int columns;
@@ -156,7 +156,7 @@ public final class MatrixValue extends Container implements Value {
 
   @Override
   public MatrixValue copy() {
-    if (elements.length <= LARGEST_COPIED) {
+    if (elements.length <= MAX_COPIED) {
       return new MatrixValue(rows, columns, elements.clone(), integers);
     }
     MatrixValue copy = new MatrixValue(rows, columns, elements, integers);

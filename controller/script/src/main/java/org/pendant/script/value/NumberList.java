@@ -8,7 +8,7 @@ import java.util.Arrays;
  */
 public final class NumberList extends Container implements ListValue {
   /** Lists up to this capacity are copied at once: sharing would cost more than it saves. */
-  private static final int LARGEST_COPIED = 32;
+  private static final int MAX_COPIED = 32;
 
   private double[] elements;
   private int length;
@@ -213,7 +213,7 @@ public final class NumberList extends Container implements ListValue {
       if (other.kind == Kind.FLOAT) {
         widenToFloat();
       }
-      if (other.elements.length == elements.length && elements.length > LARGEST_COPIED) {
+      if (other.elements.length == elements.length && elements.length > MAX_COPIED) {
         elements = other.elements;
         other.setShared(true);
         setShared(true);
@@ -239,7 +239,7 @@ public final class NumberList extends Container implements ListValue {
 
   @Override
   public NumberList copy() {
-    if (elements.length <= LARGEST_COPIED) {
+    if (elements.length <= MAX_COPIED) {
       return new NumberList(elements.clone(), length, kind);
     }
     NumberList copy = new NumberList(elements, length, kind);

@@ -6,7 +6,7 @@ import java.util.Optional;
 /** A list of strings, poses, structs or handles. Structs in one list all have the same members. */
 public final class ObjectList extends Container implements ListValue {
   /** Parts up to this number are copied one by one: sharing would cost more than it saves. */
-  private static final int MOST_COPIED = 64;
+  private static final int MAX_COPIED = 64;
 
   private final Value sample;
   private Value[] elements;
@@ -134,7 +134,7 @@ public final class ObjectList extends Container implements ListValue {
     }
     Value[] parts = other.parts(0, added);
     System.arraycopy(parts, 0, own(), length, added);
-    for (int i = 0; parts.length <= MOST_COPIED && i < added; i++) {
+    for (int i = 0; parts.length <= MAX_COPIED && i < added; i++) {
       adopt(parts[i]);
     }
     grow(bytes(parts, 0, added));
@@ -147,7 +147,7 @@ public final class ObjectList extends Container implements ListValue {
    */
   private Value[] parts(int from, int to) {
     Value[] parts = Arrays.copyOfRange(elements, from, to);
-    if (parts.length > MOST_COPIED) {
+    if (parts.length > MAX_COPIED) {
       setShared(true);
     } else {
       for (int i = 0; i < parts.length; i++) {

@@ -11,7 +11,7 @@ import java.util.Optional;
  */
 public final class StringValue implements Value {
   /** Shorter results are copied: sharing would cost more than it saves. */
-  private static final int SHORTEST_SHARED = 64;
+  private static final int MIN_SHARED = 64;
 
   private static final int HEADER_BYTES = 64;
 
@@ -66,7 +66,7 @@ public final class StringValue implements Value {
       append(shared.get(), tail.bytes());
       return new StringValue(shared, joined);
     }
-    if (joined < SHORTEST_SHARED) {
+    if (joined < MIN_SHARED) {
       return new StringValue(bytes().concat(tail.bytes()));
     }
     StringBuilder text = new StringBuilder(2 * joined).append(bytes()).append(tail.bytes());

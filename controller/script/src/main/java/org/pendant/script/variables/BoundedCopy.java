@@ -13,7 +13,7 @@ import org.pendant.script.value.Value;
 /** Copies values that programs go on changing, as far as a number of parts allows. */
 final class BoundedCopy {
   /** Bytes of a string that are kept. */
-  static final int MOST_BYTES = 1000;
+  static final int MAX_BYTES = 1000;
 
   /** Bytes of a string that count like one part. */
   private static final int BYTES_A_PART = 16;
@@ -44,8 +44,8 @@ final class BoundedCopy {
   }
 
   private Value start(StringValue string) {
-    left -= Math.min(string.length(), MOST_BYTES) / BYTES_A_PART;
-    return Value.of(string.start(MOST_BYTES));
+    left -= Math.min(string.length(), MAX_BYTES) / BYTES_A_PART;
+    return Value.of(string.start(MAX_BYTES));
   }
 
   private Value start(NumberList list) {

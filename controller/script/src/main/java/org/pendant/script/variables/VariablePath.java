@@ -17,7 +17,7 @@ public record VariablePath(String name, List<Step> steps) {
       Pattern.compile("\\s*(?:\\.\\s*(\\w+)|\\[\\s*(\\d+)\\s*(?:,\\s*(\\d+)\\s*)?])");
 
   /** More digits than this are no index of any list. */
-  private static final int MOST_DIGITS = 9;
+  private static final int MAX_DIGITS = 9;
 
   public VariablePath {
     steps = List.copyOf(steps);
@@ -75,7 +75,7 @@ public record VariablePath(String name, List<Step> steps) {
   }
 
   private static int index(String digits, String text) {
-    if (digits.length() > MOST_DIGITS) {
+    if (digits.length() > MAX_DIGITS) {
       throw refused(text);
     }
     return Integer.parseInt(digits);

@@ -13,8 +13,8 @@ import org.pendant.script.vm.VariableSlots;
 
 /**
  * Takes {@link VariableSamples}: every 20 frames, and in the first and last frame of a program. A
- * variable keeps at most {@link #MOST_PARTS} elements and members, all together at most {@link
- * #MOST_IN_ALL}; programs that have many are sampled less often, so that the mean cost of a frame
+ * variable keeps at most {@link #MAX_PARTS} elements and members, all together at most {@link
+ * #MAX_IN_ALL}; programs that have many are sampled less often, so that the mean cost of a frame
  * stays the same. Frame loop only.
  */
 public final class VariableSampler {
@@ -22,10 +22,10 @@ public final class VariableSampler {
   public static final int FRAMES = 20;
 
   /** Elements and members that a variable keeps. */
-  public static final int MOST_PARTS = 1000;
+  public static final int MAX_PARTS = 1000;
 
   /** Variables, elements and members of a sample. */
-  public static final int MOST_IN_ALL = 10_000;
+  public static final int MAX_IN_ALL = 10_000;
 
   /** A sample of so many parts comes after {@link #FRAMES}; one of twice as many after twice. */
   private static final int PARTS_IN_TIME = 500;
@@ -62,7 +62,7 @@ public final class VariableSampler {
   }
 
   private void take(VariableSlots slots) {
-    left = MOST_IN_ALL;
+    left = MAX_IN_ALL;
     List<VariableSample> globals = new ArrayList<>(samples.globals().size());
     List<String> names = slots.globals();
     for (int i = 0; i < names.size() && left > 0; i++) {
@@ -75,7 +75,7 @@ public final class VariableSampler {
       locals = locals(slots, first);
       omitted += slots.locals().size() - locals.size();
     }
-    wait = FRAMES * Math.ceilDiv(Math.max(1, MOST_IN_ALL - left), PARTS_IN_TIME);
+    wait = FRAMES * Math.ceilDiv(Math.max(1, MAX_IN_ALL - left), PARTS_IN_TIME);
     if (!same(globals, samples.globals()) || !same(locals, samples.locals())) {
       samples = new VariableSamples(samples.run(), globals, slots.mainFunction(), locals, omitted);
     }
@@ -115,11 +115,11 @@ public final class VariableSampler {
     }
     Value value = registers.value(slot);
     int length = Variables.childCount(value);
-    int parts = Math.min(MOST_PARTS, left);
+    int parts = Math.min(MAX_PARTS, left);
     Optional<Value> known = last.flatMap(VariableSample::shared);
     boolean whole =
         length <= parts
-            && !(value instanceof StringValue string && string.length() > BoundedCopy.MOST_BYTES);
+            && !(value instanceof StringValue string && string.length() > BoundedCopy.MAX_BYTES);
     if (whole && known.isPresent() && BoundedCopy.same(value, known.get())) {
       left -= length;
       return last.orElseThrow();

@@ -23,7 +23,7 @@ final class CodeBuilder {
 
   /** A statement begins here; {@code head} is it without its blocks. */
   void beginStatement(SourceRange head) {
-    if (size - stretch >= Cost.LONGEST_STRETCH) {
+    if (size - stretch >= Cost.MAX_STRETCH) {
       emit(Op.STRETCH, 0, 0, 0);
       stretch = size;
     }

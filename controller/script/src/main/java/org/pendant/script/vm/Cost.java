@@ -14,7 +14,7 @@ import org.pendant.script.value.Value;
  */
 final class Cost {
   /** Instructions that may follow each other without being counted. */
-  static final int LONGEST_STRETCH = 256;
+  static final int MAX_STRETCH = 256;
 
   private static final int TURN_NS = 2;
   private static final int CALL_NS = 6;
@@ -41,7 +41,7 @@ final class Cost {
   static final int LINE_NS = 30_000;
 
   /** A stretch of instructions. */
-  static final int STRETCH_NS = LONGEST_STRETCH * INSTRUCTION_NS;
+  static final int STRETCH_NS = MAX_STRETCH * INSTRUCTION_NS;
 
   private static final int ELEMENT_NS = 1;
   private static final int OBJECT_NS = 10;
@@ -51,12 +51,12 @@ final class Cost {
 
   /** A turn of a loop that jumps back over {@code instructions}. */
   static int turn(int instructions) {
-    return TURN_NS + INSTRUCTION_NS * Math.min(instructions, LONGEST_STRETCH);
+    return TURN_NS + INSTRUCTION_NS * Math.min(instructions, MAX_STRETCH);
   }
 
   /** A call of a function. */
   static int call(int instructions) {
-    return CALL_NS + INSTRUCTION_NS * Math.min(instructions, LONGEST_STRETCH);
+    return CALL_NS + INSTRUCTION_NS * Math.min(instructions, MAX_STRETCH);
   }
 
   /**

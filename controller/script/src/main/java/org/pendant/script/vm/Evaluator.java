@@ -20,10 +20,10 @@ import org.pendant.script.vm.Processor.Stop;
  */
 final class Evaluator {
   /** Compiled expressions that are kept: conditions of breakpoints are computed again and again. */
-  private static final int MOST_KEPT = 64;
+  private static final int MAX_KEPT = 64;
 
   /** Computing time of one of them, in nanoseconds as {@link Cost} counts them. */
-  private static final int MOST_NS = 1_000_000;
+  private static final int MAX_NS = 1_000_000;
 
   /** An expression at a place. */
   private record Place(ScriptFunction function, int offset, String text) {}
@@ -77,7 +77,7 @@ final class Evaluator {
     SideCode code = kept.get(place);
     if (code == null) {
       code = compiler.expression(run, place.function(), place.offset(), place.text());
-      if (kept.size() == MOST_KEPT) {
+      if (kept.size() == MAX_KEPT) {
         Iterator<Place> oldest = kept.keySet().iterator();
         oldest.next();
         oldest.remove();
@@ -107,7 +107,7 @@ final class Evaluator {
       ProgramRun side, ScriptThread thread, int frame, SideCode code) {
     ScriptFunction function = code.function();
     ScriptThread worker = new ScriptThread(0, -1);
-    worker.budget = MOST_NS;
+    worker.budget = MAX_NS;
     worker.segmentStart = side.segments().take(function.slotCount());
     worker.segmentEnd = worker.segmentStart + RegisterSegments.sizeFor(function.slotCount());
     Registers registers = side.registers();
@@ -142,7 +142,7 @@ final class Evaluator {
       case ENDED -> {}
       case EXHAUSTED ->
           throw new ScriptError(
-              "too-long", "it computes for more than " + MOST_NS / 1_000_000 + " ms");
+              "too-long", "it computes for more than " + MAX_NS / 1_000_000 + " ms");
       case WAITING -> {
         worker.wait.cancel();
         throw new ScriptError("not-while-stopped", "it waits, an expression must be over at once");

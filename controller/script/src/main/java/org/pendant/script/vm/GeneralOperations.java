@@ -30,7 +30,7 @@ final class GeneralOperations {
   private static final Value ZERO = Value.of(0);
 
   /** Characters of a value that a message shows. */
-  private static final int LONGEST_SHOWN = 80;
+  private static final int MAX_SHOWN = 80;
 
   /** Above this a comparison is made piece by piece. */
   private static final int LONG_COMPARISON_NS = 200_000;
@@ -81,7 +81,7 @@ final class GeneralOperations {
   private String describe(int slot) {
     return registers.kind(slot).text()
         + " "
-        + ValueText.shortened(registers.value(slot), LONGEST_SHOWN);
+        + ValueText.shortened(registers.value(slot), MAX_SHOWN);
   }
 
   /** Refuses a slot without a value; the name is not known here any more, only the instruction. */

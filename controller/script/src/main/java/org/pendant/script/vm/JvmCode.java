@@ -47,7 +47,7 @@ final class JvmCode {
   static final MethodTypeDesc RUN = MethodTypeDesc.of(STOP, PROCESSOR, THREAD, INT, INT);
 
   /** More slots than this are only found in the registers. */
-  private static final int MOST_KEPT = 48;
+  private static final int MAX_KEPT = 48;
 
   // the variables of the method
   private static final int THE_PROCESSOR = 1;
@@ -85,9 +85,9 @@ final class JvmCode {
     kept = new int[uses.length];
     int[] busiest = uses.clone();
     Arrays.sort(busiest);
-    int least = Math.max(1, uses.length > MOST_KEPT ? busiest[uses.length - MOST_KEPT] : 1);
+    int least = Math.max(1, uses.length > MAX_KEPT ? busiest[uses.length - MAX_KEPT] : 1);
     int next = FIRST_KEPT;
-    for (int i = 0; i < uses.length && next < FIRST_KEPT + 3 * MOST_KEPT; i++) {
+    for (int i = 0; i < uses.length && next < FIRST_KEPT + 3 * MAX_KEPT; i++) {
       if (uses[i] >= least) {
         kept[i] = next;
         next += 3;

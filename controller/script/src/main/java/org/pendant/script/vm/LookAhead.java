@@ -29,16 +29,16 @@ final class LookAhead {
   private static final int MAX_FORESEEN = 24;
 
   /** Interpreted lines that are looked at, which wait behind the one under way. */
-  private static final int MOST_LINES = 12;
+  private static final int MAX_LINES = 12;
 
   /** Registers of a program that is too large to copy for each blend. */
-  private static final int MOST_REGISTERS = 8000;
+  private static final int MAX_REGISTERS = 8000;
 
   /**
    * Bytes of the lists and the like of a program that has too much data for each blend: what the
    * copy or the program changes later is copied in full.
    */
-  private static final int MOST_BYTES = 400_000;
+  private static final int MAX_BYTES = 400_000;
 
   private final Host host;
   private ProgramRun known;
@@ -115,14 +115,14 @@ final class LookAhead {
     Ahead ahead = new Ahead(run.frame());
     try {
       int used = run.registers().size() - interpreter.keptRegisters();
-      if (used > MOST_REGISTERS || tooMuchData(run.registers())) {
+      if (used > MAX_REGISTERS || tooMuchData(run.registers())) {
         return List.of();
       }
       ProgramRun side = run.onTheSide(tables(run), host, ahead);
       ScriptThread worker = copy(thread, side.registers());
       Interpreter.Preview lines = interpreter.preview(thread, LookAhead::foreseeing);
       Processor.Stop stop = side.processor().execute(worker);
-      for (int i = 0; i < MOST_LINES && stop == Processor.Stop.INTERPRETED; i++) {
+      for (int i = 0; i < MAX_LINES && stop == Processor.Stop.INTERPRETED; i++) {
         boolean more = lines.next(side, worker);
         worker.budget = BUDGET_NS;
         stop = more ? side.processor().execute(worker) : Processor.Stop.ENDED;
@@ -135,12 +135,12 @@ final class LookAhead {
 
   private static boolean tooMuchData(Registers registers) {
     long bytes = 0;
-    for (int slot = 0; slot < registers.size() && bytes <= MOST_BYTES; slot++) {
+    for (int slot = 0; slot < registers.size() && bytes <= MAX_BYTES; slot++) {
       if (registers.tags()[slot] == Registers.OBJECT) {
         bytes += registers.objects()[slot].sizeBytes();
       }
     }
-    return bytes > MOST_BYTES;
+    return bytes > MAX_BYTES;
   }
 
   private static ScriptThread copy(ScriptThread thread, Registers registers) {

@@ -30,7 +30,7 @@ final class ProgramRun {
   static final int MAX_THREADS = 200;
 
   /** Most threads that a program may start from its beginning to its end. */
-  private static final int MOST_STARTED = Integer.MAX_VALUE - 1;
+  private static final int MAX_STARTED = Integer.MAX_VALUE - 1;
 
   /** What programs keep in a variable that has no handle yet: as of a thread that has ended. */
   private static final int NO_THREAD = 0;
@@ -234,9 +234,9 @@ final class ProgramRun {
       throw new ScriptError(
           "too-many-threads", "more than " + MAX_THREADS + " threads run at once");
     }
-    if (newestThread >= MOST_STARTED) {
+    if (newestThread >= MAX_STARTED) {
       throw new ScriptError(
-          "too-many-threads", "more than " + MOST_STARTED + " threads were started");
+          "too-many-threads", "more than " + MAX_STARTED + " threads were started");
     }
     segments.check(functions[number].slotCount());
     startFunction(parent, functions[number]);

@@ -20,7 +20,7 @@ import org.pendant.script.value.ScriptError;
 /** Compiles expressions and assignments for a place in a running program. */
 final class SideCompiler {
   /** Constants that one of them may have. */
-  private static final int MOST_CONSTANTS = 4096;
+  private static final int MAX_CONSTANTS = 4096;
 
   /** What an expression is assigned to while it is parsed and checked. */
   private static final String RESULT = "the_value_of_this_expression";
@@ -96,7 +96,7 @@ final class SideCompiler {
       throws ScriptError {
     int first = interpreter.firstFreeStatic();
     StaticSlots statics =
-        new StaticSlots(first, first + MOST_CONSTANTS - 1, new HashMap<>(run.globalSlots()));
+        new StaticSlots(first, first + MAX_CONSTANTS - 1, new HashMap<>(run.globalSlots()));
     Linkage linkage = Linkage.after(run.tables(), interpreter.functionNumbers(), statics);
     FunctionContext context =
         new FunctionContext(

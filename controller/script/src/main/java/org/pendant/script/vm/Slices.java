@@ -18,10 +18,10 @@ record Slices(int computingNs, int wakingNs) {
   static final Slices NONE = new Slices(0, 0);
 
   /** What threads that waited get when their share is used up. */
-  private static final int LEAST_NS = 1000;
+  private static final int MIN_NS = 1000;
 
   /** How many of them get that in a frame. */
-  private static final int MOST_WITH_LEAST = 200;
+  private static final int MAX_WITH_LEAST = 200;
 
   private static final int SHARE = 4;
 
@@ -35,9 +35,9 @@ record Slices(int computingNs, int wakingNs) {
    * left; 0 when it has to wait for the next frame.
    */
   int waking(int leftNs) {
-    if (leftNs < -LEAST_NS * MOST_WITH_LEAST) {
+    if (leftNs < -MIN_NS * MAX_WITH_LEAST) {
       return 0;
     }
-    return Math.max(LEAST_NS, leftNs / SHARE);
+    return Math.max(MIN_NS, leftNs / SHARE);
   }
 }

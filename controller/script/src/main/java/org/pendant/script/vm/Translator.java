@@ -25,7 +25,7 @@ final class Translator {
   private static final int LARGEST = 8000;
 
   /** A function of more instructions is too large in any case. */
-  private static final int MOST_INSTRUCTIONS = 600;
+  private static final int MAX_INSTRUCTIONS = 600;
 
   private final ScriptFunction function;
   private final long[] instructions;
@@ -47,7 +47,7 @@ final class Translator {
    * @param tables what the static slots of its program hold
    */
   static Optional<TranslatedCode> translate(ScriptFunction function, Program.Tables tables) {
-    if (function.instructions().length > MOST_INSTRUCTIONS) {
+    if (function.instructions().length > MAX_INSTRUCTIONS) {
       return Optional.empty();
     }
     byte[] bytes =

@@ -17,8 +17,8 @@ import org.pendant.script.value.ScriptError;
 /** Being held changes nothing: a program does the same with and without stops. */
 class HeldRunsTest {
   private static final int PROGRAMS = 100;
-  private static final int MOST_FRAMES = 60;
-  private static final int MOST_STOPS = 400;
+  private static final int MAX_FRAMES = 60;
+  private static final int MAX_STOPS = 400;
 
   /** All that a program shows to the outside. */
   private record Shown(List<String> messages, String ending, int frames, String globals) {
@@ -49,7 +49,7 @@ class HeldRunsTest {
 
     private void someBreakpoints() {
       debugger.removeBreakpoints();
-      for (int i = random.nextInt(9); i > 0 && stops < MOST_STOPS; i--) {
+      for (int i = random.nextInt(9); i > 0 && stops < MAX_STOPS; i--) {
         Breakpoint breakpoint = Breakpoint.at(1 + random.nextInt(lines));
         debugger.set(random.nextInt(3) > 0 ? breakpoint : breakpoint.when("g > h"));
       }
@@ -59,7 +59,7 @@ class HeldRunsTest {
       if (random.nextInt(6) == 0) {
         someBreakpoints();
       }
-      if (random.nextInt(3) > 0 && stops < MOST_STOPS) {
+      if (random.nextInt(3) > 0 && stops < MAX_STOPS) {
         debugger.pause();
       }
     }
@@ -81,7 +81,7 @@ class HeldRunsTest {
       if (random.nextInt(8) == 0) {
         someBreakpoints();
       }
-      switch (stops < MOST_STOPS ? random.nextInt(9) : 8) {
+      switch (stops < MAX_STOPS ? random.nextInt(9) : 8) {
         case 0, 4, 5, 6 -> debugger.stepInto(stop.thread());
         case 1 -> debugger.stepOver(stop.thread());
         case 2 -> debugger.stepOut(stop.thread());
@@ -94,7 +94,7 @@ class HeldRunsTest {
   private static Shown runFreely(String text, Translation translation) {
     MachineFixture fixture = new MachineFixture(translation);
     fixture.start(text);
-    while (fixture.machine.state() == ProgramState.RUNNING && fixture.frames < MOST_FRAMES) {
+    while (fixture.machine.state() == ProgramState.RUNNING && fixture.frames < MAX_FRAMES) {
       fixture.advance(1);
     }
     return Shown.of(fixture);
@@ -105,7 +105,7 @@ class HeldRunsTest {
     int lines = Source.of("test", text).lineCount();
     RestlessDebugger restless = new RestlessDebugger(random, fixture, lines);
     fixture.start(text);
-    while (fixture.machine.state() == ProgramState.RUNNING && fixture.frames < MOST_FRAMES) {
+    while (fixture.machine.state() == ProgramState.RUNNING && fixture.frames < MAX_FRAMES) {
       restless.betweenFrames();
       while (fixture.machine.advance()) {
         assertTrue(fixture.machine.advance(), "held until it is let go");

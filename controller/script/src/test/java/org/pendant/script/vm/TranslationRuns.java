@@ -8,7 +8,7 @@ import org.pendant.language.source.Source;
 
 /** Runs one program in every form that the machine has for it. */
 final class TranslationRuns {
-  private static final int MOST_FRAMES = 60;
+  private static final int MAX_FRAMES = 60;
 
   /** All that a program shows to the outside. */
   record Shown(
@@ -51,7 +51,7 @@ final class TranslationRuns {
     Program program = fixture.compile(text);
     fixture.machine.start(program);
     List<String> replies = new ArrayList<>();
-    while (fixture.machine.state() == ProgramState.RUNNING && fixture.frames < MOST_FRAMES) {
+    while (fixture.machine.state() == ProgramState.RUNNING && fixture.frames < MAX_FRAMES) {
       random.ifPresent(r -> translateSome(program, r));
       if (fixture.machine.interpreter().active() && replies.isEmpty()) {
         interpretedLines.forEach(line -> replies.add(fixture.submit(line)));

@@ -29,7 +29,7 @@ public final class AnalysisSchedule {
   private static final int REST_SHARE = 4;
 
   /** However long one took, the next does not wait for more than two seconds. */
-  private static final long MOST_COUNTED_NS = 500_000_000;
+  private static final long MAX_COUNTED_NS = 500_000_000;
 
   private static final long NS_PER_MS = 1_000_000;
 
@@ -150,7 +150,7 @@ public final class AnalysisSchedule {
           long begin = clockNs.getAsLong();
           AnalysedText result = AnalysedText.of(name, now, catalogue);
           long end = clockNs.getAsLong();
-          restUntilNs = end + REST_SHARE * Math.min(end - begin, MOST_COUNTED_NS);
+          restUntilNs = end + REST_SHARE * Math.min(end - begin, MAX_COUNTED_NS);
           dispatch.execute(() -> finished(wanted, result));
         });
   }

@@ -8,7 +8,7 @@ import java.util.stream.IntStream;
 public final class BlockEnd {
   private static final Set<String> OPENERS = Set.of("def", "sec", "thread", "if", "while");
 
-  private static final int MOST_COUNTED = 20_000;
+  private static final int MAX_COUNTED = 20_000;
 
   private BlockEnd() {}
 
@@ -27,7 +27,7 @@ public final class BlockEnd {
         && OPENERS.contains(AutoIndent.firstWord(code))
         && balance(code) > 0
         && !isClosed(lines, count, head)
-        && (count > MOST_COUNTED
+        && (count > MAX_COUNTED
             || IntStream.range(0, count)
                     .map(line -> balance(AutoIndent.code(lines.apply(line))))
                     .sum()

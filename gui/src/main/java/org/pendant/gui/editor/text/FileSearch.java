@@ -18,12 +18,12 @@ import org.pendant.language.source.ByteText;
  */
 public record FileSearch(Path folder, SearchQuery query) {
   /** More places than anybody reads. */
-  public static final int MOST_PLACES = 2_000;
+  public static final int MAX_PLACES = 2_000;
 
   /** More files than a folder of programs has. */
-  public static final int MOST_FILES = 10_000;
+  public static final int MAX_FILES = 10_000;
 
-  private static final long LARGEST_BYTES = 4L << 20;
+  private static final long MAX_BYTES = 4L << 20;
 
   /**
    * How it went.
@@ -67,9 +67,9 @@ public record FileSearch(Path folder, SearchQuery query) {
     int read = 0;
     int places = 0;
     int skipped = 0;
-    List<Path> scripts = ScriptFolder.list(folder, MOST_FILES + 1, cancelled);
+    List<Path> scripts = ScriptFolder.list(folder, MAX_FILES + 1, cancelled);
     for (Path script : scripts) {
-      if (cancelled.getAsBoolean() || places >= MOST_PLACES || read >= MOST_FILES) {
+      if (cancelled.getAsBoolean() || places >= MAX_PLACES || read >= MAX_FILES) {
         return new Summary(read, places, skipped, false);
       }
       progress.at(read + skipped, scripts.size());
@@ -81,18 +81,18 @@ public record FileSearch(Path folder, SearchQuery query) {
       read++;
       String name = folder.relativize(script).toString();
       for (Span span : query.in(text.get())) {
-        if (places++ < MOST_PLACES) {
+        if (places++ < MAX_PLACES) {
           found.accept(Place.of(name, Optional.of(script), text.get(), span));
         }
       }
     }
-    int shown = Math.min(places, MOST_PLACES);
-    return new Summary(read, shown, skipped, places <= MOST_PLACES);
+    int shown = Math.min(places, MAX_PLACES);
+    return new Summary(read, shown, skipped, places <= MAX_PLACES);
   }
 
   private static Optional<String> text(Path script) {
     try {
-      if (Files.size(script) > LARGEST_BYTES) {
+      if (Files.size(script) > MAX_BYTES) {
         return Optional.empty();
       }
       byte[] bytes = Files.readAllBytes(script);

@@ -55,7 +55,7 @@ public record FindState(SearchQuery query, List<Span> matches) {
     if (matches.isEmpty()) {
       return "No match";
     }
-    String many = matches.size() >= SearchQuery.MOST_MATCHES ? "or more" : "";
+    String many = matches.size() >= SearchQuery.MAX_MATCHES ? "or more" : "";
     String all = (matches.size() + " " + many).strip();
     int index = matches.indexOf(selected);
     return index >= 0

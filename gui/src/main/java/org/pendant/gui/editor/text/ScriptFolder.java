@@ -19,7 +19,7 @@ public final class ScriptFolder {
   private static final int DEEPEST = 12;
 
   /** A folder with more files than this is no folder of programs. */
-  private static final int MOST_SEEN = 200_000;
+  private static final int MAX_SEEN = 200_000;
 
   private ScriptFolder() {}
 
@@ -55,7 +55,7 @@ public final class ScriptFolder {
               scripts.add(file);
             }
             boolean enough =
-                scripts.size() >= most || ++seen >= MOST_SEEN || cancelled.getAsBoolean();
+                scripts.size() >= most || ++seen >= MAX_SEEN || cancelled.getAsBoolean();
             return enough ? FileVisitResult.TERMINATE : FileVisitResult.CONTINUE;
           }
 

@@ -16,7 +16,7 @@ import java.util.regex.PatternSyntaxException;
  */
 public record SearchQuery(String words, boolean matchCase, boolean wholeWord, boolean regex) {
   /** More matches than anybody looks at; counting ends here. */
-  public static final int MOST_MATCHES = 20_000;
+  public static final int MAX_MATCHES = 20_000;
 
   /** One that finds nothing. */
   public static final SearchQuery NONE = new SearchQuery("", false, false, false);
@@ -34,7 +34,7 @@ public record SearchQuery(String words, boolean matchCase, boolean wholeWord, bo
   }
 
   /**
-   * Where it stands in {@code text}, at most {@link #MOST_MATCHES} places; matches of no length are
+   * Where it stands in {@code text}, at most {@link #MAX_MATCHES} places; matches of no length are
    * left out. Nowhere if there is a {@link #complaint}.
    */
   public List<Span> in(CharSequence text) {
@@ -44,7 +44,7 @@ public record SearchQuery(String words, boolean matchCase, boolean wholeWord, bo
     }
     Matcher matcher = pattern().matcher(new BoundedText(text));
     try {
-      while (found.size() < MOST_MATCHES && matcher.find()) {
+      while (found.size() < MAX_MATCHES && matcher.find()) {
         if (matcher.end() > matcher.start()) {
           found.add(new Span(matcher.start(), matcher.end()));
         }

@@ -18,7 +18,7 @@ import org.pendant.gui.editor.text.Background;
 /** Files of this machine. */
 final class DesktopFiles implements FormFiles {
   /** Longer ones are no program. */
-  private static final long MOST_BYTES = 4_000_000;
+  private static final long MAX_BYTES = 4_000_000;
 
   private final Component owner;
   private final Background background;
@@ -55,8 +55,8 @@ final class DesktopFiles implements FormFiles {
         () -> {
           try {
             long size = Files.size(file);
-            if (size > MOST_BYTES) {
-              later(failed, file + " has " + size + " bytes, must be at most " + MOST_BYTES);
+            if (size > MAX_BYTES) {
+              later(failed, file + " has " + size + " bytes, must be at most " + MAX_BYTES);
               return;
             }
             later(

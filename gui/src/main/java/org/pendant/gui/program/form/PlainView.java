@@ -7,10 +7,10 @@ import javax.swing.JTextArea;
 
 /** Lines of a file that can only be read and copied. */
 final class PlainView implements FieldView {
-  private static final int FEWEST_ROWS = 4;
-  private static final int MOST_ROWS = 20;
+  private static final int MIN_ROWS = 4;
+  private static final int MAX_ROWS = 20;
 
-  private final JTextArea area = new JTextArea(FEWEST_ROWS, 12);
+  private final JTextArea area = new JTextArea(MIN_ROWS, 12);
   private final JScrollPane scroll = new JScrollPane(area);
 
   PlainView(FieldViews views, Item.Code code) {
@@ -38,7 +38,7 @@ final class PlainView implements FieldView {
     if (!area.getText().equals(value)) {
       area.setText(value);
       area.setCaretPosition(0);
-      area.setRows(Math.clamp(value.lines().count(), FEWEST_ROWS, MOST_ROWS));
+      area.setRows(Math.clamp(value.lines().count(), MIN_ROWS, MAX_ROWS));
     }
   }
 }

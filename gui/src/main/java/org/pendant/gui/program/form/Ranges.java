@@ -18,9 +18,9 @@ record Ranges(ArmDescription arm) {
   /** A straight move as it is made at first. */
   static final double TOOL_ACCELERATION_M_PER_S2 = 1.2;
 
-  private static final double MOST_JOINT_ACCELERATION_RAD_PER_S2 = 40;
-  private static final double MOST_TOOL_SPEED_M_PER_S = 5;
-  private static final double MOST_TOOL_ACCELERATION_M_PER_S2 = 150;
+  private static final double MAX_JOINT_ACCELERATION_RAD_PER_S2 = 40;
+  private static final double MAX_TOOL_SPEED_M_PER_S = 5;
+  private static final double MAX_TOOL_ACCELERATION_M_PER_S2 = 150;
 
   static Measure speed(boolean joint) {
     return joint ? Measure.DEGREE_PER_S : Measure.MILLIMETRE_PER_S;
@@ -31,11 +31,11 @@ record Ranges(ArmDescription arm) {
   }
 
   Range speeds(boolean joint) {
-    return Range.upTo(joint ? fastestJoint() : MOST_TOOL_SPEED_M_PER_S);
+    return Range.upTo(joint ? fastestJoint() : MAX_TOOL_SPEED_M_PER_S);
   }
 
   static Range accelerations(boolean joint) {
-    return Range.upTo(joint ? MOST_JOINT_ACCELERATION_RAD_PER_S2 : MOST_TOOL_ACCELERATION_M_PER_S2);
+    return Range.upTo(joint ? MAX_JOINT_ACCELERATION_RAD_PER_S2 : MAX_TOOL_ACCELERATION_M_PER_S2);
   }
 
   private double fastestJoint() {

@@ -5,8 +5,8 @@ import org.pendant.gui.editor.ScriptPad;
 
 /** URScript with its colours. */
 final class ScriptView implements FieldView {
-  private static final int FEWEST_ROWS = 3;
-  private static final int MOST_ROWS = 16;
+  private static final int MIN_ROWS = 3;
+  private static final int MAX_ROWS = 16;
 
   private final ScriptPad pad;
   private final FieldPanel panel;
@@ -41,7 +41,7 @@ final class ScriptView implements FieldView {
     item = (Item.Code) shown;
     pad.show(item.value());
     int lines = (int) item.value().lines().count() + 1;
-    pad.setRows(Math.clamp(lines, FEWEST_ROWS, MOST_ROWS));
+    pad.setRows(Math.clamp(lines, MIN_ROWS, MAX_ROWS));
   }
 
   @Override

@@ -19,8 +19,8 @@ import org.pendant.gui.scene.mesh.Lines;
 final class LinePainter implements AutoCloseable {
   private static final float TRACE_PX_AT_800 = 2.6f;
   private static final float EDGE_PX_AT_800 = 1.3f;
-  private static final float LEAST_TRACE_PX = 1.5f;
-  private static final float LEAST_EDGE_PX = 1.1f;
+  private static final float MIN_TRACE_PX = 1.5f;
+  private static final float MIN_EDGE_PX = 1.1f;
   private static final float HIDDEN_TRACE_OPACITY = 0.16f;
   private static final float HIDDEN_WAY_OPACITY = 0.3f;
   private static final float EDGE_OPACITY = 0.75f;
@@ -59,7 +59,7 @@ final class LinePainter implements AutoCloseable {
     glDepthMask(false);
     line.use().set("toClip", toClip);
     line.set("halfPixels", width / 2f, height / 2f);
-    line.set("width", Math.max(LEAST_EDGE_PX, EDGE_PX_AT_800 * height / 800f));
+    line.set("width", Math.max(MIN_EDGE_PX, EDGE_PX_AT_800 * height / 800f));
     if (camera.looksDownOn(ground.heightM())) {
       line.set("opacity", SCALE_OPACITY);
       scale.draw();
@@ -67,13 +67,13 @@ final class LinePainter implements AutoCloseable {
     line.set("opacity", EDGE_OPACITY);
     edges.draw();
     ways.draw();
-    line.set("width", Math.max(LEAST_TRACE_PX, TRACE_PX_AT_800 * height / 800f));
+    line.set("width", Math.max(MIN_TRACE_PX, TRACE_PX_AT_800 * height / 800f));
     line.set("opacity", 1);
     trace.draw();
     glDepthFunc(GL_GREATER);
     line.set("opacity", HIDDEN_TRACE_OPACITY);
     trace.draw();
-    line.set("width", Math.max(LEAST_EDGE_PX, EDGE_PX_AT_800 * height / 800f));
+    line.set("width", Math.max(MIN_EDGE_PX, EDGE_PX_AT_800 * height / 800f));
     line.set("opacity", HIDDEN_WAY_OPACITY);
     ways.draw();
     glDepthFunc(GL_LESS);

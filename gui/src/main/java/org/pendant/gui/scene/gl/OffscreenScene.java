@@ -19,7 +19,7 @@ import org.pendant.gui.scene.SceneModel;
  */
 public final class OffscreenScene implements AutoCloseable {
   /** Largest width and height of an image, pixels; every OpenGL 3.3 has room for it. */
-  public static final int LARGEST_PX = 4096;
+  public static final int MAX_PX = 4096;
 
   private final ExecutorService thread;
   private final GlContext context;
@@ -69,8 +69,8 @@ public final class OffscreenScene implements AutoCloseable {
   }
 
   /**
-   * Draws a picture in the best quality and waits for it; width and height are 1 to {@link
-   * #LARGEST_PX} pixels.
+   * Draws a picture in the best quality and waits for it; width and height are 1 to {@link #MAX_PX}
+   * pixels.
    */
   public BufferedImage render(SceneModel model, Camera camera, int width, int height) {
     return draw(model, camera, Quality.FULL, image(width, height)).join();
@@ -101,12 +101,12 @@ public final class OffscreenScene implements AutoCloseable {
   /**
    * An image that can be drawn into.
    *
-   * @throws IllegalArgumentException if a side is not 1 to {@link #LARGEST_PX} pixels
+   * @throws IllegalArgumentException if a side is not 1 to {@link #MAX_PX} pixels
    */
   public static BufferedImage image(int width, int height) {
-    if (width < 1 || height < 1 || width > LARGEST_PX || height > LARGEST_PX) {
+    if (width < 1 || height < 1 || width > MAX_PX || height > MAX_PX) {
       throw new IllegalArgumentException(
-          "image is " + width + "x" + height + ", each side must be 1 to " + LARGEST_PX);
+          "image is " + width + "x" + height + ", each side must be 1 to " + MAX_PX);
     }
     return new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
   }

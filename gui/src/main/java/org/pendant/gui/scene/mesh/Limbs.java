@@ -12,7 +12,7 @@ final class Limbs {
   private static final double GAP_M = JointFaces.HALF_GAP_M;
   private static final double FILLET_SHARE = 0.55;
   private static final double LID_SHARE = 0.38;
-  private static final double LEAST_LID_SHARE = 0.14;
+  private static final double MIN_LID_SHARE = 0.14;
 
   /** Between a lid and the tube, m. */
   private static final double CLEAR_M = 0.004;
@@ -97,12 +97,12 @@ final class Limbs {
   private static double lidM(Cylinder body, double beyondTubeAxisM, Tube tube) {
     double widestM = Math.max(tube.nearRadiusM(), tube.farRadiusM());
     double leftM = beyondTubeAxisM - widestM - CLEAR_M;
-    return Math.clamp(leftM, LEAST_LID_SHARE * body.radiusM(), LID_SHARE * body.radiusM());
+    return Math.clamp(leftM, MIN_LID_SHARE * body.radiusM(), LID_SHARE * body.radiusM());
   }
 
   /** What is left for the tube under the lowest lid. */
   private static double roomM(Cylinder body, double beyondTubeAxisM) {
-    return beyondTubeAxisM - LEAST_LID_SHARE * body.radiusM() - CLEAR_M;
+    return beyondTubeAxisM - MIN_LID_SHARE * body.radiusM() - CLEAR_M;
   }
 
   private static void addTube(

@@ -25,7 +25,7 @@ final class Tubing {
   /** The skin ends this far inside the barrel, so that no light comes through. */
   private static final float SUNK_M = 6e-4f;
 
-  private static final double SMALLEST_FILLET_M = 8e-4;
+  private static final double MIN_FILLET_M = 8e-4;
 
   private final Pipe pipe;
   private final Optional<Barrel> near;
@@ -166,6 +166,6 @@ final class Tubing {
     double endways = Math.abs(pipe.direction(angleRad, 1, 0).dot(barrel.axis()));
     double toEndM = barrel.roomM(pipe.point(angleRad, r, entersM)) / Math.max(endways, 0.2);
     double mostM = Math.min(filletM, Math.min(0.7 * roomM, 0.8 * toEndM));
-    return Math.max(mostM, SMALLEST_FILLET_M);
+    return Math.max(mostM, MIN_FILLET_M);
   }
 }

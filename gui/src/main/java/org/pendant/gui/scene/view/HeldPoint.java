@@ -22,7 +22,7 @@ import org.pendant.models.pose.Transforms;
  */
 record HeldPoint(int link, Vector3 inLinkM, Vector3 grabbedInBaseM, Vector3 towardsScene) {
   /** Rays that run along the plane meet it nowhere near. */
-  private static final double LEAST_COSINE = 0.05;
+  private static final double MIN_COSINE = 0.05;
 
   /** What was picked, as something to hold; empty for what does not move. */
   static Optional<HeldPoint> of(Picked picked, SceneModel model, Camera camera) {
@@ -81,7 +81,7 @@ record HeldPoint(int link, Vector3 inLinkM, Vector3 grabbedInBaseM, Vector3 towa
   Optional<Vector3> placeM(Ray ray) {
     Vector3 d = ray.direction();
     double along = dot(d, towardsScene);
-    if (Math.abs(along) < LEAST_COSINE) {
+    if (Math.abs(along) < MIN_COSINE) {
       return Optional.empty();
     }
     Vector3 from = ray.fromM();

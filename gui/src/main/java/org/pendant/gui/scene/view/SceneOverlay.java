@@ -25,9 +25,9 @@ final class SceneOverlay {
       List.of("J1", "J2", "J3", "J4", "J5", "J6, flange");
 
   /** With more of them names would cover the picture. */
-  private static final int MOST_PLACE_NAMES = 15;
+  private static final int MAX_PLACE_NAMES = 15;
 
-  private static final int LEAST_WIDTH_FOR_LEGEND = 150;
+  private static final int MIN_WIDTH_FOR_LEGEND = 150;
   private static final double NEAR_POINTER_EM = 1.2;
 
   private final Graphics2D graphics;
@@ -52,7 +52,7 @@ final class SceneOverlay {
 
   /** The colours of the trace and what they mean; nothing while there is no trace. */
   void legend(SceneModel model) {
-    if (model.trace().size() < 2 || width < LEAST_WIDTH_FOR_LEGEND) {
+    if (model.trace().size() < 2 || width < MIN_WIDTH_FOR_LEGEND) {
       return;
     }
     int bar = Math.min(11 * em, width - 5 * em);
@@ -105,7 +105,7 @@ final class SceneOverlay {
   /** Names beside the places that a program goes to; that of a chosen one comes last, on top. */
   void placeNames(PictureRequest shown) {
     List<WaypointMarkers.Mark> marks = shown.model().waypointMarkers().marks();
-    if (marks.size() > MOST_PLACE_NAMES) {
+    if (marks.size() > MAX_PLACE_NAMES) {
       marks = marks.stream().filter(WaypointMarkers.Mark::chosen).toList();
     }
     Map<Point2D, String> names = new LinkedHashMap<>();

@@ -141,8 +141,7 @@ public final class SceneView extends JPanel {
     }
     PictureRequest shown = drawn.get();
     int factor =
-        Math.min(
-            PHOTO_FACTOR, OffscreenScene.LARGEST_PX / Math.max(shown.widthPx(), shown.heightPx()));
+        Math.min(PHOTO_FACTOR, OffscreenScene.MAX_PX / Math.max(shown.widthPx(), shown.heightPx()));
     BufferedImage into = OffscreenScene.image(factor * shown.widthPx(), factor * shown.heightPx());
     return scene
         .get()
@@ -297,7 +296,7 @@ public final class SceneView extends JPanel {
   }
 
   private static int pixels(double length) {
-    return Math.clamp(Math.round(length), 1, OffscreenScene.LARGEST_PX);
+    return Math.clamp(Math.round(length), 1, OffscreenScene.MAX_PX);
   }
 
   private double aspect() {

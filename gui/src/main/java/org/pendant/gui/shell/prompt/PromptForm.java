@@ -24,8 +24,8 @@ import org.pendant.gui.workbench.Palette;
 
 /** The widgets that show one popup or question. */
 final class PromptForm {
-  private static final int FEWEST_ROWS = 2;
-  private static final int MOST_ROWS = 14;
+  private static final int MIN_ROWS = 2;
+  private static final int MAX_ROWS = 14;
 
   /** In a window that is too low the hint goes first, then the text; buttons stay. */
   private static final String ROWS =
@@ -39,7 +39,7 @@ final class PromptForm {
   private final JLabel title = new JLabel();
   private final JLabel place = new JLabel();
   private final JButton next = button("popup-next", "Next");
-  private final JTextArea text = new JTextArea(FEWEST_ROWS, 44);
+  private final JTextArea text = new JTextArea(MIN_ROWS, 44);
   private final JTextField field = new JTextField();
   private final JTextArea error = words("popup-error");
   private final JLabel hint = new JLabel();
@@ -209,10 +209,10 @@ final class PromptForm {
     int width = text.getPreferredScrollableViewportSize().width;
     text.setSize(width, Short.MAX_VALUE);
     int row = text.getFontMetrics(text.getFont()).getHeight();
-    text.setRows(FEWEST_ROWS);
+    text.setRows(MIN_ROWS);
     int border = text.getInsets().top + text.getInsets().bottom;
     int lines = Math.ceilDiv(text.getUI().getPreferredSize(text).height - border, row);
-    text.setRows(Math.clamp(lines, FEWEST_ROWS, MOST_ROWS));
+    text.setRows(Math.clamp(lines, MIN_ROWS, MAX_ROWS));
   }
 
   /** Says why what was typed is no answer; empty for nothing. */

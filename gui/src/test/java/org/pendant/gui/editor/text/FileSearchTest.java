@@ -63,11 +63,11 @@ final class FileSearchTest {
 
   @Test
   void endsAtTheMostPlaces() throws IOException {
-    Files.writeString(folder.resolve("long.script"), "x\n".repeat(FileSearch.MOST_PLACES + 1));
+    Files.writeString(folder.resolve("long.script"), "x\n".repeat(FileSearch.MAX_PLACES + 1));
     FileSearch.Summary summary = search("x").run(found::add, (done, all) -> {}, () -> false);
 
-    assertEquals(FileSearch.MOST_PLACES, found.size());
-    assertEquals(FileSearch.MOST_PLACES, summary.places());
+    assertEquals(FileSearch.MAX_PLACES, found.size());
+    assertEquals(FileSearch.MAX_PLACES, summary.places());
     assertEquals(false, summary.complete());
   }
 }

@@ -7,7 +7,7 @@ import org.pendant.motion.PlanningException;
 /** Takes a line of a toolpath file apart into words. */
 final class NcLine {
   /** Digits, sign and point of the longest number that is read. */
-  private static final int LONGEST_NUMBER = 24;
+  private static final int MAX_NUMBER = 24;
 
   private final String file;
   private final int line;
@@ -57,12 +57,12 @@ final class NcLine {
       String found = digits.isEmpty() ? "no number" : cut(digits);
       throw wrong("after " + letter + " found " + found + ", must be a number such as -39.5178");
     }
-    if (digits.length() > LONGEST_NUMBER) {
+    if (digits.length() > MAX_NUMBER) {
       throw wrong(
           "the number of "
               + letter
               + " is too long, must have at most "
-              + LONGEST_NUMBER
+              + MAX_NUMBER
               + " characters");
     }
     return new NcWord(letter, Double.parseDouble(digits), text.substring(begin, at));
@@ -73,7 +73,7 @@ final class NcLine {
   }
 
   private static String cut(String text) {
-    return text.length() > LONGEST_NUMBER ? text.substring(0, LONGEST_NUMBER) + "..." : text;
+    return text.length() > MAX_NUMBER ? text.substring(0, MAX_NUMBER) + "..." : text;
   }
 
   /** What is wrong with this line. */

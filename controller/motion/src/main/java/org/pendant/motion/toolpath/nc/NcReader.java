@@ -16,17 +16,17 @@ import org.pendant.motion.PlanningException;
  */
 public final class NcReader {
   /** The longest file, bytes. */
-  public static final long LARGEST_BYTES = 16L << 20;
+  public static final long MAX_BYTES = 16L << 20;
 
   /** Lines of the longest file. */
-  public static final int MOST_LINES = 200_000;
+  public static final int MAX_LINES = 200_000;
 
   /** Points of the longest path. */
-  public static final int MOST_POINTS = 100_000;
+  public static final int MAX_POINTS = 100_000;
 
-  private static final double FARTHEST_MM = 10_000;
-  private static final double FARTHEST_DEG = 36_000;
-  private static final double FASTEST_MM_PER_MIN = 600_000;
+  private static final double MAX_MM = 10_000;
+  private static final double MAX_DEG = 36_000;
+  private static final double MAX_MM_PER_MIN = 600_000;
   private static final double MM_PER_MIN_IN_M_PER_S = 1 / 60_000.0;
 
   private static final String KNOWN_G =
@@ -73,8 +73,8 @@ public final class NcReader {
       end = end < 0 ? text.length() : end;
       boolean windows = end > at && text.charAt(end - 1) == '\r';
       line++;
-      if (line > MOST_LINES) {
-        throw NcLine.wrong(file, line, "too many lines, must be at most " + MOST_LINES);
+      if (line > MAX_LINES) {
+        throw NcLine.wrong(file, line, "too many lines, must be at most " + MAX_LINES);
       }
       reader.line(line, text.substring(at, windows ? end - 1 : end));
       at = end + 1;
@@ -209,7 +209,7 @@ public final class NcReader {
       return;
     }
     int axis = AXES.indexOf(word.letter());
-    double farthest = axis < 3 ? FARTHEST_MM : FARTHEST_DEG;
+    double farthest = axis < 3 ? MAX_MM : MAX_DEG;
     if (!(Math.abs(word.number()) <= farthest)) {
       String unit = axis < 3 ? " mm" : " degrees";
       throw block.line.wrong(
@@ -228,12 +228,12 @@ public final class NcReader {
 
   private void feed(Block block, NcWord word) throws PlanningException {
     block.once('F');
-    if (!(word.number() > 0 && word.number() <= FASTEST_MM_PER_MIN)) {
+    if (!(word.number() > 0 && word.number() <= MAX_MM_PER_MIN)) {
       throw block.line.wrong(
           "found "
               + word.text()
               + ", a feed rate must be above 0 and at most "
-              + (int) FASTEST_MM_PER_MIN
+              + (int) MAX_MM_PER_MIN
               + " mm/min");
     }
     feedMmPerMin = word.number();
@@ -254,8 +254,8 @@ public final class NcReader {
             "the first point has no " + AXES.charAt(i) + ", must have X, Y and Z");
       }
     }
-    if (points.size() == MOST_POINTS) {
-      throw block.line.wrong("too many points, must be at most " + MOST_POINTS);
+    if (points.size() == MAX_POINTS) {
+      throw block.line.wrong("too many points, must be at most " + MAX_POINTS);
     }
     points.add(new NcPoint(pose(), feedMmPerMin * MM_PER_MIN_IN_M_PER_S, number));
   }

@@ -154,10 +154,10 @@ class NcReaderTest {
     PlanningException points =
         assertThrows(
             PlanningException.class,
-            () -> read("G01 X0 Y0 Z0\n" + "X1\n".repeat(NcReader.MOST_POINTS)));
+            () -> read("G01 X0 Y0 Z0\n" + "X1\n".repeat(NcReader.MAX_POINTS)));
     assertTrue(points.getMessage().contains(":100001: too many points"), points.getMessage());
     PlanningException lines =
-        assertThrows(PlanningException.class, () -> read(";\n".repeat(NcReader.MOST_LINES + 1)));
+        assertThrows(PlanningException.class, () -> read(";\n".repeat(NcReader.MAX_LINES + 1)));
     assertTrue(lines.getMessage().contains(":200001: too many lines"), lines.getMessage());
   }
 }

@@ -18,7 +18,7 @@ import org.pendant.project.program.text.TextProblem;
 /** Reads installations by the endings of their names. */
 public final class InstallationFile {
   /** Far above any real one. */
-  public static final int LARGEST_BYTES = 32 << 20;
+  public static final int MAX_BYTES = 32 << 20;
 
   /** Endings of such files, in the order in which they are looked for. */
   public static final List<String> ENDINGS =

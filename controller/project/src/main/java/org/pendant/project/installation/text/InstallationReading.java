@@ -42,7 +42,7 @@ final class InstallationReading {
   /** Far above any real one; a longer text is something else. */
   private static final int LONGEST = 4 << 20;
 
-  private static final int MOST_PROBLEMS = 100;
+  private static final int MAX_PROBLEMS = 100;
   private static final String INDENT = "  ";
 
   /** Lines of which there may be several. */
@@ -127,7 +127,7 @@ final class InstallationReading {
   }
 
   private void complain(int line, int column, String message) {
-    if (problems.size() < MOST_PROBLEMS) {
+    if (problems.size() < MAX_PROBLEMS) {
       problems.add(new TextProblem(line, column, message));
     }
   }

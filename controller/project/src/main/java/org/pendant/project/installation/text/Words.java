@@ -6,7 +6,7 @@ import java.util.Locale;
 /** How constants and numbers are written. */
 final class Words {
   /** Above it whole numbers are written as doubles are. */
-  private static final double LARGEST_WHOLE = 1e15;
+  private static final double MAX_WHOLE = 1e15;
 
   private Words() {}
 
@@ -26,7 +26,7 @@ final class Words {
       return number < 0 ? "-inf" : "inf";
     }
     boolean minusZero = number == 0 && 1 / number < 0;
-    return number == Math.rint(number) && !minusZero && Math.abs(number) < LARGEST_WHOLE
+    return number == Math.rint(number) && !minusZero && Math.abs(number) < MAX_WHOLE
         ? Long.toString((long) number)
         : Double.toString(number);
   }

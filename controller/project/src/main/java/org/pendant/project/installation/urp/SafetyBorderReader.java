@@ -17,7 +17,7 @@ import org.pendant.project.installation.urp.SafetySections.Section;
 /** Takes planes and the direction of the tool out of safety settings. */
 final class SafetyBorderReader {
   private static final String DISABLED = "DISABLED";
-  private static final int LONGEST_NAME = 100;
+  private static final int MAX_NAME = 100;
 
   private static final Map<String, Applies> MODES =
       Map.of(
@@ -35,7 +35,7 @@ final class SafetyBorderReader {
 
   /** Whether there is anything to read. */
   boolean any() {
-    for (int i = 0; i < SafetyConfiguration.MOST_PLANES; i++) {
+    for (int i = 0; i < SafetyConfiguration.MAX_PLANES; i++) {
       if (sections.has(planeName(i))) {
         return true;
       }
@@ -50,7 +50,7 @@ final class SafetyBorderReader {
   /** The planes that are not switched off. */
   List<SafetyPlane> planes() {
     List<SafetyPlane> planes = new ArrayList<>();
-    for (int i = 0; i < SafetyConfiguration.MOST_PLANES; i++) {
+    for (int i = 0; i < SafetyConfiguration.MAX_PLANES; i++) {
       Section section = sections.section(planeName(i));
       if (off(section)) {
         section.seeAll();
@@ -105,7 +105,7 @@ final class SafetyBorderReader {
     String wanted =
         given.isEmpty()
             ? "Plane " + number
-            : given.substring(0, Math.min(given.length(), LONGEST_NAME));
+            : given.substring(0, Math.min(given.length(), MAX_NAME));
     String name = wanted;
     for (int i = 2; !names.add(name); i++) {
       name = wanted + " (" + i + ")";

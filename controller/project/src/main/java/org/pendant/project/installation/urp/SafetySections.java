@@ -15,12 +15,12 @@ import java.util.regex.Pattern;
  */
 final class SafetySections {
   /** Real ones have 200 lines. */
-  private static final int MOST_LINES = 5000;
+  private static final int MAX_LINES = 5000;
 
-  private static final int LONGEST_LINE = 2000;
+  private static final int MAX_LINE = 2000;
 
   /** Lines of one section that a remark repeats. */
-  private static final int MOST_UNREAD = 20;
+  private static final int MAX_UNREAD = 20;
 
   /** Characters of a file that a remark repeats. */
   private static final int SHOWN = 60;
@@ -117,8 +117,8 @@ final class SafetySections {
               .filter(each -> !each.getValue().read)
               .map(each -> shown(each.getKey()) + " = " + shown(each.getValue().value))
               .toList();
-      int more = unread.size() - MOST_UNREAD;
-      return String.join(", ", unread.subList(0, Math.min(unread.size(), MOST_UNREAD)))
+      int more = unread.size() - MAX_UNREAD;
+      return String.join(", ", unread.subList(0, Math.min(unread.size(), MAX_UNREAD)))
           + (more > 0 ? " and " + more + " more" : "");
     }
   }
@@ -137,12 +137,12 @@ final class SafetySections {
     Iterator<String> lines = text.lines().iterator();
     for (int line = firstLine; lines.hasNext(); line++) {
       String each = lines.next().strip();
-      if (line - firstLine == MOST_LINES) {
-        tell(line, "the safety settings have more than " + MOST_LINES + " lines, the rest is left");
+      if (line - firstLine == MAX_LINES) {
+        tell(line, "the safety settings have more than " + MAX_LINES + " lines, the rest is left");
         return;
       }
       int equals = each.indexOf('=');
-      boolean tooLong = each.length() > LONGEST_LINE;
+      boolean tooLong = each.length() > MAX_LINE;
       if (!tooLong && each.startsWith("[") && each.endsWith("]") && equals < 0) {
         String name = each.substring(1, each.length() - 1).strip();
         int at = line;

@@ -31,13 +31,13 @@ import javax.xml.stream.XMLStreamReader;
  */
 public final class PackedXml {
   /** Far above any real one; what is larger was made to fill the memory. */
-  private static final int LARGEST_BYTES = 64 << 20;
+  private static final int MAX_BYTES = 64 << 20;
 
   /** What programs and installations were called before their form was changed altogether. */
   private static final Set<String> OLD_ROOTS =
       Set.of("gui.program.ProgramRootNode", "gui.installation.RobotInstallation");
 
-  private static final int MOST_ELEMENTS = 1_000_000;
+  private static final int MAX_ELEMENTS = 1_000_000;
   private static final int DEEPEST = 1000;
 
   private static final String DEPTH_LIMIT = "jdk.xml.maxElementDepth";
@@ -98,7 +98,7 @@ public final class PackedXml {
       return within(bytes);
     }
     try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(bytes))) {
-      return within(in.readNBytes(LARGEST_BYTES + 1));
+      return within(in.readNBytes(MAX_BYTES + 1));
     } catch (EOFException e) {
       throw new UnreadableFile("is cut off: its compressed content has no end");
     } catch (ZipException e) {
@@ -109,8 +109,8 @@ public final class PackedXml {
   }
 
   private static byte[] within(byte[] bytes) throws UnreadableFile {
-    if (bytes.length > LARGEST_BYTES) {
-      throw new UnreadableFile("has more than " + LARGEST_BYTES + " bytes when unpacked");
+    if (bytes.length > MAX_BYTES) {
+      throw new UnreadableFile("has more than " + MAX_BYTES + " bytes when unpacked");
     }
     return bytes;
   }
@@ -182,8 +182,8 @@ public final class PackedXml {
               new XmlElement(source, open.peek(), reader, tags.begin(), tags.comment());
           root = root == null ? element : root;
           open.push(element);
-          if (++count > MOST_ELEMENTS) {
-            throw element.wrong("is one element too many, there may be " + MOST_ELEMENTS);
+          if (++count > MAX_ELEMENTS) {
+            throw element.wrong("is one element too many, there may be " + MAX_ELEMENTS);
           }
           if (open.size() > DEEPEST) {
             throw element.wrong("elements stand more than " + DEEPEST + " deep in each other");

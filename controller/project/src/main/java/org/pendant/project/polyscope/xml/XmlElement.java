@@ -19,7 +19,7 @@ public final class XmlElement {
   private static final String REFERENCE = "reference";
 
   /** References to references; files have one or two in a row. */
-  private static final int MOST_STEPS = 1000;
+  private static final int MAX_STEPS = 1000;
 
   /** From so many children on they are looked up by name. */
   private static final int MANY = 16;
@@ -203,8 +203,8 @@ public final class XmlElement {
       if (path.isEmpty()) {
         return Optional.of(at);
       }
-      if (passed.size() == MOST_STEPS) {
-        throw wrong("its reference leads through more than " + MOST_STEPS + " others");
+      if (passed.size() == MAX_STEPS) {
+        throw wrong("its reference leads through more than " + MAX_STEPS + " others");
       }
       if (!passed.add(at)) {
         throw wrong(

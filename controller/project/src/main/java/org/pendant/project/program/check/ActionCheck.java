@@ -11,13 +11,13 @@ import org.pendant.project.program.WaitFor;
 
 /** Checks nodes that do something else than moving. */
 final class ActionCheck {
-  private static final double MOST_S = 1e6;
-  private static final double MOST_PULSE_S = 1000;
-  private static final double MOST_V = 10;
-  private static final double LEAST_A = 0.004;
-  private static final double MOST_A = 0.02;
-  private static final double MOST_KG = 100;
-  private static final double MOST_COG_M = 1;
+  private static final double MAX_S = 1e6;
+  private static final double MAX_PULSE_S = 1000;
+  private static final double MAX_V = 10;
+  private static final double MIN_A = 0.004;
+  private static final double MAX_A = 0.02;
+  private static final double MAX_KG = 100;
+  private static final double MAX_COG_M = 1;
 
   private final Findings findings;
   private final SignalCheck signals;
@@ -63,7 +63,7 @@ final class ActionCheck {
     switch (what) {
       case WaitFor.Nothing _ -> {}
       case WaitFor.Time time ->
-          findings.range(node, "what", "time", Shown.SECOND, time.timeS(), 0, MOST_S);
+          findings.range(node, "what", "time", Shown.SECOND, time.timeS(), 0, MAX_S);
       case WaitFor.Digital digital -> signals.digital(node, "what", digital.signal());
       case WaitFor.Analog analog -> {
         signals.analog(node, "what", analog.signal());
@@ -83,7 +83,7 @@ final class ActionCheck {
       case Setting.Analog analog -> analog(node, analog);
       case Setting.Pulse pulse -> {
         signals.digitalOut(node, "setting", pulse.signal());
-        findings.positive(node, "setting", "time", Shown.SECOND, pulse.timeS(), MOST_PULSE_S);
+        findings.positive(node, "setting", "time", Shown.SECOND, pulse.timeS(), MAX_PULSE_S);
       }
       case Setting.Expression expression -> {
         signals.output(node, "setting", expression.signal());
@@ -100,7 +100,7 @@ final class ActionCheck {
         }
       }
       case Setting.Payload payload -> {
-        findings.range(node, "setting", "mass", Shown.KILOGRAM, payload.massKg(), 0, MOST_KG);
+        findings.range(node, "setting", "mass", Shown.KILOGRAM, payload.massKg(), 0, MAX_KG);
         cog(node, payload.cogXM());
         cog(node, payload.cogYM());
         cog(node, payload.cogZM());
@@ -116,7 +116,7 @@ final class ActionCheck {
 
   private void cog(ProgramNode node, double offsetM) {
     findings.range(
-        node, "setting", "centre of gravity", Shown.MILLIMETRE, offsetM, -MOST_COG_M, MOST_COG_M);
+        node, "setting", "centre of gravity", Shown.MILLIMETRE, offsetM, -MAX_COG_M, MAX_COG_M);
   }
 
   private void analog(ProgramNode node, Setting.Analog analog) {
@@ -125,10 +125,10 @@ final class ActionCheck {
     for (int i = 0; i < AnalogBank.SIZE; i++) {
       if (analog.signal().equals(AnalogBank.STANDARD_OUT.name(i))) {
         if (wiring.analogOut().get(i) == AnalogDomain.VOLTAGE) {
-          findings.range(node, "setting", "voltage", Shown.VOLT, analog.value(), 0, MOST_V);
+          findings.range(node, "setting", "voltage", Shown.VOLT, analog.value(), 0, MAX_V);
         } else {
           findings.range(
-              node, "setting", "current", Shown.MILLIAMPERE, analog.value(), LEAST_A, MOST_A);
+              node, "setting", "current", Shown.MILLIAMPERE, analog.value(), MIN_A, MAX_A);
         }
       }
     }

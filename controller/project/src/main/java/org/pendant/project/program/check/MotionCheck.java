@@ -14,12 +14,12 @@ import org.pendant.project.program.WaypointTarget;
 
 /** Checks moves and what belongs to them. */
 final class MotionCheck {
-  private static final double MOST_RAD_PER_S = 2 * Math.PI;
-  private static final double MOST_RAD_PER_S2 = 40;
-  private static final double MOST_M_PER_S = 5;
-  private static final double MOST_M_PER_S2 = 150;
-  private static final double MOST_S = 3600;
-  private static final double MOST_M = 10;
+  private static final double MAX_RAD_PER_S = 2 * Math.PI;
+  private static final double MAX_RAD_PER_S2 = 40;
+  private static final double MAX_M_PER_S = 5;
+  private static final double MAX_M_PER_S2 = 150;
+  private static final double MAX_S = 3600;
+  private static final double MAX_M = 10;
   private static final int VIA_AND_END = 2;
 
   private final Findings findings;
@@ -51,8 +51,7 @@ final class MotionCheck {
             home.accelerationRadPerS2(),
             MoveKind.JOINT);
         home.timeS()
-            .ifPresent(
-                time -> findings.positive(node, "timeS", "time", Shown.SECOND, time, MOST_S));
+            .ifPresent(time -> findings.positive(node, "timeS", "time", Shown.SECOND, time, MAX_S));
       }
     }
   }
@@ -82,14 +81,14 @@ final class MotionCheck {
         "speed",
         joint ? Shown.DEGREE_PER_S : Shown.MILLIMETRE_PER_S,
         speed,
-        joint ? MOST_RAD_PER_S : MOST_M_PER_S);
+        joint ? MAX_RAD_PER_S : MAX_M_PER_S);
     findings.positive(
         node,
         accelerationField,
         "acceleration",
         joint ? Shown.DEGREE_PER_S2 : Shown.MILLIMETRE_PER_S2,
         acceleration,
-        joint ? MOST_RAD_PER_S2 : MOST_M_PER_S2);
+        joint ? MAX_RAD_PER_S2 : MAX_M_PER_S2);
   }
 
   private void waypoint(
@@ -101,7 +100,7 @@ final class MotionCheck {
       case Timing.Own own ->
           speeds(node, "timing", own.speed(), "timing", own.acceleration(), kind);
       case Timing.Duration duration -> {
-        findings.positive(node, "timing", "time", Shown.SECOND, duration.timeS(), MOST_S);
+        findings.positive(node, "timing", "time", Shown.SECOND, duration.timeS(), MAX_S);
         if (kind == MoveKind.PROCESS) {
           findings.problem(
               node, "timing", "a MoveP has a constant speed, a time cannot be given there");
@@ -127,7 +126,7 @@ final class MotionCheck {
     radiusM.ifPresent(
         radius ->
             findings.range(
-                node, "blendRadiusM", "blend radius", Shown.MILLIMETRE, radius, 0, MOST_M));
+                node, "blendRadiusM", "blend radius", Shown.MILLIMETRE, radius, 0, MAX_M));
   }
 
   private void circle(ProgramNode node, MotionStep.CircleMove circle) {
@@ -152,7 +151,7 @@ final class MotionCheck {
         .ifPresent(
             speed ->
                 findings.positive(
-                    node, "speedMPerS", "speed", Shown.MILLIMETRE_PER_S, speed, MOST_M_PER_S));
+                    node, "speedMPerS", "speed", Shown.MILLIMETRE_PER_S, speed, MAX_M_PER_S));
     direction
         .accelerationMPerS2()
         .ifPresent(
@@ -163,7 +162,7 @@ final class MotionCheck {
                     "acceleration",
                     Shown.MILLIMETRE_PER_S2,
                     acceleration,
-                    MOST_M_PER_S2));
+                    MAX_M_PER_S2));
     if (running(node).stream().noneMatch(each -> each.step() instanceof MotionStep.Until)) {
       findings.problem(node, "", "nothing ends the direction, expected an Until below it");
     }
@@ -182,17 +181,17 @@ final class MotionCheck {
     switch (rule) {
       case UntilRule.Distance distance ->
           findings.positive(
-              node, "rule", "distance", Shown.MILLIMETRE, distance.distanceM(), MOST_M);
+              node, "rule", "distance", Shown.MILLIMETRE, distance.distanceM(), MAX_M);
       case UntilRule.Contact contact -> {
         findings.range(
-            node, "rule", "retraction", Shown.MILLIMETRE, contact.retractM(), -MOST_M, MOST_M);
+            node, "rule", "retraction", Shown.MILLIMETRE, contact.retractM(), -MAX_M, MAX_M);
         findings.positive(
             node,
             "rule",
             "deceleration",
             Shown.MILLIMETRE_PER_S2,
             contact.stopDecelerationMPerS2(),
-            MOST_M_PER_S2);
+            MAX_M_PER_S2);
       }
       case UntilRule.Expression expression ->
           findings.expression(node, "rule", "condition", expression.condition());

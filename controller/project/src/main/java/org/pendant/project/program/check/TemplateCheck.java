@@ -20,15 +20,15 @@ import org.pendant.project.program.TreeNames;
 final class TemplateCheck {
   private static final int AXES = 6;
   private static final int FORCES = 3;
-  private static final double MOST_N = 500;
-  private static final double MOST_NM = 100;
-  private static final double MOST_LIMIT = 10;
-  private static final double MOST_M = 5;
-  private static final double MOST_SCREW_M_PER_S = 1;
-  private static final double MOST_S = 3600;
+  private static final double MAX_N = 500;
+  private static final double MAX_NM = 100;
+  private static final double MAX_LIMIT = 10;
+  private static final double MAX_M = 5;
+  private static final double MAX_SCREW_M_PER_S = 1;
+  private static final double MAX_S = 3600;
   private static final int FIRST_PIN = 8;
   private static final int LAST_PIN = 11;
-  private static final int MOST_PLACES = 1_000_000;
+  private static final int MAX_PLACES = 1_000_000;
   private static final int SQUARE_CORNERS = 4;
   private static final int BOX_CORNERS = 8;
   private static final List<String> AXIS_NAMES = List.of("x", "y", "z", "rx", "ry", "rz");
@@ -125,7 +125,7 @@ final class TemplateCheck {
   }
 
   private void count(ProgramNode node, String what, int count, int least) {
-    findings.range(node, "pattern", what, Shown.COUNT, count, least, MOST_PLACES);
+    findings.range(node, "pattern", what, Shown.COUNT, count, least, MAX_PLACES);
   }
 
   /** How many places of each role there are, in the sequence of a template. */
@@ -185,9 +185,9 @@ final class TemplateCheck {
     } else {
       findings.problem(node, "direction", "the direction is missing, expected x, y and z");
     }
-    findings.positive(node, "limitM", "farthest way", Shown.MILLIMETRE, seek.limitM(), MOST_M);
+    findings.positive(node, "limitM", "farthest way", Shown.MILLIMETRE, seek.limitM(), MAX_M);
     findings.positive(
-        node, "itemHeightM", "thickness of an item", Shown.MILLIMETRE, seek.itemHeightM(), MOST_M);
+        node, "itemHeightM", "thickness of an item", Shown.MILLIMETRE, seek.itemHeightM(), MAX_M);
     findings.expression(node, "found", "condition for an item that is found", seek.found());
     motion.speeds(
         node,
@@ -218,7 +218,7 @@ final class TemplateCheck {
       boolean line = i < FORCES;
       String axis = AXIS_NAMES.get(i);
       if (compliant) {
-        double most = line ? MOST_N : MOST_NM;
+        double most = line ? MAX_N : MAX_NM;
         findings.range(
             node,
             "wrench",
@@ -233,7 +233,7 @@ final class TemplateCheck {
             "speed limit of " + axis,
             line ? Shown.MILLIMETRE_PER_S : Shown.DEGREE_PER_S,
             force.limits().get(i),
-            MOST_LIMIT);
+            MAX_LIMIT);
       } else {
         findings.range(
             node,
@@ -242,7 +242,7 @@ final class TemplateCheck {
             line ? Shown.MILLIMETRE : Shown.DEGREE,
             force.limits().get(i),
             0,
-            MOST_LIMIT);
+            MAX_LIMIT);
       }
     }
     if (force.kind() != ForceKind.SIMPLE && !force.compliant().contains(true)) {
@@ -267,11 +267,11 @@ final class TemplateCheck {
         byForce ? "force" : "speed",
         byForce ? Shown.NEWTON : Shown.MILLIMETRE_PER_S,
         screwdriving.value(),
-        byForce ? MOST_N : MOST_SCREW_M_PER_S);
+        byForce ? MAX_N : MAX_SCREW_M_PER_S);
     if (!screwdriving.start().isEmpty()) {
       signals.digitalOut(node, "start", screwdriving.start());
     }
-    findings.range(node, "timeoutS", "time", Shown.SECOND, screwdriving.timeoutS(), 0, MOST_S);
+    findings.range(node, "timeoutS", "time", Shown.SECOND, screwdriving.timeoutS(), 0, MAX_S);
     if (!screwdriving.until().isBlank() || MotionCheck.running(node).isEmpty()) {
       findings.expression(
           node, "until", "condition for a screw that is done", screwdriving.until());

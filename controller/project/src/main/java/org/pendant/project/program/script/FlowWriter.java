@@ -8,7 +8,7 @@ import org.pendant.project.program.ProgramNode;
 /** Writes decisions and loops. */
 final class FlowWriter {
   /** So many alternatives stand inside of each other; the language has a limit for open blocks. */
-  private static final int MOST_NESTED = 12;
+  private static final int MAX_NESTED = 12;
 
   private final ScriptContext context;
   private final StepWriter steps;
@@ -66,7 +66,7 @@ final class FlowWriter {
 
   /** The alternatives of an if that is open; after it is still open. */
   private void writeOthers(List<ProgramNode> others) {
-    boolean nested = others.size() <= MOST_NESTED;
+    boolean nested = others.size() <= MAX_NESTED;
     int open = 0;
     for (int i = 0; i < others.size(); i++) {
       ProgramNode other = others.get(i);

@@ -13,7 +13,7 @@ import java.util.Map;
  * @param fields by key, in order
  */
 public record LineText(String word, Map<String, Value> fields) {
-  private static final int LONGEST_LIST = 1000;
+  private static final int MAX_LIST = 1000;
 
   /** A value, and where it begins, in characters from 1. */
   public sealed interface Value {
@@ -123,8 +123,8 @@ public record LineText(String word, Map<String, Value> fields) {
       }
       while (true) {
         skipBlanks();
-        if (items.size() == LONGEST_LIST) {
-          throw wrong(at, "a list has more than " + LONGEST_LIST + " values");
+        if (items.size() == MAX_LIST) {
+          throw wrong(at, "a list has more than " + MAX_LIST + " values");
         }
         if (at < text.length() && text.charAt(at) == '[') {
           throw wrong(at, "a list stands within a list");

@@ -19,8 +19,8 @@ import org.pendant.project.program.WaypointPosition;
 
 /** Reads a text once, line by line, and goes on after what is wrong. */
 final class TextReading {
-  private static final int MOST_PROBLEMS = 100;
-  private static final int MOST_NODES = 200_000;
+  private static final int MAX_PROBLEMS = 100;
+  private static final int MAX_NODES = 200_000;
   private static final String SUPPRESSED = "suppressed ";
 
   private final List<TextProblem> problems = new ArrayList<>();
@@ -107,7 +107,7 @@ final class TextReading {
   }
 
   private void complain(int line, int column, String message) {
-    if (problems.size() < MOST_PROBLEMS) {
+    if (problems.size() < MAX_PROBLEMS) {
       problems.add(new TextProblem(line, column, message));
     }
   }
@@ -200,8 +200,8 @@ final class TextReading {
       if (line.block()) {
         throw new WrongText(line.column(), "no node above it has lines of text");
       }
-      if (++nodeCount > MOST_NODES) {
-        throw new WrongText(1, "the program has more than " + MOST_NODES + " nodes");
+      if (++nodeCount > MAX_NODES) {
+        throw new WrongText(1, "the program has more than " + MAX_NODES + " nodes");
       }
       boolean suppressed = line.text().startsWith(SUPPRESSED);
       int skip = suppressed ? SUPPRESSED.length() : 0;

@@ -21,7 +21,7 @@ final class Arms {
   private static final double ROUNDING_RAD = 1e-8;
 
   /** How far the flange of a calibrated arm is at most from that of its model, m. */
-  private static final double FARTHEST_M = 0.01;
+  private static final double MAX_M = 0.01;
 
   /** How near it is without calibration, m; files round the lengths. */
   private static final double SAME_M = 1e-4;
@@ -46,10 +46,10 @@ final class Arms {
     if (leastM < SAME_M) {
       return Optional.of(expected.id());
     }
-    Optional<String> nearest = leastM < FARTHEST_M ? Optional.of(expected.id()) : Optional.empty();
+    Optional<String> nearest = leastM < MAX_M ? Optional.of(expected.id()) : Optional.empty();
     for (String id : ArmLibrary.ids()) {
       double apartM = apartM(arm, ArmLibrary.load(id));
-      if (apartM < Math.min(leastM, FARTHEST_M)) {
+      if (apartM < Math.min(leastM, MAX_M)) {
         nearest = Optional.of(id);
         leastM = apartM;
       }

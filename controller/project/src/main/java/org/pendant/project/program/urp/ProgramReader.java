@@ -37,7 +37,7 @@ final class ProgramReader {
   private static final String CHILDREN = "children";
 
   /** Stands around what is switched off. */
-  private static final int MOST_NODES = 200_000;
+  private static final int MAX_NODES = 200_000;
 
   /** Older files keep the last chosen move in the main program, which means nothing. */
   private static final List<String> OLD_MOVE =
@@ -334,8 +334,8 @@ final class ProgramReader {
   /** The node of an element; empty for a place where nodes may come. */
   private Optional<ProgramNode> node(XmlElement element, Within within, int depth)
       throws UnreadableFile {
-    if (++nodeCount > MOST_NODES) {
-      throw element.wrong("is one node too many, there may be " + MOST_NODES);
+    if (++nodeCount > MAX_NODES) {
+      throw element.wrong("is one node too many, there may be " + MAX_NODES);
     }
     if (element.name().equals("Placeholder")) {
       return Optional.empty();

@@ -33,7 +33,7 @@ import org.pendant.project.program.text.ProgramText;
 final class ProgramWriter {
   private static final String VERSION = "5.24.1";
   private static final String CHILDREN = "children";
-  private static final int MOST_TURNS = 4;
+  private static final int MAX_TURNS = 4;
 
   /** Sub programs that call others further down stand beside the main program. */
   private static final int DEEPEST_CALL = 300;
@@ -60,7 +60,7 @@ final class ProgramWriter {
 
   /** The text of the file, uncompressed. */
   String write() {
-    for (int turn = 1; turn < MOST_TURNS; turn++) {
+    for (int turn = 1; turn < MAX_TURNS; turn++) {
       String text = attempt();
       if (complete(text)) {
         return text;

@@ -45,7 +45,7 @@ final class ArmRun {
       new ForwardKinematics(ArmLibrary.load(ControllerOptions.DEFAULT_ROBOT).dh())
           .tcpPose(START, TOOL);
 
-  private static final int MOST_FRAMES = 60_000;
+  private static final int MAX_FRAMES = 60_000;
 
   private final Controller controller;
   private final String script;
@@ -142,7 +142,7 @@ final class ArmRun {
 
   /** Goes on until the program has said something. */
   ArmRun until(String text) {
-    for (int i = 0; i < MOST_FRAMES && !said.contains(text) && running(); i++) {
+    for (int i = 0; i < MAX_FRAMES && !said.contains(text) && running(); i++) {
       advance(1);
     }
     assertTrue(said.contains(text), this::toString);
@@ -151,7 +151,7 @@ final class ArmRun {
 
   /** Goes on until the program has ended as it should. */
   ArmRun finish() {
-    for (int i = 0; i < MOST_FRAMES && running(); i++) {
+    for (int i = 0; i < MAX_FRAMES && running(); i++) {
       advance(1);
     }
     assertEquals(ProgramState.STOPPED, state().program().state(), this::toString);

@@ -25,7 +25,7 @@ import org.pendant.script.vm.ProgramState;
 
 /** A tree that runs on a controller with an ideal arm, by the script that is generated from it. */
 final class TreeRun {
-  private static final int MOST_FRAMES = 60_000;
+  private static final int MAX_FRAMES = 60_000;
 
   private final Controller controller;
   private final Program program;
@@ -86,7 +86,7 @@ final class TreeRun {
 
   /** Goes on until the program has said something. */
   TreeRun until(String text) {
-    for (int i = 0; i < MOST_FRAMES && !said.contains(text); i++) {
+    for (int i = 0; i < MAX_FRAMES && !said.contains(text); i++) {
       advance(1);
     }
     assertTrue(said.contains(text), () -> "said " + said);
@@ -95,7 +95,7 @@ final class TreeRun {
 
   /** Goes on until the program has ended as it should. */
   TreeRun finish() {
-    for (int i = 0; i < MOST_FRAMES && state().program().state() != ProgramState.STOPPED; i++) {
+    for (int i = 0; i < MAX_FRAMES && state().program().state() != ProgramState.STOPPED; i++) {
       advance(1);
     }
     assertEquals(ProgramState.STOPPED, state().program().state(), () -> "said " + said);
