@@ -2,7 +2,7 @@ package org.pendant.motion;
 
 import java.util.Optional;
 import org.pendant.models.arm.Joints;
-import org.pendant.models.text.NumberText;
+import org.pendant.models.text.FloatText;
 
 /**
  * Active trajectory: the motion under way, the time along it, and its time scaling. Motion time is
@@ -193,7 +193,7 @@ final class ActiveTrajectory {
         .map(
             goal ->
                 new MotionFailure(
-                    failure.code(), failure.message() + "; on the way to " + NumberText.of(goal)))
+                    failure.code(), failure.message() + "; on the way to " + FloatText.of(goal)))
         .orElse(failure);
   }
 

@@ -5,7 +5,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.models.pose.StraightLine;
-import org.pendant.models.text.NumberText;
+import org.pendant.models.text.FloatText;
 
 /**
  * Lays an arc through three points (manual 15.28): from where the TCP is, through one point, to
@@ -119,11 +119,11 @@ public record ArcRoute(
 
   private static String text(Pose pose) {
     return "("
-        + NumberText.of(pose.x())
+        + FloatText.of(pose.x())
         + ", "
-        + NumberText.of(pose.y())
+        + FloatText.of(pose.y())
         + ", "
-        + NumberText.of(pose.z())
+        + FloatText.of(pose.z())
         + ")";
   }
 }

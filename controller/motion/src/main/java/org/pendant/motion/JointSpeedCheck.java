@@ -3,7 +3,7 @@ package org.pendant.motion;
 import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
-import org.pendant.models.text.NumberText;
+import org.pendant.models.text.FloatText;
 
 /** Whether joints can turn as fast as a motion needs, and what to say when they cannot. */
 final class JointSpeedCheck {
@@ -72,7 +72,7 @@ final class JointSpeedCheck {
         "joint "
             + joint
             + " reaches the end of its range at "
-            + NumberText.of(atRad)
+            + FloatText.of(atRad)
             + " rad, where the path would turn it on; begin with the joint a turn farther back");
   }
 
@@ -82,9 +82,9 @@ final class JointSpeedCheck {
         "joint "
             + joint
             + " would turn at "
-            + NumberText.of(needed)
+            + FloatText.of(needed)
             + " rad/s, must be at most "
-            + NumberText.of(maxSpeed[joint])
+            + FloatText.of(maxSpeed[joint])
             + " rad/s; "
             + why);
   }
@@ -103,7 +103,7 @@ final class JointSpeedCheck {
   /** As it gets closer to the singularity the speed grows without end, and says nothing then. */
   private MotionFailure singular(double[] q, int joint, double speed) {
     double most = BEYOND_SLOWING * maxSpeed[joint];
-    String needed = speed > most ? "more than " + NumberText.of(most) : NumberText.of(speed);
+    String needed = speed > most ? "more than " + FloatText.of(most) : FloatText.of(speed);
     return new MotionFailure(
         MotionFailure.SINGULARITY,
         where(q)

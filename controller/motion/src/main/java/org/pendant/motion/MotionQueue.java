@@ -3,7 +3,7 @@ package org.pendant.motion;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.models.arm.Joints;
-import org.pendant.models.text.NumberText;
+import org.pendant.models.text.FloatText;
 
 /**
  * Motion queue: the moves that wait for the active trajectory, when it is handed over, and how the
@@ -138,7 +138,7 @@ final class MotionQueue {
           "moving",
           driver
               + " has left the arm moving, its fastest joint at "
-              + NumberText.of(fastest)
+              + FloatText.of(fastest)
               + " rad/s, must be at rest before a move; stopj or stopl brings it to rest");
     }
     controlSource.endTorque();

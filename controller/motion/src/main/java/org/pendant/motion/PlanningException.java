@@ -21,6 +21,7 @@ public final class PlanningException extends Exception {
     this.code = code;
   }
 
+  /** Stable kebab-case identifier of the failure, e.g. {@code out-of-reach}. */
   public String code() {
     return code;
   }

@@ -1,5 +1,5 @@
 /**
  * How numbers read in messages and in scripts; begin with {@link
- * org.pendant.models.text.NumberText}.
+ * org.pendant.models.text.FloatText}.
  */
 package org.pendant.models.text;

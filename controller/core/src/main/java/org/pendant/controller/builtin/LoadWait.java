@@ -11,7 +11,7 @@ import org.pendant.script.value.Value;
 
 /** A script thread waits for a large toolpath file. */
 final class LoadWait implements Wait {
-  private static final String FUNCTION = "mc_load_path: ";
+  private static final String FUNCTION = "mc_load_path";
 
   private final ControlBox box;
   private final BackgroundTask<NcPath> reading;
@@ -29,8 +29,11 @@ final class LoadWait implements Wait {
     if (!reading.over()) {
       return Optional.empty();
     }
-    return Optional.of(
-        Value.of((int) Planning.named(FUNCTION, () -> keep(box, reading.result(), feeds))));
+    try {
+      return Optional.of(Value.of(keep(box, reading.result(), feeds)));
+    } catch (PlanningException e) {
+      throw Planning.failure(FUNCTION, e.failure());
+    }
   }
 
   /** Keeps a file that has been read, and says what of it has no effect. */
@@ -41,6 +44,7 @@ final class LoadWait implements Wait {
       box.log()
           .info(
               FUNCTION
+                  + ": "
                   + path.file()
                   + " has codes without effect on a robot: "
                   + String.join(", ", path.ignored()));

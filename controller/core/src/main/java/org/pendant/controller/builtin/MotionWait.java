@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.message.MessageLog;
-import org.pendant.motion.MotionFailure;
 import org.pendant.motion.MotionPlan;
 import org.pendant.motion.MotionTicket;
 import org.pendant.motion.Move;
+import org.pendant.motion.PlanningException;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Foreseen;
 import org.pendant.script.function.Outcome;
@@ -71,20 +71,21 @@ final class MotionWait implements Wait {
   /** Starts a motion that goes on from whatever the arm does and waits until it hands over. */
   static MotionWait goOn(Call<ControlBox> call, String function, MotionPlan plan)
       throws ScriptError {
-    return Planning.named(
-        call,
-        () -> {
-          call.host().drive().requirePower();
-          return new MotionWait(call, function, call.host().motion().goOn(plan), false);
-        });
+    try {
+      call.host().drive().requirePower();
+      return new MotionWait(call, function, call.host().motion().goOn(plan), false);
+    } catch (PlanningException e) {
+      throw Planning.failure(call, e);
+    } catch (ScriptError e) {
+      throw call.failure(e.code(), e.getMessage());
+    }
   }
 
   @Override
   public Optional<Value> poll(long frame) throws ScriptError {
     warnOfStretching();
     if (ticket.failure().isPresent()) {
-      MotionFailure failure = ticket.failure().get();
-      throw new ScriptError(failure.code(), function + ": " + failure.message());
+      throw Planning.failure(function, ticket.failure().get());
     }
     return ticket.finished() ? DONE : Optional.empty();
   }

@@ -35,25 +35,23 @@ final class Planning {
     try {
       return step.run();
     } catch (PlanningException e) {
-      throw call.failure(e.failure().code(), e.failure().message());
+      throw failure(call, e);
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
   }
 
-  /** Does something; its errors begin with {@code name}. */
-  static <T> T named(String name, Step<T> step) throws ScriptError {
-    try {
-      return step.run();
-    } catch (PlanningException e) {
-      throw new ScriptError(e.failure().code(), name + e.failure().message());
-    } catch (ScriptError e) {
-      throw new ScriptError(e.code(), name + e.getMessage());
-    }
+  /** The failure with the name of the called function, for calls that happen in each frame. */
+  static ScriptError failure(Call<?> call, PlanningException why) {
+    return call.failure(why.code(), why.getMessage());
   }
 
-  /** The failure of a motion that was under way. */
-  static ScriptError error(MotionFailure failure) {
-    return new ScriptError(failure.code(), failure.message());
+  /**
+   * The failure of a motion that a thread waits for.
+   *
+   * @param function that began the motion
+   */
+  static ScriptError failure(String function, MotionFailure why) {
+    return new ScriptError(why.code(), function + ": " + why.message());
   }
 }

@@ -19,6 +19,7 @@ import org.pendant.script.value.Value;
  * and until it is over. Meanwhile the arm must stay near its path.
  */
 final class RunWait implements Wait {
+  private static final String FUNCTION = "mc_run_motion";
   private static final Optional<Value> DONE = Optional.of(NoneValue.NONE);
 
   private final ControlBox box;
@@ -51,14 +52,17 @@ final class RunWait implements Wait {
   @Override
   public Optional<Value> poll(long frame) throws ScriptError {
     try {
-      Optional<Value> answer = Planning.named("mc_run_motion: ", this::step);
+      Optional<Value> answer = step();
       if (answer.isPresent()) {
         box.toolpaths().ran(last, plan.orElseThrow());
       }
       return answer;
+    } catch (PlanningException e) {
+      cancel();
+      throw Planning.failure(FUNCTION, e.failure());
     } catch (ScriptError e) {
       cancel();
-      throw e;
+      throw new ScriptError(e.code(), FUNCTION + ": " + e.getMessage());
     }
   }
 
@@ -83,9 +87,9 @@ final class RunWait implements Wait {
     return Optional.empty();
   }
 
-  private Optional<Value> follow(MotionTicket running) throws ScriptError {
+  private Optional<Value> follow(MotionTicket running) throws PlanningException, ScriptError {
     if (running.failure().isPresent()) {
-      throw Planning.error(running.failure().get());
+      throw new PlanningException(running.failure().get());
     }
     if (running.finished()) {
       return DONE;

@@ -7,6 +7,7 @@ import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.motion.PlanningException;
 import org.pendant.motion.servo.FrictionShare;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
@@ -189,15 +190,17 @@ final class ServoBuiltins {
     FrictionShare usual = call.bool(1) ? FrictionShare.MOST : FrictionShare.NONE;
     FrictionShare friction =
         new FrictionShare(share(call, 2, usual.viscous()), share(call, 3, usual.coulomb()));
-    return Planning.named(
-        call,
-        () -> {
-          call.host().drive().requirePower();
-          call.host().servoing().giveTorque(torqueNm, friction);
-          long next = call.frame() + 1;
-          Wait wait = frame -> frame >= next ? DONE : Optional.empty();
-          return wait;
-        });
+    try {
+      call.host().drive().requirePower();
+      call.host().servoing().giveTorque(torqueNm, friction);
+    } catch (PlanningException e) {
+      throw Planning.failure(call, e);
+    } catch (ScriptError e) {
+      throw call.failure(e.code(), e.getMessage());
+    }
+    long next = call.frame() + 1;
+    Wait wait = frame -> frame >= next ? DONE : Optional.empty();
+    return wait;
   }
 
   private static Joints share(Call<ControlBox> call, int index, Joints usual) throws ScriptError {

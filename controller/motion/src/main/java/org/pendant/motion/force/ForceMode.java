@@ -8,7 +8,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
-import org.pendant.models.text.NumberText;
+import org.pendant.models.text.FloatText;
 import org.pendant.motion.FrameTime;
 import org.pendant.motion.Motion;
 import org.pendant.motion.MotionControl;
@@ -124,9 +124,9 @@ public final class ForceMode implements PathOffset {
       throw new PlanningException(
           "value-out-of-range",
           "the origin of task_frame is "
-              + NumberText.of(distance)
+              + FloatText.of(distance)
               + " m from the TCP, must be at least "
-              + NumberText.of(TaskAxes.NEAREST_POINT_M)
+              + FloatText.of(TaskAxes.NEAREST_POINT_M)
               + " m away when type is 1");
     }
   }

@@ -1,10 +1,7 @@
 package org.pendant.script.function;
 
-/**
- * What look-ahead along a program collects: something that takes time, and that a thread will
- * begin.
- */
+/** Something that a thread will begin and that takes time, as look-ahead finds it. */
 public interface Foreseen {
-  /** Whether it matters to nothing before it what comes after it. */
+  /** Whether looking further ahead is of no use: nothing before this depends on what follows it. */
   boolean last();
 }

@@ -2,7 +2,7 @@ package org.pendant.script.value;
 
 import java.util.List;
 import org.pendant.language.syntax.Expression.BinaryOperator;
-import org.pendant.models.text.NumberText;
+import org.pendant.models.text.FloatText;
 
 /**
  * What the operators, indices and member accesses of a script do with any values (manual 3 to 5).
@@ -293,7 +293,7 @@ public final class Operators {
         "integer-overflow",
         operator
             + ": the result is "
-            + NumberText.of(result)
+            + FloatText.of(result)
             + ", an int must be -2147483648 to 2147483647");
   }
 

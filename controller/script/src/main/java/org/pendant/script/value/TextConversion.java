@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
-import org.pendant.models.text.NumberText;
+import org.pendant.models.text.FloatText;
 
 /** Makes the text of values piece by piece, as {@link ValueText} describes it. */
 final class TextConversion implements LongOperation {
@@ -80,7 +80,7 @@ final class TextConversion implements LongOperation {
         open(new Numbers(pose.pose().toArray(), 0, 6, Kind.FLOAT), '[');
       }
       case IntValue i -> text.append(i.value());
-      case FloatValue f -> leftNs -= NumberText.append(text, f.value());
+      case FloatValue f -> leftNs -= FloatText.append(text, f.value());
       case BoolValue b -> text.append(ValueText.bool(b.value()));
       case NoneValue none -> text.append("None");
       case HandleValue handle -> {
@@ -133,7 +133,7 @@ final class TextConversion implements LongOperation {
           text.append(ValueText.bool(numbers[next] != 0));
           leftNs -= NUMBER_NS;
         } else {
-          leftNs -= NumberText.append(text, numbers[next]);
+          leftNs -= FloatText.append(text, numbers[next]);
         }
         next++;
       }

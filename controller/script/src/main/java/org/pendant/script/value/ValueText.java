@@ -1,11 +1,11 @@
 package org.pendant.script.value;
 
-import org.pendant.models.text.NumberText;
+import org.pendant.models.text.FloatText;
 
 /**
  * How values print (manual 16.57, 16.65).
  *
- * <p>Floats and poses print as {@link NumberText} says. A string is itself at the top and stands in
+ * <p>Floats and poses print as {@link FloatText} says. A string is itself at the top and stands in
  * double quotes within lists and structs. Structs print as {@code {a = 1, b = "x"}}, matrices as a
  * list of rows.
  */
@@ -30,7 +30,7 @@ public final class ValueText {
       return Integer.toString(number.value());
     }
     if (value instanceof FloatValue number) {
-      return NumberText.of(number.value());
+      return FloatText.of(number.value());
     }
     if (value instanceof BoolValue bool) {
       return bool(bool.value());

@@ -10,7 +10,7 @@ import org.pendant.models.pose.Pose;
  * point. The manual leaves the sign of zero open; here a value that rounds to zero prints as {@code
  * 0}.
  */
-public final class NumberText {
+public final class FloatText {
   private static final int DECIMALS = 6;
   private static final double SCALE = 1e6;
   private static final long SCALE_LONG = 1_000_000;
@@ -21,7 +21,7 @@ public final class NumberText {
   /** Below this magnitude a scaled value is so precise that most roundings can be decided on it. */
   private static final double FAST_LIMIT = 1e9;
 
-  private NumberText() {}
+  private FloatText() {}
 
   /** The text of a float. */
   public static String of(double number) {

@@ -8,42 +8,42 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.pose.Pose;
 
-class NumberTextTest {
+class FloatTextTest {
 
   @Test
   void floatsHaveSixDecimalsWithoutTrailingZeros() {
-    assertEquals("4", NumberText.of(4.0));
-    assertEquals("2.123456", NumberText.of(2.123456123456));
-    assertEquals("0.000025", NumberText.of(0.000025));
-    assertEquals("-1.25", NumberText.of(-1.25));
-    assertEquals("100000", NumberText.of(1e5));
-    assertEquals("1", NumberText.of(0.9999999));
-    assertEquals("10000000000", NumberText.of(1e10));
-    assertEquals("123456789012.125", NumberText.of(123456789012.125));
+    assertEquals("4", FloatText.of(4.0));
+    assertEquals("2.123456", FloatText.of(2.123456123456));
+    assertEquals("0.000025", FloatText.of(0.000025));
+    assertEquals("-1.25", FloatText.of(-1.25));
+    assertEquals("100000", FloatText.of(1e5));
+    assertEquals("1", FloatText.of(0.9999999));
+    assertEquals("10000000000", FloatText.of(1e10));
+    assertEquals("123456789012.125", FloatText.of(123456789012.125));
   }
 
   @Test
   void theSignOfZeroIsNotShown() {
-    assertEquals("0", NumberText.of(-0.0));
-    assertEquals("0", NumberText.of(-4e-7));
-    assertEquals("0", NumberText.of(-Double.MIN_VALUE));
-    assertEquals("-0.000001", NumberText.of(-6e-7));
+    assertEquals("0", FloatText.of(-0.0));
+    assertEquals("0", FloatText.of(-4e-7));
+    assertEquals("0", FloatText.of(-Double.MIN_VALUE));
+    assertEquals("-0.000001", FloatText.of(-6e-7));
   }
 
   @Test
   void infinitiesAndNotANumberHaveNames() {
-    assertEquals("inf", NumberText.of(Double.POSITIVE_INFINITY));
-    assertEquals("-inf", NumberText.of(Double.NEGATIVE_INFINITY));
-    assertEquals("nan", NumberText.of(Double.NaN));
+    assertEquals("inf", FloatText.of(Double.POSITIVE_INFINITY));
+    assertEquals("-inf", FloatText.of(Double.NEGATIVE_INFINITY));
+    assertEquals("nan", FloatText.of(Double.NaN));
   }
 
   @Test
   void roundingIsThatOfTheExactBinaryValue() {
     // 0.0000005 is a little below its decimal, 0.0000015 too; 2^-7 = 0.0078125 is a true tie
-    assertEquals(exact(0.0000005), NumberText.of(0.0000005));
-    assertEquals(exact(0.0000015), NumberText.of(0.0000015));
-    assertEquals("0.007812", NumberText.of(0.0078125));
-    assertEquals("0.023438", NumberText.of(0.0234375));
+    assertEquals(exact(0.0000005), FloatText.of(0.0000005));
+    assertEquals(exact(0.0000015), FloatText.of(0.0000015));
+    assertEquals("0.007812", FloatText.of(0.0078125));
+    assertEquals("0.023438", FloatText.of(0.0234375));
   }
 
   @Test
@@ -57,7 +57,7 @@ class NumberTextTest {
             case 2 -> Math.scalb(random.nextDouble(-1, 1), random.nextInt(-60, 60));
             default -> random.nextInt(-1000, 1000) / 128.0 + random.nextInt(1000);
           };
-      assertEquals(exact(number), NumberText.of(number), () -> "number " + number);
+      assertEquals(exact(number), FloatText.of(number), () -> "number " + number);
     }
   }
 
@@ -70,6 +70,6 @@ class NumberTextTest {
   void posesReadAsInScripts() {
     assertEquals(
         "p[0.1, -0.25, 3, 0, 1.570796, 0]",
-        NumberText.of(new Pose(0.1, -0.25, 3, -0.0, Math.PI / 2, 0)));
+        FloatText.of(new Pose(0.1, -0.25, 3, -0.0, Math.PI / 2, 0)));
   }
 }
