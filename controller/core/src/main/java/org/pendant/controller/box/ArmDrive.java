@@ -161,7 +161,7 @@ public final class ArmDrive {
           driveTarget.forget();
           yield torque(setup.servoing().torque());
         }
-        if (driveTarget.beside() && safety.stop().isEmpty()) {
+        if (driveTarget.beside() && safety.stop().isEmpty() && !motion.paused()) {
           driveTarget.stepBack();
         }
         yield driveTarget.servo(motion);
