@@ -5,6 +5,7 @@ import java.util.List;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.JointLimits;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.text.FloatText;
 
 /**
  * A safety configuration as one arm can have it. Configurations come from files that are made for
@@ -84,7 +85,7 @@ public record FittedSafety(SafetyConfiguration configuration, List<Change> chang
                     + " may turn at "
                     + wanted.jointSpeedRadPerS().get(i)
                     + " rad/s, must be at most "
-                    + most
+                    + FloatText.of(most)
                     + " on "
                     + arm.id()));
       }
@@ -116,7 +117,7 @@ public record FittedSafety(SafetyConfiguration configuration, List<Change> chang
     if (!below && !above && !apart) {
       return;
     }
-    String wanted = min[i] + " to " + max[i];
+    String wanted = FloatText.of(min[i]) + " to " + FloatText.of(max[i]);
     min[i] = below || apart ? least : min[i];
     max[i] = above || apart ? most : max[i];
     changes.add(
@@ -127,9 +128,9 @@ public record FittedSafety(SafetyConfiguration configuration, List<Change> chang
                 + " may be at "
                 + wanted
                 + " rad, must be within "
-                + least
+                + FloatText.of(least)
                 + " to "
-                + most
+                + FloatText.of(most)
                 + " on "
                 + arm.id()));
   }
