@@ -22,7 +22,6 @@ final class DebugPanel extends JPanel {
   private final JPanel top = new JPanel(new MigLayout("insets 6 8 6 8, fillx", "[grow]", "[]"));
   private final CardLayout cards = new CardLayout();
   private final JPanel middle = new JPanel(cards);
-  private boolean quiet;
 
   DebugPanel(String name, JComponent content) {
     super(new BorderLayout());
@@ -35,7 +34,7 @@ final class DebugPanel extends JPanel {
     middle.add(empty, NOTE);
     add(top, BorderLayout.NORTH);
     add(middle);
-    updateUI();
+    note.setForeground(Palette.quiet());
   }
 
   private static JTextArea text(String name, String accessibleName) {
@@ -59,16 +58,6 @@ final class DebugPanel extends JPanel {
     }
   }
 
-  /** Takes the colours of a new theme. */
-  @Override
-  public void updateUI() {
-    super.updateUI();
-    if (status != null) {
-      status.setForeground(quiet ? Palette.quiet() : Palette.warning());
-      note.setForeground(Palette.quiet());
-    }
-  }
-
   /** Shows the content under a status line; empty text for none. */
   void showContent(String why) {
     show(why, false);
@@ -80,7 +69,6 @@ final class DebugPanel extends JPanel {
   }
 
   private void show(String why, boolean quiet) {
-    this.quiet = quiet;
     status.setForeground(quiet ? Palette.quiet() : Palette.warning());
     if (!status.getText().equals(why)) {
       status.setText(why);

@@ -34,6 +34,9 @@ final class EditorStatus extends JPanel {
   EditorStatus(Runnable showProblems) {
     super(new MigLayout("insets 1 8 1 12, gap 16, fillx", "[][grow, right][right]", "[center]"));
     setName("editor-status");
+    setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Palette.line()));
+    place.setForeground(Palette.quiet());
+    format.setForeground(Palette.quiet());
     problems.setName("editor-problems");
     problems.putClientProperty("JButton.buttonType", "toolBarButton");
     problems.setToolTipText("Shows the problems of this program");
@@ -45,17 +48,6 @@ final class EditorStatus extends JPanel {
     add(problems);
     add(place, "wmin 0");
     add(format, "wmin 0");
-  }
-
-  @Override
-  public void updateUI() {
-    super.updateUI();
-    setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Palette.line()));
-    if (problems != null) {
-      place.setForeground(Palette.quiet());
-      format.setForeground(Palette.quiet());
-      count(counted);
-    }
   }
 
   void show(ProgramEditor editor) {

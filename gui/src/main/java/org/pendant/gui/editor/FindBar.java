@@ -47,6 +47,7 @@ final class FindBar extends JPanel {
             "[][grow,120:360:360][][][][]12[]push[]"));
     this.editor = editor;
     setName("find-bar");
+    setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Palette.line()));
     JLabel label = new JLabel("Find");
     label.setLabelFor(words);
     replaceLabel.setLabelFor(replacement);
@@ -94,12 +95,6 @@ final class FindBar extends JPanel {
     words.requestFocusInWindow();
     search(false);
     revalidate();
-  }
-
-  @Override
-  public void updateUI() {
-    super.updateUI();
-    setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Palette.line()));
   }
 
   void close() {

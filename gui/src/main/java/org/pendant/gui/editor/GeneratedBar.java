@@ -21,6 +21,8 @@ final class GeneratedBar extends JPanel {
    */
   GeneratedBar(ProgramDocument program, EditorHost editorHost) {
     super(new MigLayout("insets 4 12 4 12, gap 8", "[grow, fill, 0::][][]"));
+    setBackground(Palette.tint(Palette.accent(), 0.10));
+    setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
     setName("generated-bar");
     JLabel text = new JLabel();
     text.setName("generated-text");
@@ -51,12 +53,5 @@ final class GeneratedBar extends JPanel {
             ? "Script of a PolyScope X program, read-only"
             : "Generated from the program tree, which the Program screen edits");
     text.setToolTipText(text.getText());
-  }
-
-  @Override
-  public void updateUI() {
-    super.updateUI();
-    setBackground(Palette.tint(Palette.accent(), 0.10));
-    setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
   }
 }

@@ -15,6 +15,8 @@ final class NoticeBar extends JPanel {
   NoticeBar() {
     super(new MigLayout("insets 6 12 6 12, gap 8"));
     setName("editor-notice");
+    setBackground(Palette.tint(Palette.warning(), 0.14));
+    setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
     setVisible(false);
   }
 
@@ -42,13 +44,6 @@ final class NoticeBar extends JPanel {
     setVisible(true);
     revalidate();
     getComponent(1).requestFocusInWindow();
-  }
-
-  @Override
-  public void updateUI() {
-    super.updateUI();
-    setBackground(Palette.tint(Palette.warning(), 0.14));
-    setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
   }
 
   void close() {

@@ -1,6 +1,5 @@
 package org.pendant.gui.layout;
 
-import java.awt.Color;
 import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -21,16 +20,12 @@ public final class Card extends JPanel {
   public Card(String title, String columns) {
     super(new MigLayout("insets 12 16 12 16, gap 8 4, wrap, hidemode 3", columns));
     putClientProperty("FlatLaf.style", "arc: 16");
+    setBackground(Palette.card());
     setName("card-" + title.toLowerCase(Locale.ROOT).replace(' ', '-'));
     getAccessibleContext().setAccessibleName(title);
     JLabel heading = new JLabel(title);
     heading.putClientProperty("FlatLaf.styleClass", "h4");
     add(heading, "span, gapbottom 4");
-  }
-
-  @Override
-  public Color getBackground() {
-    return Palette.card();
   }
 
   /** Names a control for tests, screen readers and the pointer. */

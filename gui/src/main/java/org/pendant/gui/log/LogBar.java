@@ -41,7 +41,7 @@ final class LogBar {
   private final JPanel searching = new JPanel(new MigLayout("insets 0, gap 4", "[grow,fill][][]"));
   private final JPanel bar = new JPanel(new WrappingRow(8));
   private final JTextField search = new JTextField(16);
-  private final JLabel matches = new QuietLabel();
+  private final JLabel matches = new JLabel();
   private final JLabel messages = new JLabel();
   private final JToggleButton follow = new JToggleButton("Follow newest", true);
   private final Map<Level, JToggleButton> levels = new EnumMap<>(Level.class);
@@ -167,6 +167,7 @@ final class LogBar {
   private void buildSearch(Consumer<String> searched, Stepping stepping) {
     search.putClientProperty("JTextField.placeholderText", "Search messages");
     search.putClientProperty("JTextField.showClearButton", true);
+    matches.setForeground(LogColors.quiet());
     search.putClientProperty("JTextField.trailingComponent", matches);
     name(search, "log-search", "Search messages (Ctrl F, Enter for the next)");
     search.getDocument().addDocumentListener(new Typed(() -> searched.accept(search.getText())));

@@ -23,7 +23,7 @@ final class LogDetail {
   private static final int MIN_LINES = 6;
 
   private final JPanel content = new Lower();
-  private final JLabel heading = new QuietLabel();
+  private final JLabel heading = new JLabel();
   private final JButton source = new JButton();
   private final JTextArea text = new JTextArea();
   private final LogHighlights highlights = new LogHighlights(text);
@@ -32,6 +32,7 @@ final class LogDetail {
   LogDetail(Consumer<LogLine> showSource) {
     JPanel head =
         new JPanel(new MigLayout("insets 4 8 4 8, gap 8", "[grow, 0::, fill][]", "[28:pref:]"));
+    heading.setForeground(LogColors.quiet());
     head.add(heading, "wmin 0");
     head.add(source, "hidemode 3");
     source.setName("log-show-source");

@@ -1,6 +1,5 @@
 package org.pendant.gui.move;
 
-import java.awt.Color;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JPanel;
@@ -20,15 +19,11 @@ final class ObstacleBar extends JPanel {
     super(new MigLayout("insets 8 16 8 16, gap 16, hidemode 3", "[grow, fill][]"));
     this.presenter = presenter;
     setName("move-obstacle-bar");
+    setBackground(Palette.tint(Palette.warning(), 0.12));
     add(text, "wmin 0, aligny center");
     add(remedy, "aligny center");
     remedy.addActionListener(event -> presenter.removeObstacle());
     setVisible(false);
-  }
-
-  @Override
-  public Color getBackground() {
-    return Palette.tint(Palette.warning(), 0.12);
   }
 
   void refresh() {

@@ -1,6 +1,5 @@
 package org.pendant.gui.move;
 
-import java.awt.Color;
 import java.awt.event.ActionEvent;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -21,6 +20,7 @@ final class TeachBar extends JPanel {
   TeachBar() {
     super(new MigLayout("insets 8 16 8 16, gap 12", "[grow, fill, 0::][][]"));
     setName("teach-bar");
+    setBackground(Palette.tint(Palette.accent(), 0.12));
     text.setName("teach-text");
     accept.setName("teach-ok");
     leave.setName("teach-cancel");
@@ -34,11 +34,6 @@ final class TeachBar extends JPanel {
     registerKeyboardAction(
         this::leave, KeyStroke.getKeyStroke("ESCAPE"), WHEN_ANCESTOR_OF_FOCUSED_COMPONENT);
     setVisible(false);
-  }
-
-  @Override
-  public Color getBackground() {
-    return Palette.tint(Palette.accent(), 0.12);
   }
 
   /** Begins; whoever asked before is left. */

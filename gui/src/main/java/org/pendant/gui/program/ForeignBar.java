@@ -31,6 +31,8 @@ final class ForeignBar extends JPanel {
   ForeignBar(Actions actions) {
     super(new MigLayout("insets 4 12 4 12, gap 12, fillx", "[grow, fill, 0::][]"));
     setName("program-foreign-bar");
+    setBackground(Palette.tint(Palette.accent(), 0.10));
+    setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
     text.setName("program-foreign-text");
     text.setEditable(false);
     text.setOpaque(false);
@@ -76,8 +78,6 @@ final class ForeignBar extends JPanel {
   @Override
   public void updateUI() {
     super.updateUI();
-    setBackground(Palette.tint(Palette.accent(), 0.10));
-    setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
     if (text != null) {
       text.setFont(UIManager.getFont("Label.font"));
     }

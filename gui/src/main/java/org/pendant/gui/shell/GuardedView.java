@@ -2,7 +2,6 @@ package org.pendant.gui.shell;
 
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
-import java.awt.Color;
 import java.awt.EventQueue;
 import java.awt.Graphics;
 import javax.swing.BorderFactory;
@@ -128,6 +127,7 @@ final class GuardedView implements View {
 
     Strip() {
       super(new BorderLayout(UIScale.scale(8), 0));
+      setBackground(Palette.tint(Palette.error(), 0.16));
       int gap = UIScale.scale(6);
       setBorder(BorderFactory.createEmptyBorder(gap, 2 * gap, gap, 2 * gap));
       add(new JLabel(GlyphIcon.of(Glyph.WARNING, 16, Palette::error)), BorderLayout.WEST);
@@ -136,11 +136,6 @@ final class GuardedView implements View {
 
     void say(String sentence) {
       text.setText(sentence);
-    }
-
-    @Override
-    public Color getBackground() {
-      return Palette.tint(Palette.error(), 0.16);
     }
   }
 }

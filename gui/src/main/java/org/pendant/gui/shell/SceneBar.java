@@ -32,15 +32,10 @@ final class SceneBar extends JPanel {
   SceneBar(Actions actions) {
     super(new WrappingRow(2));
     this.actions = actions;
+    setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
     more.setToolTipText("More to see, and the picture as a file");
     prepare(more, "scene-more", "More about the 3D view");
     more.addActionListener(event -> menu.show(more, 0, more.getHeight()));
-  }
-
-  @Override
-  public void updateUI() {
-    super.updateUI();
-    setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
   }
 
   /** A button that does something; {@code key} works while the picture has the focus. */

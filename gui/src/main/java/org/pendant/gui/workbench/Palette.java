@@ -5,32 +5,31 @@ import java.util.List;
 import javax.swing.UIManager;
 
 /**
- * The colours that mean something, in the present theme: each is readable as text on the window's
- * background, and they differ in lightness too, for people who do not tell red from green.
+ * Palette: the colours that mean something. Each is readable as text on the window's background,
+ * and they differ in lightness too, for people who do not tell red from green. A colour that was
+ * taken once follows the theme.
  */
 public final class Palette {
-  /** Okabe and Ito, Color Universal Design (2008), in the order of their contrast. */
-  private static final List<Color> SERIES_LIGHT =
-      List.of(
-          new Color(0x0072B2),
-          new Color(0xD55E00),
-          new Color(0x008B66),
-          new Color(0xB24E87),
-          new Color(0x946B00),
-          new Color(0x7A5CC0),
-          new Color(0x5A5A5A),
-          new Color(0x2A87B8));
+  private static final Color ACCENT = color(0x2F5D8C, 0x8DB4DC);
+  private static final Color OK = color(0x0B7A4B, 0x4CC38A);
+  private static final Color WARNING = color(0x8F5A00, 0xF2B24C);
+  private static final Color ERROR = color(0xB3261E, 0xFF8A80);
+  private static final Color QUIET = color(0x5F6670, 0x9AA3AE);
+  private static final Color MARK = color(0xFFE08A, 0x6B5600);
+  private static final Color LINE = color(0xD5D9DE, 0x3C4147);
+  private static final Color CARD = color(0xFFFFFF, 0x2B2F34);
 
-  private static final List<Color> SERIES_DARK =
+  /** Okabe and Ito, Color Universal Design (2008), in the order of their contrast. */
+  private static final List<Color> SERIES =
       List.of(
-          new Color(0x56B4E9),
-          new Color(0xE69F00),
-          new Color(0x2BC49A),
-          new Color(0xE08BBB),
-          new Color(0xF0E442),
-          new Color(0xB39DFF),
-          new Color(0xC8C8C8),
-          new Color(0xFF8A4C));
+          color(0x0072B2, 0x56B4E9),
+          color(0xD55E00, 0xE69F00),
+          color(0x008B66, 0x2BC49A),
+          color(0xB24E87, 0xE08BBB),
+          color(0x946B00, 0xF0E442),
+          color(0x7A5CC0, 0xB39DFF),
+          color(0x5A5A5A, 0xC8C8C8),
+          color(0x2A87B8, 0xFF8A4C));
 
   private Palette() {}
 
@@ -41,57 +40,57 @@ public final class Palette {
         && background.getRed() + background.getGreen() + background.getBlue() < 3 * 128;
   }
 
-  private static Color choose(int light, int dark) {
-    return new Color(dark() ? dark : light);
+  private static Color color(int light, int dark) {
+    return new ThemeColor(() -> dark() ? dark : light);
   }
 
   /** What belongs to Pendant: the chosen screen, links, what is selected. */
   public static Color accent() {
-    return choose(0x2F5D8C, 0x8DB4DC);
+    return ACCENT;
   }
 
   /** All is well, or running. */
   public static Color ok() {
-    return choose(0x0B7A4B, 0x4CC38A);
+    return OK;
   }
 
   /** Somebody should look. */
   public static Color warning() {
-    return choose(0x8F5A00, 0xF2B24C);
+    return WARNING;
   }
 
   /** Something is wrong, or stopped. */
   public static Color error() {
-    return choose(0xB3261E, 0xFF8A80);
+    return ERROR;
   }
 
   /** What is less important than the text around it. */
   public static Color quiet() {
-    return choose(0x5F6670, 0x9AA3AE);
+    return QUIET;
   }
 
   /** Behind what is looked for. */
   public static Color mark() {
-    return choose(0xFFE08A, 0x6B5600);
+    return MARK;
   }
 
   /** Lines that separate. */
   public static Color line() {
-    return choose(0xD5D9DE, 0x3C4147);
+    return LINE;
   }
 
   /** Background of a card that lies on the window. */
   public static Color card() {
-    return choose(0xFFFFFF, 0x2B2F34);
+    return CARD;
   }
 
   /** {@code share} (0 to 1) of {@code over} on the card's background: a soft background for it. */
   public static Color tint(Color over, double share) {
-    Color under = card();
-    return new Color(
-        mix(over.getRed(), under.getRed(), share),
-        mix(over.getGreen(), under.getGreen(), share),
-        mix(over.getBlue(), under.getBlue(), share));
+    return new ThemeColor(
+        () ->
+            mix(over.getRed(), CARD.getRed(), share) << 16
+                | mix(over.getGreen(), CARD.getGreen(), share) << 8
+                | mix(over.getBlue(), CARD.getBlue(), share));
   }
 
   private static int mix(int over, int under, double share) {
@@ -100,7 +99,6 @@ public final class Palette {
 
   /** Lines of a chart, by number; they repeat after eight. */
   public static Color series(int number) {
-    List<Color> colors = dark() ? SERIES_DARK : SERIES_LIGHT;
-    return colors.get(Math.floorMod(number, colors.size()));
+    return SERIES.get(Math.floorMod(number, SERIES.size()));
   }
 }

@@ -4,9 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import com.formdev.flatlaf.FlatDarkLaf;
-import com.formdev.flatlaf.FlatLaf;
-import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
@@ -33,6 +30,8 @@ import org.pendant.gui.io.SignalLabels;
 import org.pendant.gui.log.LogView;
 import org.pendant.gui.plot.PlotView;
 import org.pendant.gui.session.Session;
+import org.pendant.gui.shell.theme.Look;
+import org.pendant.gui.shell.theme.Theme;
 import org.pendant.gui.workbench.View;
 import org.pendant.gui.workbench.Workbench;
 import org.pendant.language.source.Source;
@@ -72,7 +71,9 @@ final class ViewsTest {
       throws InterruptedException, InvocationTargetException {
     EventQueue.invokeAndWait(
         () -> {
-          FlatLaf.setup(new FlatLightLaf());
+          Look look = new Look(workbench.settings());
+          look.install();
+          look.setTheme(Theme.LIGHT);
           View view = kind.apply(workbench);
           JFrame frame = new JFrame(view.title());
           frame.add(view.component());
@@ -81,10 +82,10 @@ final class ViewsTest {
           try {
             view.refresh(session.state());
             work.on(view);
-            FlatLaf.setup(new FlatDarkLaf());
-            FlatLaf.updateUI();
+            look.setTheme(Theme.DARK);
             view.refresh(session.state());
             paint(view.component());
+            assertEquals(List.of(), Contrast.hardToRead(view.component()));
           } finally {
             frame.dispose();
           }

@@ -27,12 +27,14 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.gui.debug.DebugPresenter;
 import org.pendant.gui.debug.EditorLink;
 import org.pendant.gui.editor.ScriptEditor;
-import org.pendant.gui.preview.PreviewLook;
+import org.pendant.gui.preview.Contrast;
 import org.pendant.gui.preview.PreviewWorkbench;
 import org.pendant.gui.session.ActiveInstallation;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.gui.session.Session;
+import org.pendant.gui.shell.theme.Look;
+import org.pendant.gui.shell.theme.Theme;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.text.ProgramText;
 
@@ -40,6 +42,7 @@ final class ProgramViewTest {
   private final ProgramDocument document =
       ProgramDocument.untitled("cell.pendant", ProgramText.write(ProgramTree.empty()));
   private PreviewWorkbench workbench;
+  private Look look;
   private Programs programs;
   private TreePrograms trees;
   private ScriptEditor editor;
@@ -53,8 +56,10 @@ final class ProgramViewTest {
   }
 
   private void build() {
-    PreviewLook.install(false);
     workbench = new PreviewWorkbench(Session.start(ControllerOptions.headless()));
+    look = new Look(workbench.settings());
+    look.install();
+    look.setTheme(Theme.LIGHT);
     programs = new Programs(document);
     editor = new ScriptEditor(workbench, programs);
     DebugPresenter debug = new DebugPresenter(workbench, programs);
@@ -210,6 +215,20 @@ final class ProgramViewTest {
         () -> {
           JList<?> problems = find(frame, "program-problems", JList.class);
           assertEquals(1, problems.getModel().getSize());
+        });
+  }
+
+  @Test
+  void whatIsNotCompleteCanBeReadAfterAChangeOfTheTheme()
+      throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(() -> click("MoveJ"));
+    checked();
+    EventQueue.invokeAndWait(
+        () -> {
+          look.setTheme(Theme.DARK);
+          assertEquals(List.of(), Contrast.hardToRead(view.component()));
+          look.setTheme(Theme.LIGHT);
+          assertEquals(List.of(), Contrast.hardToRead(view.component()));
         });
   }
 

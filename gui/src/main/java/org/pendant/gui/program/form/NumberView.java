@@ -1,6 +1,5 @@
 package org.pendant.gui.program.form;
 
-import java.awt.Color;
 import java.util.List;
 import java.util.OptionalDouble;
 import javax.swing.JComponent;
@@ -18,21 +17,12 @@ final class NumberView implements FieldView {
 
   private final TypedField field;
   private final JLabel unit = new JLabel();
-  private final Hint legal = new Hint();
+  private final JLabel legal = new JLabel();
   private final JPanel row = new JPanel(new MigLayout("insets 0, gap 6, hidemode 3", "[][][grow]"));
   private final FieldPanel panel;
   private final Squeeze squeeze;
   private final boolean hinted;
   private Item.Quantity item;
-
-  /** Less important than the number. */
-  @SuppressWarnings("serial") // never written to a stream
-  private static final class Hint extends JLabel {
-    @Override
-    public Color getForeground() {
-      return Palette.quiet();
-    }
-  }
 
   /**
    * A field for a number.
@@ -54,6 +44,7 @@ final class NumberView implements FieldView {
     row.setOpaque(false);
     row.add(field, "wmin pref");
     row.add(unit);
+    legal.setForeground(Palette.quiet());
     row.add(legal);
     squeeze = new Squeeze(row, List.of(legal::setVisible));
     panel = new FieldPanel(row, field.getName(), field::refusal);

@@ -16,7 +16,6 @@ final class MessagesPanel {
   private final JPanel card =
       new Card(new MigLayout("insets 16, gap 8 4, wrap 2", "[right][grow, fill, 0::]", ""));
   private final JLabel heading = new JLabel("Messages");
-  private boolean dark = Palette.dark();
 
   MessagesPanel() {
     card.setName("run-messages");
@@ -29,9 +28,7 @@ final class MessagesPanel {
   }
 
   void refresh(ControllerState state, Controller controller) {
-    boolean themeChanged = dark != Palette.dark();
-    dark = Palette.dark();
-    if (messages.take(state.newestEntry(), controller::logSince) || themeChanged) {
+    if (messages.take(state.newestEntry(), controller::logSince)) {
       fill();
     }
   }
