@@ -6,7 +6,7 @@ import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.RuntimeState;
 import org.pendant.language.source.SourceRange;
 import org.pendant.script.debug.DebugState;
-import org.pendant.script.debug.StopReason;
+import org.pendant.script.debug.PauseReason;
 import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.ProgramEvent;
 import org.pendant.script.vm.ProgramLabel;
@@ -115,24 +115,24 @@ final class ProgramForms {
         }
       };
 
-  private static final Form<StopReason> REASON =
+  private static final Form<PauseReason> REASON =
       new Form<>() {
         @Override
-        void write(StopReason value, ByteSink out) {
+        void write(PauseReason value, ByteSink out) {
           switch (value) {
-            case StopReason.AtBreakpoint at -> {
+            case PauseReason.AtBreakpoint at -> {
               out.byteOf(0);
               out.whole(at.line());
               out.whole(at.hits());
             }
-            case StopReason.ConditionFailed failed -> {
+            case PauseReason.ConditionFailed failed -> {
               out.byteOf(1);
               out.whole(failed.line());
               out.text(failed.message());
             }
-            case StopReason.Stepped stepped -> out.byteOf(2);
-            case StopReason.PauseRequested requested -> out.byteOf(3);
-            case StopReason.Failed failed -> {
+            case PauseReason.Stepped stepped -> out.byteOf(2);
+            case PauseReason.PauseRequested requested -> out.byteOf(3);
+            case PauseReason.Failed failed -> {
               out.byteOf(4);
               FAILURE.write(failed.failure(), out);
             }
@@ -140,13 +140,13 @@ final class ProgramForms {
         }
 
         @Override
-        StopReason read(ByteSource in) throws MalformedBytes {
+        PauseReason read(ByteSource in) throws MalformedBytes {
           return switch (in.upTo(4)) {
-            case 0 -> new StopReason.AtBreakpoint(in.integer(), in.whole());
-            case 1 -> new StopReason.ConditionFailed(in.integer(), in.text());
-            case 2 -> new StopReason.Stepped();
-            case 3 -> new StopReason.PauseRequested();
-            default -> new StopReason.Failed(FAILURE.read(in));
+            case 0 -> new PauseReason.AtBreakpoint(in.integer(), in.whole());
+            case 1 -> new PauseReason.ConditionFailed(in.integer(), in.text());
+            case 2 -> new PauseReason.Stepped();
+            case 3 -> new PauseReason.PauseRequested();
+            default -> new PauseReason.Failed(FAILURE.read(in));
           };
         }
       };

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** The texts of the programs of a recording, by the frames of their starts. Immutable. */
-record ProgramTexts(List<ProgramText> all, long bytes) {
+record ProgramTexts(List<RecordedProgram> all, long bytes) {
   static final ProgramTexts NONE = new ProgramTexts(List.of(), 0);
 
   /** Starts that are known; of more the oldest are forgotten. */
@@ -17,14 +17,14 @@ record ProgramTexts(List<ProgramText> all, long bytes) {
   }
 
   /** With one more, which shares the text of the one before if it is the same. */
-  ProgramTexts with(ProgramText added) {
+  ProgramTexts with(RecordedProgram added) {
     if (all.size() == MOST) {
       return from(all.get(1).frame()).with(added);
     }
-    List<ProgramText> more = new ArrayList<>(all);
+    List<RecordedProgram> more = new ArrayList<>(all);
     long length = BYTES_EACH;
     if (!all.isEmpty() && added.sameText(all.getLast())) {
-      more.add(new ProgramText(added.frame(), added.name(), all.getLast().source()));
+      more.add(new RecordedProgram(added.frame(), added.name(), all.getLast().source()));
     } else {
       more.add(added);
       length += added.source().text().length();
@@ -42,7 +42,7 @@ record ProgramTexts(List<ProgramText> all, long bytes) {
       return this;
     }
     ProgramTexts left = NONE;
-    for (ProgramText each : all.subList(first, all.size())) {
+    for (RecordedProgram each : all.subList(first, all.size())) {
       left = left.with(each);
     }
     return left;

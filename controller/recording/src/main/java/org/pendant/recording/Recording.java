@@ -192,12 +192,12 @@ public final class Recording {
   }
 
   /** The texts of the programs that ran, in the order of their starts. */
-  public List<ProgramText> programs() {
+  public List<RecordedProgram> programs() {
     return texts.all();
   }
 
   /** The text of the program that ran at a time, or ran last; empty before the first. */
-  public Optional<ProgramText> programAt(double timeS) {
+  public Optional<RecordedProgram> programAt(double timeS) {
     long frame = frameAt(timeS);
     return texts.all().reversed().stream().filter(each -> each.frame() <= frame).findFirst();
   }

@@ -32,7 +32,7 @@ public final class RecordingExport {
     try (out;
         RecordingWriter writer = new RecordingWriter(out, recording.atFrame(from), 0)) {
       ProgramTexts texts = recording.texts().from(from);
-      for (ProgramText each : texts.all()) {
+      for (RecordedProgram each : texts.all()) {
         if (each.frame() <= to) {
           writer.note(each);
         }

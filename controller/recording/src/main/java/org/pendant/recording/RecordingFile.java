@@ -277,7 +277,7 @@ public final class RecordingFile {
     }
   }
 
-  private ProgramText program(Block block, RandomAccessFile in, ProgramTexts texts)
+  private RecordedProgram program(Block block, RandomAccessFile in, ProgramTexts texts)
       throws IOException {
     ByteSource bytes = new ByteSource(inflated(block, in));
     try {
@@ -288,9 +288,9 @@ public final class RecordingFile {
         if (texts.all().isEmpty()) {
           throw new MalformedBytes("it repeats a program that is not there");
         }
-        return new ProgramText(frame, name, texts.all().getLast().source());
+        return new RecordedProgram(frame, name, texts.all().getLast().source());
       }
-      return new ProgramText(frame, name, Source.of(sourceName, bytes.raw(bytes.count(1))));
+      return new RecordedProgram(frame, name, Source.of(sourceName, bytes.raw(bytes.count(1))));
     } catch (MalformedBytes e) {
       throw at(block, e.getMessage());
     }

@@ -61,11 +61,11 @@ public final class RecordingRing {
     snapshotEncoder.take(state);
     lastFrame = state.frame();
     if (!state.newProgramEvents().isEmpty()) {
-      ProgramText.startedIn(state, programSource).ifPresent(this::note);
+      RecordedProgram.startedIn(state, programSource).ifPresent(this::note);
     }
   }
 
-  void note(ProgramText text) {
+  void note(RecordedProgram text) {
     texts = texts.with(text);
   }
 

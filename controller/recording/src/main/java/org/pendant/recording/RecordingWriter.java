@@ -27,7 +27,7 @@ public final class RecordingWriter implements Closeable {
   private final Deflater deflater = new Deflater(Deflater.BEST_SPEED);
   private final SnapshotEncoder snapshotEncoder;
   private final List<Segment> full = new ArrayList<>();
-  private Optional<ProgramText> lastText = Optional.empty();
+  private Optional<RecordedProgram> lastText = Optional.empty();
   private long lastFrame;
   private boolean closed;
 
@@ -84,7 +84,7 @@ public final class RecordingWriter implements Closeable {
   }
 
   /** Takes the text of a program that has started. */
-  public void note(ProgramText text) throws IOException {
+  public void note(RecordedProgram text) throws IOException {
     ByteSink sink = new ByteSink();
     sink.whole(text.frame());
     sink.text(text.name());

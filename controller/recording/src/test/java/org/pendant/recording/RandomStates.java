@@ -66,7 +66,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 import org.pendant.motion.MotionFailure;
 import org.pendant.script.debug.DebugState;
-import org.pendant.script.debug.StopReason;
+import org.pendant.script.debug.PauseReason;
 import org.pendant.script.function.ScriptPlace;
 import org.pendant.script.value.HandleValue;
 import org.pendant.script.value.Kind;
@@ -293,13 +293,13 @@ final class RandomStates {
   }
 
   private DebugState debug() {
-    StopReason reason =
+    PauseReason reason =
         switch (random.nextInt(5)) {
-          case 0 -> new StopReason.AtBreakpoint(random.nextInt(), random.nextLong());
-          case 1 -> new StopReason.ConditionFailed(random.nextInt(), text());
-          case 2 -> new StopReason.Stepped();
-          case 3 -> new StopReason.PauseRequested();
-          default -> new StopReason.Failed(failure());
+          case 0 -> new PauseReason.AtBreakpoint(random.nextInt(), random.nextLong());
+          case 1 -> new PauseReason.ConditionFailed(random.nextInt(), text());
+          case 2 -> new PauseReason.Stepped();
+          case 3 -> new PauseReason.PauseRequested();
+          default -> new PauseReason.Failed(failure());
         };
     return new DebugState(
         maybe(() -> new DebugState.Stop(random.nextLong(), reason, random.nextInt(), 3)),

@@ -41,11 +41,11 @@ final class RecordingFileTest {
   private static byte[] bytes(List<ControllerState> states) throws IOException {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     try (RecordingWriter writer = new RecordingWriter(out, states.getFirst())) {
-      writer.note(new ProgramText(3, "one", Source.of("one.script", "a = 1\n")));
+      writer.note(new RecordedProgram(3, "one", Source.of("one.script", "a = 1\n")));
       for (ControllerState each : states.subList(1, states.size())) {
         writer.write(each);
       }
-      writer.note(new ProgramText(900, "two", Source.of("one.script", "a = 1\n")));
+      writer.note(new RecordedProgram(900, "two", Source.of("one.script", "a = 1\n")));
     }
     return out.toByteArray();
   }
@@ -81,7 +81,7 @@ final class RecordingFileTest {
 
     assertEquals(2, recording.programs().size());
     assertTrue(recording.programAt(0).isEmpty());
-    ProgramText one = recording.programAt(0.01).orElseThrow();
+    RecordedProgram one = recording.programAt(0.01).orElseThrow();
     assertEquals("one", one.name());
     assertEquals("a = 1", one.source().lineText(1));
     assertEquals("two", recording.programAt(100).orElseThrow().name());
@@ -258,7 +258,7 @@ final class RecordingFileTest {
     states.forEach(ring::take);
     for (int number = 0; number < 3; number++) {
       ring.note(
-          new ProgramText(400L * number, "p" + number, Source.of("p.script", "a = " + number)));
+          new RecordedProgram(400L * number, "p" + number, Source.of("p.script", "a = " + number)));
     }
     Recording recording = ring.recording();
     double fromS = Recording.timeS(states.get(700).frame());

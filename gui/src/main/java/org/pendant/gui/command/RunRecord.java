@@ -10,7 +10,7 @@ import org.pendant.controller.disk.FileDraft;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.disk.GrowingFile;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.recording.ProgramText;
+import org.pendant.recording.RecordedProgram;
 import org.pendant.recording.Recorder;
 import org.pendant.recording.RecordingWriter;
 
@@ -51,7 +51,7 @@ final class RunRecord implements FrameWatcher, AutoCloseable {
     @Override
     public void write(ControllerState state) throws IOException {
       writer.write(state);
-      Optional<ProgramText> text = ProgramText.startedIn(state, controller::programSource);
+      Optional<RecordedProgram> text = RecordedProgram.startedIn(state, controller::programSource);
       if (text.isPresent()) {
         writer.note(text.get());
       }

@@ -8,7 +8,7 @@ import org.pendant.gui.editor.Execution;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.Debugger;
-import org.pendant.script.debug.StopReason;
+import org.pendant.script.debug.PauseReason;
 import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.ThreadSnapshot;
 
@@ -117,7 +117,7 @@ final class HeldProgram {
             .filter(scope -> scope.thread() == stop.get().thread())
             .filter(scope -> scope.depth() == depth(scope.thread()))
             .isPresent();
-    boolean failed = there && stop.get().reason() instanceof StopReason.Failed;
+    boolean failed = there && stop.get().reason() instanceof PauseReason.Failed;
     return new Execution(
         line(),
         failed ? Execution.State.FAILED : Execution.State.HELD,

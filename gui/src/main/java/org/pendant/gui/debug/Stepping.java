@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 import java.util.function.IntFunction;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.Debugger;
-import org.pendant.script.debug.StopReason;
+import org.pendant.script.debug.PauseReason;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.vm.ProgramState;
 
@@ -47,7 +47,7 @@ public final class Stepping {
 
   /** Whether a held program can go on by steps; one that has failed can only end. */
   public boolean canStep() {
-    return debug.stop().filter(stop -> !(stop.reason() instanceof StopReason.Failed)).isPresent();
+    return debug.stop().filter(stop -> !(stop.reason() instanceof PauseReason.Failed)).isPresent();
   }
 
   /** Whether there is a program to hold. */

@@ -3,7 +3,7 @@ package org.pendant.gui.debug;
 import java.util.function.IntUnaryOperator;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.DebugState;
-import org.pendant.script.debug.StopReason;
+import org.pendant.script.debug.PauseReason;
 
 /** Why a program is held, as people read it. */
 final class StopText {
@@ -17,18 +17,18 @@ final class StopText {
   static String of(DebugState.Stop stop, IntUnaryOperator now) {
     int line = now.applyAsInt(stop.line());
     return switch (stop.reason()) {
-      case StopReason.AtBreakpoint at ->
+      case PauseReason.AtBreakpoint at ->
           "Breakpoint on line "
               + now.applyAsInt(at.line())
               + (at.hits() > 1 ? ", hit " + at.hits() : "");
-      case StopReason.ConditionFailed failed ->
+      case PauseReason.ConditionFailed failed ->
           "The condition of the breakpoint on line "
               + now.applyAsInt(failed.line())
               + " failed: "
               + ByteText.decoded(failed.message());
-      case StopReason.Stepped() -> "Stepped to line " + line;
-      case StopReason.PauseRequested() -> "Held on request on line " + line;
-      case StopReason.Failed failed ->
+      case PauseReason.Stepped() -> "Stepped to line " + line;
+      case PauseReason.PauseRequested() -> "Held on request on line " + line;
+      case PauseReason.Failed failed ->
           "Failed on line "
               + line
               + ": "
@@ -40,11 +40,11 @@ final class StopText {
   /** What is said behind the line itself. */
   static String atLine(DebugState.Stop stop) {
     return switch (stop.reason()) {
-      case StopReason.AtBreakpoint at -> at.hits() > 1 ? "hit " + at.hits() : "";
-      case StopReason.ConditionFailed failed ->
+      case PauseReason.AtBreakpoint at -> at.hits() > 1 ? "hit " + at.hits() : "";
+      case PauseReason.ConditionFailed failed ->
           "The condition failed: " + ByteText.decoded(failed.message());
-      case StopReason.Stepped(), StopReason.PauseRequested() -> "";
-      case StopReason.Failed failed -> ByteText.decoded(failed.failure().message());
+      case PauseReason.Stepped(), PauseReason.PauseRequested() -> "";
+      case PauseReason.Failed failed -> ByteText.decoded(failed.failure().message());
     };
   }
 }

@@ -25,7 +25,7 @@ import org.pendant.gui.timeline.RecordedText;
 import org.pendant.gui.timeline.TimelineView;
 import org.pendant.gui.workbench.View;
 import org.pendant.language.source.ByteText;
-import org.pendant.recording.ProgramText;
+import org.pendant.recording.RecordedProgram;
 
 /** What the window does while people look at the past. */
 final class PastViews {
@@ -146,7 +146,7 @@ final class PastViews {
       searched = OptionalLong.of(past.frame());
       log.lookAt(past.timeS());
     }
-    Optional<ProgramText> ran = lookBack.program();
+    Optional<RecordedProgram> ran = lookBack.program();
     Optional<ProgramDocument> open = ran.flatMap(this::open);
     if (!open.equals(marked)) {
       unmark();
@@ -176,11 +176,11 @@ final class PastViews {
   }
 
   /** The open program whose text is still that which ran. */
-  private Optional<ProgramDocument> open(ProgramText ran) {
+  private Optional<ProgramDocument> open(RecordedProgram ran) {
     return programs.all().stream().filter(each -> same(each, ran)).findFirst();
   }
 
-  private static boolean same(ProgramDocument document, ProgramText ran) {
+  private static boolean same(ProgramDocument document, RecordedProgram ran) {
     String now = document.script().text();
     String then = ran.source().text();
     // Bytes of other than ASCII characters stand as characters of their own in what ran.

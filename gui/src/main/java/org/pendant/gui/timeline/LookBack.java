@@ -13,7 +13,7 @@ import java.util.function.Supplier;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.motion.FrameTime;
-import org.pendant.recording.ProgramText;
+import org.pendant.recording.RecordedProgram;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingMark;
 
@@ -129,7 +129,7 @@ public final class LookBack {
   }
 
   /** The text of the program that ran then; empty while none ran, and for now. */
-  public Optional<ProgramText> program() {
+  public Optional<RecordedProgram> program() {
     return past.filter(state -> state.program().line() > 0)
         .flatMap(state -> recording.programAt(seconds(state.frame())));
   }

@@ -17,13 +17,13 @@ import javax.swing.text.DefaultHighlighter.DefaultHighlightPainter;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.language.source.ByteText;
-import org.pendant.recording.ProgramText;
+import org.pendant.recording.RecordedProgram;
 
 /** The text of a program as it was when it ran, in a window of its own; it cannot be changed. */
 public final class RecordedText {
   private final JTextArea area = new JTextArea();
   private Optional<JDialog> dialog = Optional.empty();
-  private Optional<ProgramText> shown = Optional.empty();
+  private Optional<RecordedProgram> shown = Optional.empty();
   private int line;
 
   /** Nothing is shown yet. */
@@ -60,7 +60,7 @@ public final class RecordedText {
   }
 
   /** Follows the moment that people look at. */
-  void show(Optional<ProgramText> program, Optional<ControllerState> past) {
+  void show(Optional<RecordedProgram> program, Optional<ControllerState> past) {
     int now = past.map(state -> state.program().line()).orElse(0);
     if (program.equals(shown) && now == line) {
       return;

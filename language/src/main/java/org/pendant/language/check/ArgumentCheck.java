@@ -32,7 +32,7 @@ final class ArgumentCheck {
     boolean unclear = false;
     for (int i = 0; i < arguments.size(); i++) {
       Argument argument = arguments.get(i);
-      Kind kind = expressions.check(argument.value());
+      StaticType kind = expressions.check(argument.value());
       int position;
       if (argument.name().isPresent()) {
         named = true;
@@ -105,7 +105,8 @@ final class ArgumentCheck {
     return -1;
   }
 
-  private void accept(Head head, int position, boolean[] given, Argument argument, Kind kind) {
+  private void accept(
+      Head head, int position, boolean[] given, Argument argument, StaticType kind) {
     Parameter parameter = head.parameters().get(position);
     if (given[position]) {
       duplicate(head.name(), parameter.name(), argument.range());

@@ -52,7 +52,7 @@ final class CallGraph {
     loops.add(new EndlessLoop(range, callees));
   }
 
-  void reportEndlessLoops(Findings findings) {
+  void reportEndlessLoops(Diagnostics findings) {
     spreadWaits();
     for (EndlessLoop loop : loops) {
       if (loop.callees().stream().noneMatch(callee -> callee.waits)) {
@@ -65,7 +65,7 @@ final class CallGraph {
   }
 
   /** Reports everything that the secondary program {@code name} reaches but may not do. */
-  void reportSecondary(Node secondary, String name, Findings findings) {
+  void reportSecondary(Node secondary, String name, Diagnostics findings) {
     Set<Node> reached = new HashSet<>();
     Deque<Node> open = new ArrayDeque<>();
     open.add(secondary);

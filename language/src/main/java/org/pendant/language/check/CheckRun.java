@@ -26,8 +26,8 @@ final class CheckRun {
   private final Survey survey;
   private final boolean interpreted;
   private final boolean library;
-  private final Findings findings = new Findings();
-  private final Findings unassigned = new Findings();
+  private final Diagnostics findings = new Diagnostics();
+  private final Diagnostics unassigned = new Diagnostics();
   private final CallGraph graph = new CallGraph();
   private final Nearest nearest = new Nearest();
   private final Map<String, Optional<Builtin>> builtins = new HashMap<>();
@@ -65,7 +65,7 @@ final class CheckRun {
     return interpreted;
   }
 
-  Findings findings() {
+  Diagnostics findings() {
     return findings;
   }
 
@@ -105,7 +105,7 @@ final class CheckRun {
   }
 
   /** Everything found, in the order of the text. */
-  Findings finished() {
+  Diagnostics finished() {
     graph.reportEndlessLoops(findings);
     if (!entersInterpreterMode) {
       findings.addAll(unassigned.sorted());

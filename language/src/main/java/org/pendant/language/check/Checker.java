@@ -60,7 +60,7 @@ public final class Checker {
             .reportSecondary(run.graph().node(definition), definition.name(), run.findings());
       }
     }
-    Findings findings = run.finished();
+    Diagnostics findings = run.finished();
     findings.addAll(form.problems());
     return findings.sorted();
   }

@@ -22,12 +22,12 @@ final class ExpressionCheck {
     this.arguments = new ArgumentCheck(run, this, state);
   }
 
-  Kind check(Expression expression) {
+  StaticType check(Expression expression) {
     return switch (expression) {
-      case Expression.IntLiteral _, Expression.FloatLiteral _ -> Kind.NUMBER;
-      case Expression.StringLiteral _ -> Kind.STRING;
-      case Expression.BoolLiteral _ -> Kind.BOOL;
-      case Expression.NoneLiteral _ -> Kind.ANY;
+      case Expression.IntLiteral _, Expression.FloatLiteral _ -> StaticType.NUMBER;
+      case Expression.StringLiteral _ -> StaticType.STRING;
+      case Expression.BoolLiteral _ -> StaticType.BOOL;
+      case Expression.NoneLiteral _ -> StaticType.ANY;
       case Expression.Name name -> name(name);
       case Expression.PoseLiteral pose -> pose(pose);
       case Expression.ListLiteral list -> Inference.list(all(list.elements()));
@@ -43,7 +43,7 @@ final class ExpressionCheck {
 
   /** A condition of {@code if} or {@code while}. */
   void condition(Expression condition) {
-    Kind kind = check(condition);
+    StaticType kind = check(condition);
     if (!kind.condition()) {
       mismatch(condition.range(), "the condition is " + kind.text() + ", expected a bool");
     }
@@ -51,37 +51,37 @@ final class ExpressionCheck {
 
   /** The operand of {@code join} or {@code kill}. */
   void handle(Expression handle) {
-    Kind kind = check(handle);
-    if (kind.certain() && kind != Kind.NUMBER) {
+    StaticType kind = check(handle);
+    if (kind.certain() && kind != StaticType.NUMBER) {
       mismatch(handle.range(), "the operand is " + kind.text() + ", expected a thread handle");
     }
   }
 
   /** Whether a pose element, an index or the like certainly cannot be this. */
-  static boolean isNoNumber(Kind kind) {
-    return kind.certain() && kind != Kind.NUMBER && kind != Kind.BOOL;
+  static boolean isNoNumber(StaticType kind) {
+    return kind.certain() && kind != StaticType.NUMBER && kind != StaticType.BOOL;
   }
 
-  private List<Kind> all(List<Expression> expressions) {
-    List<Kind> kinds = new ArrayList<>(expressions.size());
+  private List<StaticType> all(List<Expression> expressions) {
+    List<StaticType> kinds = new ArrayList<>(expressions.size());
     for (Expression expression : expressions) {
       kinds.add(check(expression));
     }
     return kinds;
   }
 
-  private Kind name(Expression.Name name) {
+  private StaticType name(Expression.Name name) {
     FunctionScope scope = state.scope();
     Binding binding = scope.resolve(name.name(), name.range().start());
     boolean local = binding instanceof Binding.Local;
     if (local && !scope.binds(name.name())) {
       if (FunctionScope.truth(name.name()).isPresent()) {
-        return Kind.BOOL;
+        return StaticType.BOOL;
       }
       run.unknownVariable(name.name(), name.range(), scope);
-      return Kind.ANY;
+      return StaticType.ANY;
     }
-    Kind kind = state.flow().kind(binding);
+    StaticType kind = state.flow().kind(binding);
     if (kind.certain()) {
       return kind;
     }
@@ -106,30 +106,30 @@ final class ExpressionCheck {
     };
   }
 
-  private Kind pose(Expression.PoseLiteral pose) {
+  private StaticType pose(Expression.PoseLiteral pose) {
     for (Expression element : pose.elements()) {
-      Kind kind = check(element);
+      StaticType kind = check(element);
       if (isNoNumber(kind)) {
         mismatch(element.range(), "a pose element is " + kind.text() + ", expected a number");
       }
     }
-    return Kind.POSE;
+    return StaticType.POSE;
   }
 
-  private Kind unary(Expression.Unary unary) {
-    Kind operand = check(unary.operand());
-    if (Operators.fails(unary.operator(), operand)) {
+  private StaticType unary(Expression.Unary unary) {
+    StaticType operand = check(unary.operand());
+    if (OperatorTypes.fails(unary.operator(), operand)) {
       mismatch(
           unary.range(),
           "operator " + unary.operator().text() + " does not take " + operand.text());
     }
-    return Operators.result(unary.operator(), operand);
+    return OperatorTypes.result(unary.operator(), operand);
   }
 
-  private Kind binary(Expression.Binary binary) {
-    Kind left = check(binary.left());
-    Kind right = check(binary.right());
-    if (Operators.fails(binary.operator(), left, right)) {
+  private StaticType binary(Expression.Binary binary) {
+    StaticType left = check(binary.left());
+    StaticType right = check(binary.right());
+    if (OperatorTypes.fails(binary.operator(), left, right)) {
       mismatch(
           binary.range(),
           "operator "
@@ -139,13 +139,13 @@ final class ExpressionCheck {
               + " and "
               + right.text());
     }
-    return Operators.result(binary.operator(), left, right);
+    return OperatorTypes.result(binary.operator(), left, right);
   }
 
-  private Kind index(Expression.Index index) {
-    Kind receiver = check(index.receiver());
-    List<Kind> indices = all(index.indices());
-    if (receiver == Kind.NUMBER || receiver == Kind.BOOL) {
+  private StaticType index(Expression.Index index) {
+    StaticType receiver = check(index.receiver());
+    List<StaticType> indices = all(index.indices());
+    if (receiver == StaticType.NUMBER || receiver == StaticType.BOOL) {
       mismatch(index.receiver().range(), receiver.text() + " has no elements, expected a list");
     }
     for (int i = 0; i < indices.size(); i++) {
@@ -155,15 +155,16 @@ final class ExpressionCheck {
             "the index is " + indices.get(i).text() + ", expected a number");
       }
     }
-    boolean flat = receiver == Kind.LIST || receiver == Kind.POSE || receiver == Kind.STRUCT;
+    boolean flat =
+        receiver == StaticType.LIST || receiver == StaticType.POSE || receiver == StaticType.STRUCT;
     if (flat && indices.size() > 1) {
       mismatch(index.range(), receiver.text() + " takes one index, found " + indices.size());
     }
     return Inference.index(receiver, indices.size());
   }
 
-  private Kind member(Expression.Member member) {
-    Kind receiver = check(member.receiver());
+  private StaticType member(Expression.Member member) {
+    StaticType receiver = check(member.receiver());
     switch (receiver) {
       case BOOL, STRING, POSE, LIST, MATRIX ->
           run.findings()
@@ -173,32 +174,32 @@ final class ExpressionCheck {
                   receiver.text() + " has no member " + member.member() + "; expected a struct");
       case ANY, NUMBER, STRUCT -> {}
     }
-    return Kind.ANY;
+    return StaticType.ANY;
   }
 
-  private Kind call(Expression.Call call) {
+  private StaticType call(Expression.Call call) {
     String name = call.function();
     Optional<Definition> defined = state.scope().function(name);
     if (defined.isPresent()) {
       callDefined(defined.get(), call);
-      return Kind.ANY;
+      return StaticType.ANY;
     }
     if (name.equals(Inference.STRUCT)) {
       arguments.checkStruct(call.arguments(), call.nameRange());
-      return Kind.STRUCT;
+      return StaticType.STRUCT;
     }
     Optional<CheckRun.Builtin> builtin = run.builtin(name);
     if (builtin.isEmpty()) {
       run.unknownFunction(name, call.nameRange(), state.scope());
       checkValues(call.arguments());
       state.waits();
-      return Kind.ANY;
+      return StaticType.ANY;
     }
     Signature signature = builtin.get().signature();
     arguments.check(builtin.get().head(), call.arguments(), call.nameRange());
     run.calls(signature, call.nameRange(), state.scope());
     noteTime(signature, call.nameRange());
-    return Kind.of(signature.result());
+    return StaticType.of(signature.result());
   }
 
   private void callDefined(Definition definition, Expression.Call call) {
@@ -217,20 +218,20 @@ final class ExpressionCheck {
     run.findings().error("not-a-function", call.nameRange(), message);
   }
 
-  private Kind method(Expression.MethodCall call) {
-    Kind receiver = check(call.receiver());
+  private StaticType method(Expression.MethodCall call) {
+    StaticType receiver = check(call.receiver());
     return switch (receiver) {
       case LIST, MATRIX, STRUCT -> knownMethod(call, receiver);
       case ANY, BOOL, NUMBER, STRING, POSE -> {
         checkValues(call.arguments());
         // A remote procedure waits for its answer.
         state.waits();
-        yield Kind.ANY;
+        yield StaticType.ANY;
       }
     };
   }
 
-  private Kind knownMethod(Expression.MethodCall call, Kind receiver) {
+  private StaticType knownMethod(Expression.MethodCall call, StaticType receiver) {
     Optional<Signature> signature = run.catalogue().method(receiver.receiver(), call.method());
     if (signature.isEmpty()) {
       checkValues(call.arguments());
@@ -242,21 +243,21 @@ final class ExpressionCheck {
                   + " has no method "
                   + call.method()
                   + run.suggestion(call.method(), () -> methods(receiver)));
-      return Kind.ANY;
+      return StaticType.ANY;
     }
     arguments.check(Head.of(signature.get()), call.arguments(), call.nameRange());
     noteTime(signature.get(), call.nameRange());
-    return Kind.of(signature.get().result());
+    return StaticType.of(signature.get().result());
   }
 
-  private List<String> methods(Kind receiver) {
+  private List<String> methods(StaticType receiver) {
     return run.catalogue().all().stream()
         .filter(method -> method.receiver().equals(Optional.of(receiver.receiver())))
         .map(Signature::name)
         .toList();
   }
 
-  private Kind start(Expression.Run start) {
+  private StaticType start(Expression.Run start) {
     checkValues(start.arguments());
     String name = start.thread();
     state.node().refuseInSecondary(start.range(), "run starts a thread");
@@ -273,7 +274,7 @@ final class ExpressionCheck {
               start.arguments().getFirst().range(),
               "thread " + name + " is given arguments; expected run " + name + "()");
     }
-    return Kind.NUMBER;
+    return StaticType.NUMBER;
   }
 
   private void checkValues(List<Argument> values) {

@@ -20,7 +20,7 @@ import org.pendant.language.syntax.Statement.While;
 final class Flow {
   private final Set<Binding> mayBeAssigned = new HashSet<>();
   private final List<Binding> assignedLog = new ArrayList<>();
-  private final Map<Binding, Kind> kinds = new HashMap<>();
+  private final Map<Binding, StaticType> kinds = new HashMap<>();
   private final List<Binding> kindLog = new ArrayList<>();
 
   /** The state before an {@code if}, to which each branch returns. */
@@ -46,15 +46,15 @@ final class Flow {
   }
 
   /** Notes that {@code binding} holds {@code kind} from here to the end of the block. */
-  void holds(Binding binding, Kind kind) {
+  void holds(Binding binding, StaticType kind) {
     if (kind.certain() && kinds.putIfAbsent(binding, kind) == null) {
       kindLog.add(binding);
     }
   }
 
   /** What every path to here has put into {@code binding}. */
-  Kind kind(Binding binding) {
-    return kinds.getOrDefault(binding, Kind.ANY);
+  StaticType kind(Binding binding) {
+    return kinds.getOrDefault(binding, StaticType.ANY);
   }
 
   Fork fork() {

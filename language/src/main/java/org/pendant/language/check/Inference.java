@@ -16,24 +16,25 @@ final class Inference {
     this.catalogue = catalogue;
   }
 
-  Kind kind(Expression expression, FunctionScope scope) {
+  StaticType kind(Expression expression, FunctionScope scope) {
     return switch (expression) {
-      case Expression.IntLiteral _, Expression.FloatLiteral _, Expression.Run _ -> Kind.NUMBER;
-      case Expression.StringLiteral _ -> Kind.STRING;
-      case Expression.BoolLiteral _ -> Kind.BOOL;
-      case Expression.PoseLiteral _ -> Kind.POSE;
-      case Expression.NoneLiteral _, Expression.Name _, Expression.Member _ -> Kind.ANY;
+      case Expression.IntLiteral _, Expression.FloatLiteral _, Expression.Run _ ->
+          StaticType.NUMBER;
+      case Expression.StringLiteral _ -> StaticType.STRING;
+      case Expression.BoolLiteral _ -> StaticType.BOOL;
+      case Expression.PoseLiteral _ -> StaticType.POSE;
+      case Expression.NoneLiteral _, Expression.Name _, Expression.Member _ -> StaticType.ANY;
       case Expression.ListLiteral list -> {
-        List<Kind> elements = new ArrayList<>();
+        List<StaticType> elements = new ArrayList<>();
         for (Expression element : list.elements()) {
           elements.add(kind(element, scope));
         }
         yield list(elements);
       }
       case Expression.Unary unary ->
-          Operators.result(unary.operator(), kind(unary.operand(), scope));
+          OperatorTypes.result(unary.operator(), kind(unary.operand(), scope));
       case Expression.Binary binary ->
-          Operators.result(
+          OperatorTypes.result(
               binary.operator(), kind(binary.left(), scope), kind(binary.right(), scope));
       case Expression.Call call -> call(call.function(), scope);
       case Expression.MethodCall call -> method(kind(call.receiver(), scope), call.method());
@@ -42,42 +43,45 @@ final class Inference {
   }
 
   /** A list of lists is a matrix. */
-  static Kind list(List<Kind> elements) {
-    Kind kind = elements.isEmpty() ? Kind.LIST : Kind.ANY;
-    for (Kind element : elements) {
-      if (element == Kind.LIST) {
-        return Kind.MATRIX;
+  static StaticType list(List<StaticType> elements) {
+    StaticType kind = elements.isEmpty() ? StaticType.LIST : StaticType.ANY;
+    for (StaticType element : elements) {
+      if (element == StaticType.LIST) {
+        return StaticType.MATRIX;
       }
       if (element.certain()) {
-        kind = Kind.LIST;
+        kind = StaticType.LIST;
       }
     }
     return kind;
   }
 
-  static Kind index(Kind receiver, int indices) {
-    boolean number = receiver == Kind.POSE || (receiver == Kind.MATRIX && indices == 2);
-    return number ? Kind.NUMBER : Kind.ANY;
+  static StaticType index(StaticType receiver, int indices) {
+    boolean number = receiver == StaticType.POSE || (receiver == StaticType.MATRIX && indices == 2);
+    return number ? StaticType.NUMBER : StaticType.ANY;
   }
 
-  Kind method(Kind receiver, String name) {
+  StaticType method(StaticType receiver, String name) {
     return switch (receiver) {
       case LIST, MATRIX, STRUCT ->
           catalogue
               .method(receiver.receiver(), name)
-              .map(signature -> Kind.of(signature.result()))
-              .orElse(Kind.ANY);
-      case ANY, BOOL, NUMBER, STRING, POSE -> Kind.ANY;
+              .map(signature -> StaticType.of(signature.result()))
+              .orElse(StaticType.ANY);
+      case ANY, BOOL, NUMBER, STRING, POSE -> StaticType.ANY;
     };
   }
 
-  private Kind call(String name, FunctionScope scope) {
+  private StaticType call(String name, FunctionScope scope) {
     if (scope.function(name).isPresent()) {
-      return Kind.ANY;
+      return StaticType.ANY;
     }
     if (name.equals(STRUCT)) {
-      return Kind.STRUCT;
+      return StaticType.STRUCT;
     }
-    return catalogue.function(name).map(signature -> Kind.of(signature.result())).orElse(Kind.ANY);
+    return catalogue
+        .function(name)
+        .map(signature -> StaticType.of(signature.result()))
+        .orElse(StaticType.ANY);
   }
 }

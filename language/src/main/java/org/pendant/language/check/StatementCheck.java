@@ -121,10 +121,10 @@ final class StatementCheck {
       expressions.check(output.get());
       return;
     }
-    Kind kind = expressions.check(assign.value());
+    StaticType kind = expressions.check(assign.value());
     if (!(assign.target() instanceof Name name)) {
-      Kind element = expressions.check(assign.target());
-      if (element == Kind.NUMBER && ExpressionCheck.isNoNumber(kind)) {
+      StaticType element = expressions.check(assign.target());
+      if (element == StaticType.NUMBER && ExpressionCheck.isNoNumber(kind)) {
         run.findings()
             .error(
                 "type-mismatch",
@@ -144,7 +144,7 @@ final class StatementCheck {
       return;
     }
     Binding binding = state.scope().target(assign);
-    Kind before = state.flow().kind(binding);
+    StaticType before = state.flow().kind(binding);
     if (!before.certain()) {
       before = run.survey().openingKind(binding);
     }

@@ -19,9 +19,9 @@ import org.pendant.language.syntax.Statement.While;
 /** A first look at all assignments: what each variable holds wherever it is assigned. */
 final class Survey {
   private final Inference inference;
-  private final Map<String, Kind> globals = new HashMap<>();
-  private final Map<FunctionScope, Map<String, Kind>> locals = new HashMap<>();
-  private final Map<String, Kind> opening = new HashMap<>();
+  private final Map<String, StaticType> globals = new HashMap<>();
+  private final Map<FunctionScope, Map<String, StaticType>> locals = new HashMap<>();
+  private final Map<String, StaticType> opening = new HashMap<>();
   private final Set<String> assignedInFunctions = new HashSet<>();
 
   private Survey(Inference inference) {
@@ -50,20 +50,20 @@ final class Survey {
   }
 
   /** What {@code binding} holds whenever it has a value. */
-  Kind kind(FunctionScope scope, Binding binding) {
+  StaticType kind(FunctionScope scope, Binding binding) {
     return switch (binding) {
       case Binding.Global(String name) ->
-          opening.getOrDefault(name, globals.getOrDefault(name, Kind.ANY));
+          opening.getOrDefault(name, globals.getOrDefault(name, StaticType.ANY));
       case Binding.Local(String name) ->
-          locals.getOrDefault(scope, Map.of()).getOrDefault(name, Kind.ANY);
+          locals.getOrDefault(scope, Map.of()).getOrDefault(name, StaticType.ANY);
     };
   }
 
   /** What the program's first statements certainly put into a global. */
-  Kind openingKind(Binding binding) {
+  StaticType openingKind(Binding binding) {
     return switch (binding) {
-      case Binding.Global(String name) -> opening.getOrDefault(name, Kind.ANY);
-      case Binding.Local _ -> Kind.ANY;
+      case Binding.Global(String name) -> opening.getOrDefault(name, StaticType.ANY);
+      case Binding.Local _ -> StaticType.ANY;
     };
   }
 
@@ -75,17 +75,17 @@ final class Survey {
     for (Statement statement : statements) {
       if (statement instanceof Assign assign && assign.target() instanceof Name) {
         Binding binding = scope.target(assign);
-        Kind kind = inference.kind(assign.value(), scope);
+        StaticType kind = inference.kind(assign.value(), scope);
         switch (binding) {
           case Binding.Global(String name) -> {
-            globals.merge(name, kind, Kind::or);
+            globals.merge(name, kind, StaticType::or);
             if (!scope.mainLevel()) {
               assignedInFunctions.add(name);
             }
           }
           case Binding.Local(String name) -> {
-            Kind first = scope.startsAssigned(name) ? Kind.ANY : kind;
-            locals.computeIfAbsent(scope, _ -> new HashMap<>()).merge(name, first, Kind::or);
+            StaticType first = scope.startsAssigned(name) ? StaticType.ANY : kind;
+            locals.computeIfAbsent(scope, _ -> new HashMap<>()).merge(name, first, StaticType::or);
           }
         }
       } else if (statement instanceof If choice) {
@@ -101,7 +101,7 @@ final class Survey {
 
   private void lookAtParameters(Definition entry) {
     for (ParameterDeclaration parameter : entry.parameters()) {
-      globals.put(parameter.name(), Kind.ANY);
+      globals.put(parameter.name(), StaticType.ANY);
     }
   }
 

@@ -37,7 +37,7 @@ public final class ValueTypes {
         : type(inference.kind(expression, scope));
   }
 
-  private static Type type(Kind kind) {
+  private static Type type(StaticType kind) {
     return switch (kind) {
       case ANY -> Type.ANY;
       case BOOL -> Type.BOOL;

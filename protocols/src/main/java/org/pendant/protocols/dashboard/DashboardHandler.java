@@ -36,7 +36,7 @@ final class DashboardHandler {
   }
 
   /** Carries out a request; may wait. */
-  String answer(Request request) {
+  String answer(DashboardRequest request) {
     String argument = request.argument();
     return switch (request.word()) {
       case LOAD -> load(argument);

@@ -44,7 +44,7 @@ final class DashboardSession implements Session {
   }
 
   private void answer(String line) {
-    Optional<Request> request = Request.read(line);
+    Optional<DashboardRequest> request = DashboardRequest.read(line);
     if (request.isEmpty()) {
       send("could not understand: '" + line.strip() + "'");
     } else if (request.get().word().acts() && !mayControl) {

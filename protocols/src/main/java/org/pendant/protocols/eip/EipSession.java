@@ -23,7 +23,7 @@ final class EipSession implements Session {
   private final MessageRouter router;
   private final Connections connections;
   private final Supplier<ByteBuffer> identity;
-  private final FrameCutter cutter = new FrameCutter();
+  private final EncapsulationReader cutter = new EncapsulationReader();
   private boolean registered;
 
   /**

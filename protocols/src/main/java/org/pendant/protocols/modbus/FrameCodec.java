@@ -30,8 +30,8 @@ final class FrameCodec {
   static byte[] encode(ModbusResponse response, byte[] question) {
     response.setTransactionID(ByteBuffer.wrap(question).getShort(0) & 0xFFFF);
     response.setProtocolID(0);
-    response.setUnitID(question[FrameCutter.PREFIX] & 0xFF);
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream(FrameCutter.PREFIX);
+    response.setUnitID(question[ModbusFrameReader.PREFIX] & 0xFF);
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream(ModbusFrameReader.PREFIX);
     try {
       response.writeTo(new DataOutputStream(bytes));
     } catch (IOException e) {

@@ -15,7 +15,7 @@ final class ModbusSession implements Session {
   private final Connection connection;
   private final Answers answers;
   private final PeerLog log;
-  private final FrameCutter cutter = new FrameCutter();
+  private final ModbusFrameReader cutter = new ModbusFrameReader();
 
   ModbusSession(Connection connection, Answers answers, PeerLog log) {
     this.connection = connection;

@@ -9,10 +9,10 @@ interface Asker {
   long dueInNs(long nowNs);
 
   /** The question that is due; an answer, an error or {@link #dropped} follows. */
-  Question ask(long nowNs);
+  DeviceRequest ask(long nowNs);
 
   /** The device has answered. */
-  void answered(Answer answer);
+  void answered(DeviceResponse answer);
 
   /** The device did not answer in time. */
   void unanswered();

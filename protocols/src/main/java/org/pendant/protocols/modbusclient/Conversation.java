@@ -57,7 +57,7 @@ final class Conversation {
    *
    * @param crowded whether another one waited for its answer then
    */
-  private record Waiting(Asker asker, Question question, long sinceNs, boolean crowded) {}
+  private record Waiting(Asker asker, DeviceRequest question, long sinceNs, boolean crowded) {}
 
   /** A conversation of the calling thread. */
   Conversation(Device device, Socket socket) {
@@ -91,7 +91,7 @@ final class Conversation {
     try {
       InputStream in = new BufferedInputStream(socket.getInputStream());
       while (true) {
-        answers.put(AnswerFrame.read(in));
+        answers.put(ResponseFrame.read(in));
         LockSupport.unpark(asking);
       }
     } catch (IOException e) {
@@ -110,7 +110,7 @@ final class Conversation {
       heardNs = System.nanoTime();
       missed = 0;
       // an answer that comes too late is to nobody's question
-      Waiting waiting = unanswered.remove(AnswerFrame.transaction(frame));
+      Waiting waiting = unanswered.remove(ResponseFrame.transaction(frame));
       if (waiting != null) {
         waiting.asker().answered(waiting.question().answer(frame));
       }
@@ -179,7 +179,7 @@ final class Conversation {
 
   private void send(Asker asker, long nowNs) throws IOException {
     transaction = (transaction + 1) % TRANSACTIONS;
-    Question question = asker.ask(nowNs);
+    DeviceRequest question = asker.ask(nowNs);
     unanswered.put(transaction, new Waiting(asker, question, nowNs, !unanswered.isEmpty()));
     askedNs = nowNs;
     socket.getOutputStream().write(question.frame(transaction));

@@ -9,13 +9,13 @@ import org.pendant.script.value.Value;
 
 /** A request that a script has made itself (manual 18.22); what is answered does not matter. */
 final class CustomCommand implements Pending, Asker {
-  private final Question question;
+  private final DeviceRequest question;
   private final Device device;
   private boolean asked;
   private volatile boolean over;
   private volatile Optional<String> failure = Optional.empty();
 
-  CustomCommand(Question question, Device device) {
+  CustomCommand(DeviceRequest question, Device device) {
     this.question = question;
     this.device = device;
   }
@@ -26,13 +26,13 @@ final class CustomCommand implements Pending, Asker {
   }
 
   @Override
-  public Question ask(long nowNs) {
+  public DeviceRequest ask(long nowNs) {
     asked = true;
     return question;
   }
 
   @Override
-  public void answered(Answer answer) {
+  public void answered(DeviceResponse answer) {
     over = true;
   }
 

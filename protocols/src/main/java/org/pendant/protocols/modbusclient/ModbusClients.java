@@ -36,7 +36,7 @@ public final class ModbusClients implements ModbusConnector, AutoCloseable {
   public Pending send(ModbusAddress address, int unit, int function, byte[] data) {
     while (true) {
       Device device = device(address);
-      CustomCommand command = new CustomCommand(Question.made(unit, function, data), device);
+      CustomCommand command = new CustomCommand(DeviceRequest.made(unit, function, data), device);
       if (device.add(command)) {
         return command;
       }

@@ -119,7 +119,7 @@ final class Point implements ModbusPoint, Asker {
   }
 
   @Override
-  public Question ask(long nowNs) {
+  public DeviceRequest ask(long nowNs) {
     schedule(nowNs);
     asking = true;
     fresh = false;
@@ -127,8 +127,8 @@ final class Point implements ModbusPoint, Asker {
     Optional<Write> write = wanted;
     askedNumber = write.map(Write::number).orElse(0L);
     return write
-        .map(each -> Question.writing(exchange, each.values()))
-        .orElseGet(() -> Question.reading(exchange));
+        .map(each -> DeviceRequest.writing(exchange, each.values()))
+        .orElseGet(() -> DeviceRequest.reading(exchange));
   }
 
   /** The next time follows the last one, not the delay: that keeps the frequency. */
@@ -148,14 +148,15 @@ final class Point implements ModbusPoint, Asker {
   }
 
   @Override
-  public void answered(Answer answer) {
+  public void answered(DeviceResponse answer) {
     asking = false;
     writtenNumber = askedNumber;
     switch (answer) {
-      case Answer.Values(List<Integer> values) -> succeed(values);
-      case Answer.Done() -> succeed(reading.values());
-      case Answer.Refused(int code) -> publish(new ModbusReading(reading.values(), code, 0));
-      case Answer.Nonsense() -> publish(reading.unreached(ModbusErrors.PROTOCOL));
+      case DeviceResponse.Values(List<Integer> values) -> succeed(values);
+      case DeviceResponse.Done() -> succeed(reading.values());
+      case DeviceResponse.Refused(int code) ->
+          publish(new ModbusReading(reading.values(), code, 0));
+      case DeviceResponse.Nonsense() -> publish(reading.unreached(ModbusErrors.PROTOCOL));
     }
   }
 

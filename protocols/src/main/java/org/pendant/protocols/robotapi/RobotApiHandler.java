@@ -12,9 +12,9 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.pendant.controller.Command;
-import org.pendant.controller.json.Fields;
 import org.pendant.controller.json.Json;
 import org.pendant.controller.json.JsonException;
+import org.pendant.controller.json.JsonFields;
 import org.pendant.controller.json.JsonFile;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
@@ -300,6 +300,6 @@ final class RobotApiHandler {
     byte[] bytes = new byte[body.remaining()];
     body.get(bytes);
     Json object = JsonFile.read("body", new ByteArrayInputStream(bytes));
-    return new Fields(object, "the body").text(key).value();
+    return new JsonFields(object, "the body").text(key).value();
   }
 }

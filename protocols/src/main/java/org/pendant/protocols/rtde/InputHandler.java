@@ -99,7 +99,7 @@ final class InputHandler {
    *
    * @return what there is to complain about, unless the package before had the same mistake
    */
-  Optional<String> write(Request.Data data) throws InterruptedException {
+  Optional<String> write(RtdeRequest.Data data) throws InterruptedException {
     List<String> mistakes = tryToWrite(data);
     if (mistakes.isEmpty()) {
       complaints.remove(data.recipe());
@@ -111,7 +111,7 @@ final class InputHandler {
         : Optional.of(complaint);
   }
 
-  private List<String> tryToWrite(Request.Data data) throws InterruptedException {
+  private List<String> tryToWrite(RtdeRequest.Data data) throws InterruptedException {
     int number = data.recipe();
     if (number < 1 || number > recipes.size()) {
       return List.of("there is no input recipe " + number);

@@ -20,36 +20,36 @@ final class RequestCodec {
    *
    * @param version of the protocol that is spoken, 1 or 2
    */
-  static Request decode(Packet packet, int version) {
+  static RtdeRequest decode(Packet packet, int version) {
     ByteBuffer payload = packet.payload();
     return switch (packet.type()) {
       case PacketType.PROTOCOL_VERSION ->
           payload.remaining() == Short.BYTES
-              ? new Request.ProtocolVersion(Short.toUnsignedInt(payload.getShort()))
+              ? new RtdeRequest.ProtocolVersion(Short.toUnsignedInt(payload.getShort()))
               : wrongLength("protocol version", payload, "2");
       case PacketType.CONTROLLER_VERSION ->
-          empty("controller version", payload, new Request.ControllerVersion());
+          empty("controller version", payload, new RtdeRequest.ControllerVersion());
       case PacketType.SETUP_OUTPUTS -> outputs(payload, version);
       case PacketType.SETUP_INPUTS -> inputs(payload);
-      case PacketType.START -> empty("start", payload, new Request.Start());
-      case PacketType.PAUSE -> empty("pause", payload, new Request.Pause());
+      case PacketType.START -> empty("start", payload, new RtdeRequest.Start());
+      case PacketType.PAUSE -> empty("pause", payload, new RtdeRequest.Pause());
       case PacketType.DATA ->
           payload.hasRemaining()
-              ? new Request.Data(Byte.toUnsignedInt(payload.get()), payload)
+              ? new RtdeRequest.Data(Byte.toUnsignedInt(payload.get()), payload)
               : wrongLength("data", payload, "at least 1");
       case PacketType.TEXT_MESSAGE -> version == 1 ? plainText(payload) : text(payload);
       default ->
-          new Request.Malformed(
+          new RtdeRequest.Malformed(
               TextLevel.WARNING, "a package has type " + packet.type() + ", which is not known");
     };
   }
 
-  private static Request empty(String what, ByteBuffer payload, Request request) {
+  private static RtdeRequest empty(String what, ByteBuffer payload, RtdeRequest request) {
     return payload.hasRemaining() ? wrongLength(what, payload, "0") : request;
   }
 
-  private static Request wrongLength(String what, ByteBuffer payload, String expected) {
-    return new Request.Malformed(
+  private static RtdeRequest wrongLength(String what, ByteBuffer payload, String expected) {
+    return new RtdeRequest.Malformed(
         TextLevel.ERROR,
         "a package for "
             + what
@@ -59,32 +59,34 @@ final class RequestCodec {
             + expected);
   }
 
-  private static Request outputs(ByteBuffer payload, int version) {
+  private static RtdeRequest outputs(ByteBuffer payload, int version) {
     if (version == 1) {
       return names(
           PacketType.SETUP_OUTPUTS,
           payload,
-          names -> new Request.SetupOutputs(VERSION_1_HZ, names));
+          names -> new RtdeRequest.SetupOutputs(VERSION_1_HZ, names));
     }
     if (payload.remaining() < Double.BYTES) {
       return wrongLength("an output recipe", payload, "at least 8");
     }
     double frequencyHz = payload.getDouble();
     return names(
-        PacketType.SETUP_OUTPUTS, payload, names -> new Request.SetupOutputs(frequencyHz, names));
+        PacketType.SETUP_OUTPUTS,
+        payload,
+        names -> new RtdeRequest.SetupOutputs(frequencyHz, names));
   }
 
-  private static Request inputs(ByteBuffer payload) {
-    return names(PacketType.SETUP_INPUTS, payload, Request.SetupInputs::new);
+  private static RtdeRequest inputs(ByteBuffer payload) {
+    return names(PacketType.SETUP_INPUTS, payload, RtdeRequest.SetupInputs::new);
   }
 
   private interface Named {
-    Request with(List<String> names);
+    RtdeRequest with(List<String> names);
   }
 
-  private static Request names(int type, ByteBuffer payload, Named request) {
+  private static RtdeRequest names(int type, ByteBuffer payload, Named request) {
     if (payload.remaining() > MAX_NAMES) {
-      return new Request.RefusedSetup(
+      return new RtdeRequest.RefusedSetup(
           type,
           "the names of a recipe take "
               + payload.remaining()
@@ -93,7 +95,7 @@ final class RequestCodec {
     }
     List<String> names = split(StandardCharsets.ISO_8859_1.decode(payload).toString());
     return names.isEmpty()
-        ? new Request.Malformed(TextLevel.ERROR, "a recipe names no variable")
+        ? new RtdeRequest.Malformed(TextLevel.ERROR, "a recipe names no variable")
         : request.with(names);
   }
 
@@ -111,7 +113,7 @@ final class RequestCodec {
     return names;
   }
 
-  private static Request text(ByteBuffer payload) {
+  private static RtdeRequest text(ByteBuffer payload) {
     int length = payload.remaining();
     int message = skipText(payload, 0);
     int source = skipText(payload, message);
@@ -124,7 +126,7 @@ final class RequestCodec {
         StandardCharsets.ISO_8859_1
             .decode(payload.slice(message + 1, source - message - 1))
             .toString();
-    return new Request.Text(
+    return new RtdeRequest.Text(
         TextLevel.of(payload.get(source)), by.isEmpty() ? said : by + ": " + said);
   }
 
@@ -137,11 +139,11 @@ final class RequestCodec {
     return end > payload.limit() ? -1 : end;
   }
 
-  private static Request plainText(ByteBuffer payload) {
+  private static RtdeRequest plainText(ByteBuffer payload) {
     if (!payload.hasRemaining()) {
       return wrongLength("a text message", payload, "at least 1");
     }
     TextLevel level = TextLevel.of(payload.get());
-    return new Request.Text(level, StandardCharsets.ISO_8859_1.decode(payload).toString());
+    return new RtdeRequest.Text(level, StandardCharsets.ISO_8859_1.decode(payload).toString());
   }
 }

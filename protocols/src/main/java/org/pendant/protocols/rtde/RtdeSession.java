@@ -77,24 +77,24 @@ final class RtdeSession implements Session {
     }
   }
 
-  private void answer(Request request) throws InterruptedException {
+  private void answer(RtdeRequest request) throws InterruptedException {
     switch (request) {
-      case Request.ProtocolVersion wanted -> speak(wanted.version());
-      case Request.ControllerVersion _ ->
+      case RtdeRequest.ProtocolVersion wanted -> speak(wanted.version());
+      case RtdeRequest.ControllerVersion _ ->
           connection.send(ReplyCodec.controllerVersion(SoftwareVersion.REPORTED));
-      case Request.SetupOutputs wanted -> setUpOutputs(wanted);
-      case Request.SetupInputs wanted -> setUpInputs(wanted.names());
-      case Request.RefusedSetup wanted -> refuseSetup(wanted);
-      case Request.Start _ -> start();
-      case Request.Pause _ -> {
+      case RtdeRequest.SetupOutputs wanted -> setUpOutputs(wanted);
+      case RtdeRequest.SetupInputs wanted -> setUpInputs(wanted.names());
+      case RtdeRequest.RefusedSetup wanted -> refuseSetup(wanted);
+      case RtdeRequest.Start _ -> start();
+      case RtdeRequest.Pause _ -> {
         flow.pause();
         connection.send(ReplyCodec.accepted(PacketType.PAUSE, true));
       }
-      case Request.Data data ->
+      case RtdeRequest.Data data ->
           inputs.write(data).ifPresent(reason -> complain(TextLevel.ERROR, reason));
-      case Request.Text text ->
+      case RtdeRequest.Text text ->
           log.write(text.level().logged(), connection.name() + " says: " + text.text());
-      case Request.Malformed wrong -> complain(wrong.level(), wrong.reason());
+      case RtdeRequest.Malformed wrong -> complain(wrong.level(), wrong.reason());
     }
   }
 
@@ -106,7 +106,7 @@ final class RtdeSession implements Session {
     connection.send(ReplyCodec.accepted(PacketType.PROTOCOL_VERSION, known));
   }
 
-  private void setUpOutputs(Request.SetupOutputs wanted) {
+  private void setUpOutputs(RtdeRequest.SetupOutputs wanted) {
     List<OutputField> fields = new ArrayList<>();
     List<String> types = new ArrayList<>();
     for (String name : wanted.names()) {
@@ -133,7 +133,7 @@ final class RtdeSession implements Session {
     }
   }
 
-  private void refuseSetup(Request.RefusedSetup wanted) {
+  private void refuseSetup(RtdeRequest.RefusedSetup wanted) {
     if (wanted.type() == PacketType.SETUP_OUTPUTS) {
       flow.clear();
     }
@@ -149,7 +149,7 @@ final class RtdeSession implements Session {
       connection.send(answer);
     } else {
       refuseSetup(
-          new Request.RefusedSetup(
+          new RtdeRequest.RefusedSetup(
               type,
               "the types of a recipe of "
                   + types.size()

@@ -55,7 +55,7 @@ class AnswersTest {
   }
 
   private static byte[] frame(byte[] body) {
-    return ByteBuffer.allocate(FrameCutter.PREFIX + body.length)
+    return ByteBuffer.allocate(ModbusFrameReader.PREFIX + body.length)
         .putShort((short) 0x1234)
         .putShort((short) 0)
         .putShort((short) body.length)
@@ -68,8 +68,8 @@ class AnswersTest {
     ByteBuffer prefix = ByteBuffer.wrap(answer);
     assertEquals(0x1234, prefix.getShort());
     assertEquals(0, prefix.getShort());
-    assertEquals(answer.length - FrameCutter.PREFIX, prefix.getShort());
-    return Hex.text(Arrays.copyOfRange(answer, FrameCutter.PREFIX, answer.length));
+    assertEquals(answer.length - ModbusFrameReader.PREFIX, prefix.getShort());
+    return Hex.text(Arrays.copyOfRange(answer, ModbusFrameReader.PREFIX, answer.length));
   }
 
   private void assertAnswer(String expected, String question) {
@@ -290,7 +290,8 @@ class AnswersTest {
     for (int i = 0; i < 20_000; i++) {
       byte[] body =
           new byte
-              [random.nextInt(FrameCutter.MIN_REST, i % 4 == 0 ? FrameCutter.MAX_REST + 1 : 16)];
+              [random.nextInt(
+                  ModbusFrameReader.MIN_REST, i % 4 == 0 ? ModbusFrameReader.MAX_REST + 1 : 16)];
       random.nextBytes(body);
       if (i % 8 != 0) {
         body[1] = new byte[] {1, 2, 3, 4, 5, 6, 15, 16, 22, 23}[random.nextInt(10)];
@@ -298,9 +299,10 @@ class AnswersTest {
       byte[] frame = frame(body);
       String where = "seed " + seed + ": " + Hex.text(frame);
       byte[] answer = answers.answer(frame);
-      assertEquals(answer.length - FrameCutter.PREFIX, ByteBuffer.wrap(answer).getShort(4), where);
-      assertEquals(body[0], answer[FrameCutter.PREFIX], where);
-      assertEquals(body[1] & 0x7F, answer[FrameCutter.PREFIX + 1] & 0x7F, where);
+      assertEquals(
+          answer.length - ModbusFrameReader.PREFIX, ByteBuffer.wrap(answer).getShort(4), where);
+      assertEquals(body[0], answer[ModbusFrameReader.PREFIX], where);
+      assertEquals(body[1] & 0x7F, answer[ModbusFrameReader.PREFIX + 1] & 0x7F, where);
     }
   }
 }

@@ -24,7 +24,7 @@ class PointTest {
 
   private void exchange(long nowNs) {
     var _ = point.ask(nowNs);
-    point.answered(new Answer.Values(List.of(7)));
+    point.answered(new DeviceResponse.Values(List.of(7)));
   }
 
   /** How often it is asked within so many ms, when each turn comes late by {@code lateMs}. */
@@ -71,7 +71,7 @@ class PointTest {
     var _ = point.ask(0);
     point.update();
     assertEquals(Asker.NEVER, point.dueInNs(500 * MS));
-    point.answered(new Answer.Values(List.of(1)));
+    point.answered(new DeviceResponse.Values(List.of(1)));
     assertTrue(point.dueInNs(1 * MS) <= 0);
   }
 
@@ -104,7 +104,7 @@ class PointTest {
     assertEquals(new ModbusReading(List.of(7), 0, 0), point.reading());
     assertEquals(1, point.successes());
     var _ = point.ask(100 * MS);
-    point.answered(new Answer.Refused(4));
+    point.answered(new DeviceResponse.Refused(4));
     assertEquals(new ModbusReading(List.of(7), 4, 0), point.reading());
     point.disconnected(ModbusErrors.RESET);
     assertEquals(new ModbusReading(List.of(7), 4, ModbusErrors.RESET), point.reading());

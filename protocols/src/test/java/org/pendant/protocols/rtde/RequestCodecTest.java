@@ -44,7 +44,7 @@ class RequestCodecTest {
     return HEX.formatHex(text.getBytes(StandardCharsets.ISO_8859_1));
   }
 
-  private static Request decode(int type, String payloadHex, int version) {
+  private static RtdeRequest decode(int type, String payloadHex, int version) {
     return RequestCodec.decode(new Packet(type, ByteBuffer.wrap(bytes(payloadHex))), version);
   }
 
@@ -69,15 +69,15 @@ class RequestCodecTest {
   void understandsAConversation() throws ProtocolException {
     assertEquals(
         List.of(
-            new Request.ProtocolVersion(2).toString(),
-            new Request.ControllerVersion().toString(),
-            new Request.SetupOutputs(125, List.of("timestamp", "actual_q")).toString(),
-            new Request.SetupInputs(List.of("speed_slider_mask", "speed_slider_fraction"))
+            new RtdeRequest.ProtocolVersion(2).toString(),
+            new RtdeRequest.ControllerVersion().toString(),
+            new RtdeRequest.SetupOutputs(125, List.of("timestamp", "actual_q")).toString(),
+            new RtdeRequest.SetupInputs(List.of("speed_slider_mask", "speed_slider_fraction"))
                 .toString(),
-            new Request.Start().toString(),
+            new RtdeRequest.Start().toString(),
             "Data[recipe=1, values=java.nio.HeapByteBuffer[pos=1 lim=13 cap=13]]",
-            new Request.Text(TextLevel.INFO, "RTDE: Hello").toString(),
-            new Request.Pause().toString()),
+            new RtdeRequest.Text(TextLevel.INFO, "RTDE: Hello").toString(),
+            new RtdeRequest.Pause().toString()),
         shown(cut(new PacketCutter(), CONVERSATION, 0, CONVERSATION.length)));
   }
 
@@ -115,33 +115,33 @@ class RequestCodecTest {
     List<Packet> packets = cut(new PacketCutter(), longest, 0, longest.length);
     assertEquals(1, packets.size());
     assertEquals(
-        new Request.RefusedSetup(
+        new RtdeRequest.RefusedSetup(
             'I', "the names of a recipe take 65532 bytes, must be at most 16384"),
         RequestCodec.decode(packets.getFirst(), 2));
   }
 
   @Test
   void namesTakeAtMost16384Bytes() {
-    assertInstanceOf(Request.SetupInputs.class, decode('I', "61".repeat(16_384), 2));
-    assertInstanceOf(Request.RefusedSetup.class, decode('I', "61".repeat(16_385), 2));
+    assertInstanceOf(RtdeRequest.SetupInputs.class, decode('I', "61".repeat(16_384), 2));
+    assertInstanceOf(RtdeRequest.RefusedSetup.class, decode('I', "61".repeat(16_385), 2));
     assertInstanceOf(
-        Request.SetupOutputs.class, decode('O', "405f400000000000" + "61".repeat(16_384), 2));
+        RtdeRequest.SetupOutputs.class, decode('O', "405f400000000000" + "61".repeat(16_384), 2));
     assertInstanceOf(
-        Request.RefusedSetup.class, decode('O', "405f400000000000" + "61".repeat(16_385), 2));
+        RtdeRequest.RefusedSetup.class, decode('O', "405f400000000000" + "61".repeat(16_385), 2));
   }
 
   @Test
   void aCommaBehindTheLastNameIsIgnored() {
-    assertEquals(new Request.SetupInputs(List.of("a", "b")), decode('I', text("a,b,"), 2));
-    assertEquals(new Request.SetupInputs(List.of("a", "", "b")), decode('I', text("a,,b"), 2));
+    assertEquals(new RtdeRequest.SetupInputs(List.of("a", "b")), decode('I', text("a,b,"), 2));
+    assertEquals(new RtdeRequest.SetupInputs(List.of("a", "", "b")), decode('I', text("a,,b"), 2));
     assertEquals(
-        new Request.SetupOutputs(500, List.of("a")),
+        new RtdeRequest.SetupOutputs(500, List.of("a")),
         decode('O', "407f400000000000" + text("a,"), 2));
   }
 
   @Test
   void aRecipeNamesSomething() {
-    Request nothing = new Request.Malformed(TextLevel.ERROR, "a recipe names no variable");
+    RtdeRequest nothing = new RtdeRequest.Malformed(TextLevel.ERROR, "a recipe names no variable");
     assertEquals(nothing, decode('I', "", 2));
     assertEquals(nothing, decode('O', "407f400000000000", 2));
     assertEquals(nothing, decode('O', "", 1));
@@ -150,22 +150,22 @@ class RequestCodecTest {
   @Test
   void versionOneNamesNoFrequency() {
     assertEquals(
-        new Request.SetupOutputs(125, List.of("timestamp")), decode('O', text("timestamp"), 1));
-    assertEquals(new Request.Text(TextLevel.WARNING, "Hi"), decode('M', "02" + text("Hi"), 1));
+        new RtdeRequest.SetupOutputs(125, List.of("timestamp")), decode('O', text("timestamp"), 1));
+    assertEquals(new RtdeRequest.Text(TextLevel.WARNING, "Hi"), decode('M', "02" + text("Hi"), 1));
   }
 
   @Test
   void wrongLengthsAreMalformed() {
     for (String payload : List.of("", "02", "000200")) {
-      assertInstanceOf(Request.Malformed.class, decode('V', payload, 1), payload);
+      assertInstanceOf(RtdeRequest.Malformed.class, decode('V', payload, 1), payload);
     }
     for (int type : new int[] {'v', 'S', 'P'}) {
-      assertInstanceOf(Request.Malformed.class, decode(type, "00", 2));
+      assertInstanceOf(RtdeRequest.Malformed.class, decode(type, "00", 2));
     }
-    assertInstanceOf(Request.Malformed.class, decode('U', "", 2));
-    assertInstanceOf(Request.Malformed.class, decode('O', "405f4000000000", 2));
-    assertInstanceOf(Request.Malformed.class, decode('M', "", 1));
-    assertInstanceOf(Request.Malformed.class, decode('X', "", 2));
+    assertInstanceOf(RtdeRequest.Malformed.class, decode('U', "", 2));
+    assertInstanceOf(RtdeRequest.Malformed.class, decode('O', "405f4000000000", 2));
+    assertInstanceOf(RtdeRequest.Malformed.class, decode('M', "", 1));
+    assertInstanceOf(RtdeRequest.Malformed.class, decode('X', "", 2));
   }
 
   @Test
@@ -173,10 +173,10 @@ class RequestCodecTest {
     String whole = "05" + text("Hello") + "04" + text("RTDE") + "03";
     for (int bytes = 0; bytes < whole.length() / 2; bytes++) {
       assertInstanceOf(
-          Request.Malformed.class, decode('M', whole.substring(0, 2 * bytes), 2), "" + bytes);
+          RtdeRequest.Malformed.class, decode('M', whole.substring(0, 2 * bytes), 2), "" + bytes);
     }
-    assertInstanceOf(Request.Malformed.class, decode('M', whole + "00", 2));
-    assertEquals(new Request.Text(TextLevel.INFO, ""), decode('M', "00" + "00" + "09", 2));
+    assertInstanceOf(RtdeRequest.Malformed.class, decode('M', whole + "00", 2));
+    assertEquals(new RtdeRequest.Text(TextLevel.INFO, ""), decode('M', "00" + "00" + "09", 2));
   }
 
   @Test

@@ -15,7 +15,7 @@ import org.pendant.controller.modbus.ModbusSignals;
 public final class BoxLinks {
   private final ExternalConnections outside;
   private final ModbusSignals modbus;
-  private final ToolLine toolLine;
+  private final ToolSerialInterface toolLine;
   private final InputWatchdogs inputWatchdogs = new InputWatchdogs();
   private final Assemblies assemblies = new Assemblies();
   private Published published = Published.NOTHING;
@@ -24,7 +24,7 @@ public final class BoxLinks {
     outside = new ExternalConnections(connectors);
     modbus = new ModbusSignals(connectors.modbus(), log);
     signals.runState().lead(modbus::follow);
-    toolLine = new ToolLine(connectors.toolSerial(), signals, log);
+    toolLine = new ToolSerialInterface(connectors.toolSerial(), signals, log);
   }
 
   /** The connections of programs to other computers. */
@@ -38,7 +38,7 @@ public final class BoxLinks {
   }
 
   /** The serial line of the tool connector. */
-  public ToolLine toolLine() {
+  public ToolSerialInterface toolLine() {
     return toolLine;
   }
 

@@ -104,7 +104,7 @@ final class StringBuiltins {
         .returns(Type.NUMBER)
         .effect(Effect.COMPUTES)
         .costs(NUMBER_NS)
-        .does(call -> call.answer(NumberText.parse(call)));
+        .does(call -> call.answer(NumberParser.parse(call)));
     builtins
         .declare("to_str")
         .manual(MODULE, "16.65")

@@ -1,7 +1,7 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.box.ToolLine;
+import org.pendant.controller.box.ToolSerialInterface;
 import org.pendant.controller.external.ToolSerialConnector;
 import org.pendant.controller.io.ToolCommunication;
 import org.pendant.language.signature.Type;
@@ -35,7 +35,7 @@ final class ToolSerialBuiltins {
 
   private static Outcome setUp(Call<ControlBox> call) throws ScriptError {
     ToolCommunication wanted = wanted(call);
-    ToolLine line = call.host().links().toolLine();
+    ToolSerialInterface line = call.host().links().toolLine();
     ToolSerialConnector.SetUp setUp = line.setUp(wanted);
     if (setUp.over() || !call.program().mayWait()) {
       return call.answer();

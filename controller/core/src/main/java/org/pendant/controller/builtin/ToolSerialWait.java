@@ -1,7 +1,7 @@
 package org.pendant.controller.builtin;
 
 import java.util.Optional;
-import org.pendant.controller.box.ToolLine;
+import org.pendant.controller.box.ToolSerialInterface;
 import org.pendant.controller.external.ToolSerialConnector;
 import org.pendant.motion.FrameTime;
 import org.pendant.script.function.Wait;
@@ -15,12 +15,12 @@ import org.pendant.script.value.Value;
 final class ToolSerialWait implements Wait {
   private static final int MAX_S = 2;
 
-  private final ToolLine line;
+  private final ToolSerialInterface line;
   private final ToolSerialConnector.SetUp setUp;
   private final long deadline;
 
   /** Waits from frame {@code frame} on. */
-  ToolSerialWait(ToolLine line, ToolSerialConnector.SetUp setUp, long frame) {
+  ToolSerialWait(ToolSerialInterface line, ToolSerialConnector.SetUp setUp, long frame) {
     this.line = line;
     this.setUp = setUp;
     deadline = frame + FrameTime.framesFor(MAX_S);

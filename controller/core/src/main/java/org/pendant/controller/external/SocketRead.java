@@ -48,7 +48,9 @@ public sealed interface SocketRead {
   record Floats(int number) implements SocketRead {
     @Override
     public Optional<Value> from(ReceivedBytes in) {
-      return new Delimited("(", ")").next(in).map(found -> list(NumberText.parse(found.text())));
+      return new Delimited("(", ")")
+          .next(in)
+          .map(found -> list(ReceivedNumbers.parse(found.text())));
     }
 
     /** How many there are and their values; where fewer came than wanted, the rest is not known. */
@@ -110,7 +112,7 @@ public sealed interface SocketRead {
           found = lines.next(in)) {
         String line = withoutReturn(found.get().text());
         if (line.startsWith(name + " ")) {
-          OptionalInt value = NumberText.integer(line.substring(name.length()).strip());
+          OptionalInt value = ReceivedNumbers.integer(line.substring(name.length()).strip());
           if (value.isPresent()) {
             return Optional.of(Value.of(value.getAsInt()));
           }

@@ -1,9 +1,9 @@
 package org.pendant.controller.safety;
 
 import java.util.List;
-import org.pendant.controller.json.Fields;
 import org.pendant.controller.json.Json;
 import org.pendant.controller.json.JsonException;
+import org.pendant.controller.json.JsonFields;
 import org.pendant.controller.json.Range;
 import org.pendant.models.arm.Joints;
 
@@ -11,7 +11,7 @@ import org.pendant.models.arm.Joints;
 final class LimitsReader {
   private LimitsReader() {}
 
-  static SafetyLimits read(Fields fields, SafetyLimits standard) throws JsonException {
+  static SafetyLimits read(JsonFields fields, SafetyLimits standard) throws JsonException {
     fields.allow(
         "powerW",
         "momentumKgMPerS",
@@ -45,7 +45,7 @@ final class LimitsReader {
   }
 
   /** Six numbers, base first; {@code null} stands for the standard one. */
-  private static Joints joints(Fields fields, String key, Range range, Joints standard)
+  private static Joints joints(JsonFields fields, String key, Range range, Joints standard)
       throws JsonException {
     if (fields.optional(key).isEmpty()) {
       return standard;
@@ -55,7 +55,7 @@ final class LimitsReader {
     for (int i = 0; i < six.length; i++) {
       boolean left = values.get(i) instanceof Json.Word word && word.word().equals("null");
       if (!left) {
-        six[i] = Fields.number(key + "[" + i + "]", values.get(i), range);
+        six[i] = JsonFields.number(key + "[" + i + "]", values.get(i), range);
       }
     }
     return Joints.of(six);

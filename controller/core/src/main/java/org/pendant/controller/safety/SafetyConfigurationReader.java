@@ -4,9 +4,9 @@ import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.json.Fields;
 import org.pendant.controller.json.Json;
 import org.pendant.controller.json.JsonException;
+import org.pendant.controller.json.JsonFields;
 import org.pendant.controller.json.JsonFile;
 import org.pendant.controller.json.Range;
 import org.pendant.models.arm.ArmDescription;
@@ -33,7 +33,7 @@ public final class SafetyConfigurationReader {
   public static SafetyConfiguration read(String fileName, InputStream in, ArmDescription arm)
       throws JsonException {
     Json root = JsonFile.read(fileName, in);
-    Fields fields = new Fields(root, "a safety configuration");
+    JsonFields fields = new JsonFields(root, "a safety configuration");
     fields.allow("normal", "reduced", "planes", "toolDirection");
     SafetyLimits standard = StandardLimits.normal(arm);
     SafetyLimits normal = limits(fields.optional("normal"), "the normal limits", standard);
@@ -69,12 +69,12 @@ public final class SafetyConfigurationReader {
   private static SafetyLimits limits(Optional<Json> value, String what, SafetyLimits standard)
       throws JsonException {
     return value.isPresent()
-        ? LimitsReader.read(new Fields(value.get(), what), standard)
+        ? LimitsReader.read(new JsonFields(value.get(), what), standard)
         : standard;
   }
 
   private static SafetyPlane plane(Json value) throws JsonException {
-    Fields fields = new Fields(value, "a plane");
+    JsonFields fields = new JsonFields(value, "a plane");
     fields.allow("name", "pointM", "allowedSide", "applies", "elbow");
     Json.Text name = fields.text("name");
     double[] point = three(fields, "pointM", POINT);
@@ -89,7 +89,7 @@ public final class SafetyConfigurationReader {
   }
 
   private static ToolDirection toolDirection(Json value) throws JsonException {
-    Fields fields = new Fields(value, "a tool direction");
+    JsonFields fields = new JsonFields(value, "a tool direction");
     fields.allow("allowedInBase", "toolInFlange", "largestAngleRad", "applies");
     return new ToolDirection(
         axis(fields, "allowedInBase"),
@@ -100,16 +100,16 @@ public final class SafetyConfigurationReader {
         applies(fields, Applies.NORMAL, Applies.REDUCED, Applies.BOTH));
   }
 
-  private static double[] three(Fields fields, String key, Range range) throws JsonException {
+  private static double[] three(JsonFields fields, String key, Range range) throws JsonException {
     List<Json> values = fields.numbers(key, 3);
     double[] three = new double[3];
     for (int i = 0; i < three.length; i++) {
-      three[i] = Fields.number(key + "[" + i + "]", values.get(i), range);
+      three[i] = JsonFields.number(key + "[" + i + "]", values.get(i), range);
     }
     return three;
   }
 
-  private static Axis axis(Fields fields, String key) throws JsonException {
+  private static Axis axis(JsonFields fields, String key) throws JsonException {
     double[] three = three(fields, key, DIRECTION);
     try {
       return new Axis(three[0], three[1], three[2]);
@@ -118,7 +118,7 @@ public final class SafetyConfigurationReader {
     }
   }
 
-  private static Applies applies(Fields fields, Applies... allowed) throws JsonException {
+  private static Applies applies(JsonFields fields, Applies... allowed) throws JsonException {
     if (fields.optional("applies").isEmpty()) {
       return Applies.BOTH;
     }
@@ -130,10 +130,10 @@ public final class SafetyConfigurationReader {
       }
       words.add(each.word());
     }
-    throw Fields.wrong("applies", text, "one of " + String.join(", ", words));
+    throw JsonFields.wrong("applies", text, "one of " + String.join(", ", words));
   }
 
-  private static boolean flag(Fields fields, String key) throws JsonException {
+  private static boolean flag(JsonFields fields, String key) throws JsonException {
     Optional<Json> value = fields.optional(key);
     if (value.isEmpty()) {
       return false;
@@ -141,6 +141,6 @@ public final class SafetyConfigurationReader {
     if (value.get() instanceof Json.Word word && !word.word().equals("null")) {
       return word.word().equals("true");
     }
-    throw Fields.wrong(key, value.get(), "true or false");
+    throw JsonFields.wrong(key, value.get(), "true or false");
   }
 }

@@ -3,9 +3,9 @@ package org.pendant.controller.world;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.json.Fields;
 import org.pendant.controller.json.Json;
 import org.pendant.controller.json.JsonException;
+import org.pendant.controller.json.JsonFields;
 import org.pendant.controller.json.Range;
 import org.pendant.models.dynamics.Payload;
 
@@ -28,7 +28,7 @@ final class LoadReader {
   private LoadReader() {}
 
   static Payload load(Json value) throws JsonException {
-    Fields fields = new Fields(value, "a load");
+    JsonFields fields = new JsonFields(value, "a load");
     fields.allow("mass", "cog", "inertia");
     double massKg = fields.number("mass", MASS);
     Vector3 cogM =
@@ -42,7 +42,7 @@ final class LoadReader {
     List<Json> six = fields.numbers("inertia", 6);
     double[] i = new double[6];
     for (int k = 0; k < i.length; k++) {
-      i[k] = Fields.number("inertia[" + k + "]", six.get(k), k < 3 ? MOMENT : PRODUCT);
+      i[k] = JsonFields.number("inertia[" + k + "]", six.get(k), k < 3 ? MOMENT : PRODUCT);
     }
     if (!possible(i[0], i[1], i[2], i[3], i[4], i[5])) {
       throw inertia

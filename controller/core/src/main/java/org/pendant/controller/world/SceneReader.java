@@ -6,9 +6,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.pendant.controller.json.Fields;
 import org.pendant.controller.json.Json;
 import org.pendant.controller.json.JsonException;
+import org.pendant.controller.json.JsonFields;
 import org.pendant.controller.json.JsonFile;
 import org.pendant.controller.json.Place;
 import org.pendant.models.pose.Pose;
@@ -33,14 +33,14 @@ public final class SceneReader {
   }
 
   private Scene scene(Json root) throws JsonException {
-    Fields fields = new Fields(root, "a scene");
+    JsonFields fields = new JsonFields(root, "a scene");
     fields.allow("objects", "load", "tool", "push");
     for (Json each : fields.array("objects", Scene.MAX_OBJECTS)) {
       add(each);
     }
     List<ToolPoint> toolPoints = new ArrayList<>();
     for (Json each : fields.array("tool", Scene.MAX_TOOL_POINTS)) {
-      toolPoints.add(toolPoint(new Fields(each, "a tool point")));
+      toolPoints.add(toolPoint(new JsonFields(each, "a tool point")));
     }
     Optional<Json> load = fields.optional("load");
     return new Scene(
@@ -50,32 +50,32 @@ public final class SceneReader {
         push(fields));
   }
 
-  private static Wrench push(Fields scene) throws JsonException {
+  private static Wrench push(JsonFields scene) throws JsonException {
     Optional<Json> value = scene.optional("push");
     if (value.isEmpty()) {
       return Wrench.ZERO;
     }
-    Fields fields = new Fields(value.get(), "a push");
+    JsonFields fields = new JsonFields(value.get(), "a push");
     fields.allow("force", "torque");
     Vector3 force = vectorOrZero(fields, "force");
     Vector3 torque = vectorOrZero(fields, "torque");
     return new Wrench(force.x(), force.y(), force.z(), torque.x(), torque.y(), torque.z());
   }
 
-  private static Vector3 vectorOrZero(Fields fields, String key) throws JsonException {
+  private static Vector3 vectorOrZero(JsonFields fields, String key) throws JsonException {
     return fields.optional(key).isPresent()
         ? Vector3.read(fields, key, ContactWorld.APPLIED)
         : new Vector3(0, 0, 0);
   }
 
   private void add(Json each) throws JsonException {
-    Fields fields = new Fields(each, "an object of the scene");
+    JsonFields fields = new JsonFields(each, "an object of the scene");
     Json.Text type = fields.text("type");
     SceneObject object =
         switch (type.value()) {
-          case "plane" -> plane(new Fields(each, "a plane"));
-          case "box" -> box(new Fields(each, "a box"));
-          case "sphere" -> sphere(new Fields(each, "a sphere"));
+          case "plane" -> plane(new JsonFields(each, "a plane"));
+          case "box" -> box(new JsonFields(each, "a box"));
+          case "sphere" -> sphere(new JsonFields(each, "a sphere"));
           default ->
               throw type.place()
                   .refusal("type is " + type.described() + ", must be plane, box or sphere");
@@ -94,7 +94,7 @@ public final class SceneReader {
     objects.add(object);
   }
 
-  private static SceneObject plane(Fields fields) throws JsonException {
+  private static SceneObject plane(JsonFields fields) throws JsonException {
     fields.allow("type", "name", "point", "normal", "material");
     String name = name(fields);
     Vector3 point = Vector3.read(fields, "point", SceneRange.POSITION);
@@ -108,19 +108,19 @@ public final class SceneReader {
     return new SceneObject.Plane(name, point, normal, material(fields));
   }
 
-  private static SceneObject box(Fields fields) throws JsonException {
+  private static SceneObject box(JsonFields fields) throws JsonException {
     fields.allow("type", "name", "pose", "size", "material");
     String name = name(fields);
     List<Json> six = fields.numbers("pose", Pose.SIZE);
     double[] pose = new double[Pose.SIZE];
     for (int i = 0; i < pose.length; i++) {
-      pose[i] = Fields.number("pose[" + i + "]", six.get(i), SceneObject.Box.poseRange(i));
+      pose[i] = JsonFields.number("pose[" + i + "]", six.get(i), SceneObject.Box.poseRange(i));
     }
     return new SceneObject.Box(
         name, Pose.of(pose), Vector3.read(fields, "size", SceneRange.SIZE), material(fields));
   }
 
-  private static SceneObject sphere(Fields fields) throws JsonException {
+  private static SceneObject sphere(JsonFields fields) throws JsonException {
     fields.allow("type", "name", "centre", "radius", "material");
     return new SceneObject.Sphere(
         name(fields),
@@ -129,7 +129,7 @@ public final class SceneReader {
         material(fields));
   }
 
-  private static String name(Fields fields) throws JsonException {
+  private static String name(JsonFields fields) throws JsonException {
     Json.Text name = fields.text("name");
     Optional<String> refusal = ObjectName.refusal(name.value());
     if (refusal.isPresent()) {
@@ -138,12 +138,12 @@ public final class SceneReader {
     return name.value();
   }
 
-  private static Material material(Fields object) throws JsonException {
+  private static Material material(JsonFields object) throws JsonException {
     Optional<Json> value = object.optional("material");
     if (value.isEmpty()) {
       return Material.DEFAULT;
     }
-    Fields fields = new Fields(value.get(), "a material");
+    JsonFields fields = new JsonFields(value.get(), "a material");
     fields.allow("stiffness", "damping", "friction");
     return new Material(
         fields.number("stiffness", Material.STIFFNESS, Material.DEFAULT.stiffnessNPerM()),
@@ -151,7 +151,7 @@ public final class SceneReader {
         fields.number("friction", Material.FRICTION, Material.DEFAULT.friction()));
   }
 
-  private static ToolPoint toolPoint(Fields fields) throws JsonException {
+  private static ToolPoint toolPoint(JsonFields fields) throws JsonException {
     fields.allow("point", "radius");
     return new ToolPoint(
         Vector3.read(fields, "point", ToolPoint.POINT),

@@ -1,9 +1,9 @@
 package org.pendant.controller.world;
 
 import java.util.List;
-import org.pendant.controller.json.Fields;
 import org.pendant.controller.json.Json;
 import org.pendant.controller.json.JsonException;
+import org.pendant.controller.json.JsonFields;
 import org.pendant.controller.json.Range;
 
 /**
@@ -36,11 +36,11 @@ public record Vector3(double x, double y, double z) {
   }
 
   /** The array of three numbers that must be there under a key. */
-  static Vector3 read(Fields fields, String key, Range range) throws JsonException {
+  static Vector3 read(JsonFields fields, String key, Range range) throws JsonException {
     List<Json> three = fields.numbers(key, 3);
     return new Vector3(
-        Fields.number(key + "[0]", three.get(0), range),
-        Fields.number(key + "[1]", three.get(1), range),
-        Fields.number(key + "[2]", three.get(2), range));
+        JsonFields.number(key + "[0]", three.get(0), range),
+        JsonFields.number(key + "[1]", three.get(1), range),
+        JsonFields.number(key + "[2]", three.get(2), range));
   }
 }

@@ -29,7 +29,8 @@ final class JsonFileTest {
 
   @Test
   void valuesKnowWhereTheyStand() throws Exception {
-    Fields fields = new Fields(read("{\n  \"size\": 1.5,\n  \"name\": \"ball\"\n}"), "a thing");
+    JsonFields fields =
+        new JsonFields(read("{\n  \"size\": 1.5,\n  \"name\": \"ball\"\n}"), "a thing");
     assertEquals(new Place("a.json", 2, 11), fields.required("size").place());
     assertEquals(1.5, fields.number("size", new Range(0, 2, "m")));
     assertEquals("ball", fields.text("name").value());
@@ -39,7 +40,7 @@ final class JsonFileTest {
 
   @Test
   void columnsCountLettersNotBytes() throws Exception {
-    Fields fields = new Fields(read("{\"\u00e4\": 1, \"b\": 2}"), "a thing");
+    JsonFields fields = new JsonFields(read("{\"\u00e4\": 1, \"b\": 2}"), "a thing");
     assertEquals(new Place("a.json", 1, 15), fields.required("b").place());
   }
 

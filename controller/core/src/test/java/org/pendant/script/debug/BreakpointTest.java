@@ -34,14 +34,14 @@ class BreakpointTest {
   void aBreakpointInALoopStopsOnEveryTurnBeforeItsStatement() {
     debugger.set(Breakpoint.at(6));
     fixture.start(LOOP).go();
-    assertEquals(new StopReason.AtBreakpoint(6, 1), fixture.stop().reason());
+    assertEquals(new PauseReason.AtBreakpoint(6, 1), fixture.stop().reason());
     assertEquals(6, fixture.line());
     assertEquals("1", fixture.value("i"));
     assertEquals(List.of(), fixture.messages());
     fixture.resume();
     assertEquals("2", fixture.value("i"));
     fixture.resume();
-    assertEquals(new StopReason.AtBreakpoint(6, 3), fixture.stop().reason());
+    assertEquals(new PauseReason.AtBreakpoint(6, 3), fixture.stop().reason());
     fixture.resume();
     assertInstanceOf(Ending.Finished.class, fixture.ending());
     assertEquals(List.of("1", "2", "3", "end"), fixture.messages());
@@ -140,7 +140,7 @@ class BreakpointTest {
     fixture.start(LOOP).go();
     assertEquals("2", fixture.value("i"));
     fixture.resume();
-    assertEquals(new StopReason.AtBreakpoint(6, 2), fixture.stop().reason());
+    assertEquals(new PauseReason.AtBreakpoint(6, 2), fixture.stop().reason());
     fixture.resume();
     assertEquals(2, debugger.breakpoints().getFirst().hits());
   }
@@ -149,8 +149,8 @@ class BreakpointTest {
   void aConditionThatFailsStopsWithItsMessage() {
     debugger.set(Breakpoint.at(6).when("i + \"a\""));
     fixture.start(LOOP).go();
-    StopReason.ConditionFailed failed =
-        assertInstanceOf(StopReason.ConditionFailed.class, fixture.stop().reason());
+    PauseReason.ConditionFailed failed =
+        assertInstanceOf(PauseReason.ConditionFailed.class, fixture.stop().reason());
     assertEquals(6, failed.line());
     assertTrue(failed.message().contains("string"), failed.message());
   }
@@ -159,7 +159,7 @@ class BreakpointTest {
   void aConditionThatIsNoBoolStopsWithAMessage() {
     debugger.set(Breakpoint.at(6).when("[1]"));
     fixture.start(LOOP).go();
-    assertInstanceOf(StopReason.ConditionFailed.class, fixture.stop().reason());
+    assertInstanceOf(PauseReason.ConditionFailed.class, fixture.stop().reason());
   }
 
   @Test
@@ -178,7 +178,7 @@ class BreakpointTest {
             """)
         .go();
     assertEquals(
-        new StopReason.ConditionFailed(
+        new PauseReason.ConditionFailed(
             6,
             "sleep takes robot time, an expression must be over at once and leave threads alone"),
         fixture.stop().reason());
@@ -208,7 +208,7 @@ class BreakpointTest {
   void hitsBeforeTheFirstWantedPass() {
     debugger.set(Breakpoint.at(6).fromHit(3));
     fixture.start(LOOP).go();
-    assertEquals(new StopReason.AtBreakpoint(6, 3), fixture.stop().reason());
+    assertEquals(new PauseReason.AtBreakpoint(6, 3), fixture.stop().reason());
     assertEquals("3", fixture.value("i"));
   }
 
@@ -217,7 +217,7 @@ class BreakpointTest {
     debugger.set(Breakpoint.at(6).fromHit(3));
     fixture.start(LOOP).go().resume();
     fixture.start(LOOP).go();
-    assertEquals(new StopReason.AtBreakpoint(6, 3), fixture.stop().reason());
+    assertEquals(new PauseReason.AtBreakpoint(6, 3), fixture.stop().reason());
   }
 
   @Test

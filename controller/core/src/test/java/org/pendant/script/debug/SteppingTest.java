@@ -33,7 +33,7 @@ class SteppingTest {
     debugger.set(Breakpoint.at(6));
     fixture.start(CALLS).go().over();
     assertEquals(7, fixture.line());
-    assertEquals(new StopReason.Stepped(), fixture.stop().reason());
+    assertEquals(new PauseReason.Stepped(), fixture.stop().reason());
     assertEquals("6", fixture.value("a"));
   }
 
@@ -83,7 +83,7 @@ class SteppingTest {
     debugger.set(Breakpoint.at(6));
     debugger.set(Breakpoint.at(4));
     fixture.start(CALLS).go().over();
-    assertEquals(new StopReason.AtBreakpoint(4, 1), fixture.stop().reason());
+    assertEquals(new PauseReason.AtBreakpoint(4, 1), fixture.stop().reason());
     assertEquals("2", fixture.value("y"));
   }
 
@@ -304,7 +304,7 @@ class SteppingTest {
     fixture.start("def prog():\n  sleep(0.1)\n  textmsg(1)\nend\n").advance(10);
     debugger.pause();
     assertFalse(fixture.advance());
-    assertEquals(new StopReason.PauseRequested(), fixture.stop().reason());
+    assertEquals(new PauseReason.PauseRequested(), fixture.stop().reason());
     assertEquals(2, fixture.line());
     assertEquals("sleep", fixture.thread(0).waitsFor());
     fixture.over();
@@ -372,7 +372,7 @@ class SteppingTest {
             end
             """)
         .go();
-    StopReason.Failed failed = assertInstanceOf(StopReason.Failed.class, fixture.stop().reason());
+    PauseReason.Failed failed = assertInstanceOf(PauseReason.Failed.class, fixture.stop().reason());
     assertEquals(3, failed.failure().line());
     assertEquals(List.of("part:3", "prog:6"), fixture.stack());
     assertEquals("0", fixture.value("n"));

@@ -25,7 +25,7 @@ public record DebugState(Optional<Stop> stop, List<ThreadSnapshot> threads) {
    * @param thread handle of the thread that caused it, 0 for the main thread
    * @param line 1-based line where that thread stands
    */
-  public record Stop(long number, StopReason reason, int thread, int line) {}
+  public record Stop(long number, PauseReason reason, int thread, int line) {}
 
   /** Whether scripts and time are held. */
   public boolean held() {

@@ -90,7 +90,7 @@ public final class Debugger {
     if (!probe.held()) {
       throw new IllegalArgumentException("no program is running");
     }
-    stops.stop(new StopReason.PauseRequested(), MAIN);
+    stops.stop(new PauseReason.PauseRequested(), MAIN);
   }
 
   /** Lets the program go on; one that has failed ends now. */
@@ -113,7 +113,7 @@ public final class Debugger {
     refuseUnlessSteppable();
     standBefore(thread);
     probe.mark(thread);
-    go(Optional.of(new Step.Into(thread)));
+    go(Optional.of(new StepRequest.Into(thread)));
   }
 
   /**
@@ -124,7 +124,7 @@ public final class Debugger {
     journal.accept(new DebugRequest.StepOver(thread));
     refuseUnlessSteppable();
     standBefore(thread);
-    go(Optional.of(new Step.Over(thread, probe.mark(thread))));
+    go(Optional.of(new StepRequest.Over(thread, probe.mark(thread))));
   }
 
   /**
@@ -135,7 +135,7 @@ public final class Debugger {
     journal.accept(new DebugRequest.StepOut(thread));
     refuseUnlessSteppable();
     standBefore(thread);
-    go(Optional.of(new Step.Out(thread, probe.mark(thread))));
+    go(Optional.of(new StepRequest.Out(thread, probe.mark(thread))));
   }
 
   /**
@@ -153,7 +153,7 @@ public final class Debugger {
                 () ->
                     new IllegalArgumentException(
                         "line is " + line + ", no statement begins there or after it"));
-    go(Optional.of(new Step.To(thread, start)));
+    go(Optional.of(new StepRequest.To(thread, start)));
   }
 
   private Program program() {
@@ -168,7 +168,7 @@ public final class Debugger {
     stops.threadKilled();
   }
 
-  private void go(Optional<Step> step) {
+  private void go(Optional<StepRequest> step) {
     stops.go(step);
     probe.release();
   }

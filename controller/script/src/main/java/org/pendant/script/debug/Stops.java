@@ -17,7 +17,7 @@ import org.pendant.script.vm.ThreadSnapshot;
 final class Stops implements DebugHook {
   private final ProgramProbe probe;
   private final Breakpoints breakpoints;
-  private Optional<Step> step = Optional.empty();
+  private Optional<StepRequest> step = Optional.empty();
   private boolean trapsForStep;
   private boolean onErrors;
   private long count;
@@ -37,7 +37,7 @@ final class Stops implements DebugHook {
   }
 
   /** The program goes on, to stop again after {@code step}. */
-  void go(Optional<Step> step) {
+  void go(Optional<StepRequest> step) {
     this.step = step;
     setTraps();
     state = DebugState.FREE;
@@ -63,10 +63,10 @@ final class Stops implements DebugHook {
       return;
     }
     switch (step.get()) {
-      case Step.Into into -> probe.trapEverything();
-      case Step.Over over -> probe.trapCalls(starts, over.thread());
-      case Step.Out out -> probe.trapCalls(starts, out.thread());
-      case Step.To to -> {
+      case StepRequest.Into into -> probe.trapEverything();
+      case StepRequest.Over over -> probe.trapCalls(starts, over.thread());
+      case StepRequest.Out out -> probe.trapCalls(starts, out.thread());
+      case StepRequest.To to -> {
         Set<Integer> both = new HashSet<>(starts);
         both.add(to.start());
         probe.trap(both);
@@ -75,10 +75,10 @@ final class Stops implements DebugHook {
   }
 
   /** Notes a stop, and where everything stands. */
-  void stop(StopReason reason, int thread) {
+  void stop(PauseReason reason, int thread) {
     step = Optional.empty();
     int line =
-        reason instanceof StopReason.Failed failed
+        reason instanceof PauseReason.Failed failed
             ? failed.failure().line()
             : probe.snapshot(thread).line();
     state =
@@ -86,20 +86,20 @@ final class Stops implements DebugHook {
             Optional.of(new DebugState.Stop(++count, reason, thread, line)), probe.threads());
   }
 
-  private boolean completes(Step wanted, int thread, OptionalInt start) {
+  private boolean completes(StepRequest wanted, int thread, OptionalInt start) {
     return thread == wanted.thread()
         && switch (wanted) {
-          case Step.Into into -> true;
-          case Step.Over over -> probe.depthSince(over.calls(), thread) > 0;
-          case Step.Out out -> {
+          case StepRequest.Into into -> true;
+          case StepRequest.Over over -> probe.depthSince(over.calls(), thread) > 0;
+          case StepRequest.Out out -> {
             int depth = probe.depthSince(out.calls(), thread);
             yield depth > 0 && depth < out.calls().depth();
           }
-          case Step.To to -> start.equals(OptionalInt.of(to.start()));
+          case StepRequest.To to -> start.equals(OptionalInt.of(to.start()));
         };
   }
 
-  private Optional<StopReason> hit(Breakpoints.Entry entry, int thread) {
+  private Optional<PauseReason> hit(Breakpoints.Entry entry, int thread) {
     Breakpoint breakpoint = entry.breakpoint();
     if (!breakpoint.condition().isEmpty()) {
       try {
@@ -108,12 +108,12 @@ final class Stops implements DebugHook {
           return Optional.empty();
         }
       } catch (ScriptError e) {
-        return Optional.of(new StopReason.ConditionFailed(breakpoint.line(), e.getMessage()));
+        return Optional.of(new PauseReason.ConditionFailed(breakpoint.line(), e.getMessage()));
       }
     }
     long hits = entry.countHit();
     return hits >= breakpoint.fromHit()
-        ? Optional.of(new StopReason.AtBreakpoint(breakpoint.line(), hits))
+        ? Optional.of(new PauseReason.AtBreakpoint(breakpoint.line(), hits))
         : Optional.empty();
   }
 
@@ -122,15 +122,15 @@ final class Stops implements DebugHook {
   @Override
   public boolean stopsAt(int thread) {
     OptionalInt start = probe.statementStart(thread);
-    Optional<StopReason> reason = Optional.empty();
+    Optional<PauseReason> reason = Optional.empty();
     if (start.isPresent()) {
       for (Breakpoints.Entry entry : breakpoints.at(start.getAsInt())) {
-        Optional<StopReason> why = hit(entry, thread);
+        Optional<PauseReason> why = hit(entry, thread);
         reason = reason.isPresent() ? reason : why;
       }
     }
     if (reason.isEmpty() && step.isPresent() && completes(step.get(), thread, start)) {
-      reason = Optional.of(new StopReason.Stepped());
+      reason = Optional.of(new PauseReason.Stepped());
     }
     reason.ifPresent(why -> stop(why, thread));
     if (reason.isEmpty() && step.isEmpty() && trapsForStep) {
@@ -143,7 +143,7 @@ final class Stops implements DebugHook {
   @Override
   public boolean stopsAtFailure(int thread, ScriptFailure failure) {
     if (onErrors) {
-      stop(new StopReason.Failed(failure), thread);
+      stop(new PauseReason.Failed(failure), thread);
     }
     return onErrors;
   }

@@ -161,7 +161,7 @@ final class InstallationReading {
 
   /** A line that belongs to the one above it. */
   private void below(LineText line) throws WrongText {
-    Fields fields = new Fields(line, 1 + INDENT.length());
+    LineFields fields = new LineFields(line, 1 + INDENT.length());
     switch (above) {
       case "feature" -> {
         if (!line.word().equals("point")) {
@@ -196,7 +196,7 @@ final class InstallationReading {
   }
 
   private void top(int number, LineText line) throws WrongText {
-    Fields fields = new Fields(line, 1);
+    LineFields fields = new LineFields(line, 1);
     Integer before = firstLines.putIfAbsent(line.word(), number);
     if (before != null && !REPEATED.contains(line.word())) {
       throw fields.wrong("line " + before + " says that already");
@@ -231,7 +231,7 @@ final class InstallationReading {
     above = line.word();
   }
 
-  private static NamedPayload payload(Fields fields) throws WrongText {
+  private static NamedPayload payload(LineFields fields) throws WrongText {
     double[] cog = fields.numbers("cog-m", 3);
     return new NamedPayload(
         fields.text("name"),
@@ -240,7 +240,7 @@ final class InstallationReading {
         Inertia.of(fields.numbers("inertia-kg-m2", 6)));
   }
 
-  private static SignalUse signal(Fields fields) throws WrongText {
+  private static SignalUse signal(LineFields fields) throws WrongText {
     return new SignalUse(
         fields.text("id"),
         fields.textIfAny("name"),
@@ -248,7 +248,7 @@ final class InstallationReading {
         fields.constant("output", RunStateAction.class, RunStateAction.PRESERVE));
   }
 
-  private Wiring analog(Fields fields) throws WrongText {
+  private Wiring analog(LineFields fields) throws WrongText {
     return new Wiring(
         fields.constants("in", AnalogDomain.class, 2),
         fields.constants("out", AnalogDomain.class, 2),
@@ -259,7 +259,7 @@ final class InstallationReading {
         wiring.toolCommunication());
   }
 
-  private Wiring connector(Fields fields) throws WrongText {
+  private Wiring connector(LineFields fields) throws WrongText {
     return new Wiring(
         wiring.analogIn(),
         wiring.analogOut(),
@@ -270,7 +270,7 @@ final class InstallationReading {
         wiring.toolCommunication());
   }
 
-  private Wiring communication(Fields fields) throws WrongText {
+  private Wiring communication(LineFields fields) throws WrongText {
     return new Wiring(
         wiring.analogIn(),
         wiring.analogOut(),
@@ -287,7 +287,7 @@ final class InstallationReading {
             fields.small("tx-idle-chars")));
   }
 
-  private static Feature feature(Fields fields) throws WrongText {
+  private static Feature feature(LineFields fields) throws WrongText {
     return new Feature(
         fields.text("name"),
         fields.constant("kind", FeatureKind.class),
@@ -296,12 +296,12 @@ final class InstallationReading {
         fields.flag("joggable"));
   }
 
-  private static InstallationVariable variable(Fields fields) throws WrongText {
+  private static InstallationVariable variable(LineFields fields) throws WrongText {
     return new InstallationVariable(
         fields.text("name"), fields.text("value"), fields.flag("favourite"));
   }
 
-  private static StartUp startUp(Fields fields) throws WrongText {
+  private static StartUp startUp(LineFields fields) throws WrongText {
     return new StartUp(
         fields.textIfAny("program"),
         fields.textIfAny("start-input"),
@@ -310,7 +310,7 @@ final class InstallationReading {
         fields.oneOf("power-on", "high", "low", true));
   }
 
-  private static ConveyorSetup conveyor(Fields fields) throws WrongText {
+  private static ConveyorSetup conveyor(LineFields fields) throws WrongText {
     return new ConveyorSetup(
         fields.whole("number"),
         fields.whole("encoder"),
@@ -322,7 +322,7 @@ final class InstallationReading {
         fields.wholes("inputs"));
   }
 
-  private static ModbusSetup modbus(Fields fields) throws WrongText {
+  private static ModbusSetup modbus(LineFields fields) throws WrongText {
     return new ModbusSetup(
         fields.text("name"),
         fields.text("device"),

@@ -95,7 +95,7 @@ final class SafetyLines {
    *
    * @throws IllegalArgumentException for values that a limit, a plane or a direction refuses
    */
-  void read(String word, Fields fields) throws WrongText {
+  void read(String word, LineFields fields) throws WrongText {
     switch (word) {
       case NORMAL -> limits(fields, normal);
       case REDUCED -> limits(fields, reduced);
@@ -111,7 +111,7 @@ final class SafetyLines {
     }
   }
 
-  private static void limits(Fields fields, Map<String, double[]> into) throws WrongText {
+  private static void limits(LineFields fields, Map<String, double[]> into) throws WrongText {
     boolean any = false;
     for (String key : NUMBERS) {
       if (fields.has(key)) {
@@ -131,14 +131,14 @@ final class SafetyLines {
     }
   }
 
-  private static void put(Fields fields, Map<String, double[]> into, String key, double[] value)
+  private static void put(LineFields fields, Map<String, double[]> into, String key, double[] value)
       throws WrongText {
     if (into.putIfAbsent(key, value) != null) {
       throw fields.wrong(key + " is given in an earlier line already");
     }
   }
 
-  private static SafetyPlane plane(Fields fields) throws WrongText {
+  private static SafetyPlane plane(LineFields fields) throws WrongText {
     double[] point = fields.numbers("point-m", 3);
     return new SafetyPlane(
         fields.text("name"),
@@ -150,7 +150,7 @@ final class SafetyLines {
         fields.flag("elbow"));
   }
 
-  private static ToolDirection toolDirection(Fields fields) throws WrongText {
+  private static ToolDirection toolDirection(LineFields fields) throws WrongText {
     return new ToolDirection(
         axis(fields, "allowed-in-base"),
         axis(fields, "tool-in-flange"),
@@ -158,7 +158,7 @@ final class SafetyLines {
         fields.constant("applies", Applies.class, Applies.BOTH));
   }
 
-  private static Axis axis(Fields fields, String key) throws WrongText {
+  private static Axis axis(LineFields fields, String key) throws WrongText {
     double[] three = fields.numbers(key, 3);
     return new Axis(three[0], three[1], three[2]);
   }

@@ -19,10 +19,10 @@ final class ActionCheck {
   private static final double MAX_KG = 100;
   private static final double MAX_COG_M = 1;
 
-  private final Findings findings;
+  private final CheckContext findings;
   private final SignalCheck signals;
 
-  ActionCheck(Findings findings, SignalCheck signals) {
+  ActionCheck(CheckContext findings, SignalCheck signals) {
     this.findings = findings;
     this.signals = signals;
   }

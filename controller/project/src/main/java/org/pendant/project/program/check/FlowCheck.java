@@ -13,9 +13,9 @@ final class FlowCheck {
   private static final Pattern NUMBER =
       Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
-  private final Findings findings;
+  private final CheckContext findings;
 
-  FlowCheck(Findings findings) {
+  FlowCheck(CheckContext findings) {
     this.findings = findings;
   }
 

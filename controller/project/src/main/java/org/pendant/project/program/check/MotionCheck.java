@@ -22,10 +22,10 @@ final class MotionCheck {
   private static final double MAX_M = 10;
   private static final int VIA_AND_END = 2;
 
-  private final Findings findings;
+  private final CheckContext findings;
   private final SignalCheck signals;
 
-  MotionCheck(Findings findings, SignalCheck signals) {
+  MotionCheck(CheckContext findings, SignalCheck signals) {
     this.findings = findings;
     this.signals = signals;
   }

@@ -26,14 +26,14 @@ import org.pendant.script.function.Builtins;
  * it. Suppressed nodes are not looked at. Pure; any thread may call it.
  */
 public final class ProgramCheck {
-  private final Findings findings;
+  private final CheckContext findings;
   private final SectionCheck sections;
   private final MotionCheck motion;
   private final ActionCheck action;
   private final FlowCheck flow;
   private final TemplateCheck template;
 
-  private ProgramCheck(Findings findings) {
+  private ProgramCheck(CheckContext findings) {
     this.findings = findings;
     SignalCheck signals = new SignalCheck(findings);
     sections = new SectionCheck(findings);
@@ -51,14 +51,14 @@ public final class ProgramCheck {
   /** As {@link #problems(ProgramTree, Installation)}, with a catalogue that is there already. */
   public static List<NodeProblem> problems(
       ProgramTree tree, Installation installation, Builtins<?> builtins) {
-    Findings findings = new Findings(tree, installation, builtins);
+    CheckContext findings = new CheckContext(tree, installation, builtins);
     new ProgramCheck(findings).tree();
-    new Expressions(findings, builtins).check();
+    new ExpressionValidator(findings, builtins).check();
     new ScriptCheck(findings, builtins).check();
     return inOrder(findings);
   }
 
-  private static List<NodeProblem> inOrder(Findings findings) {
+  private static List<NodeProblem> inOrder(CheckContext findings) {
     Map<Long, Integer> places = new HashMap<>();
     findings.tree().forEach(node -> places.put(node.key(), places.size()));
     return findings.problems().stream()

@@ -16,7 +16,7 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
 import org.pendant.project.program.TreeNames;
-import org.pendant.project.program.check.Findings.TypedText;
+import org.pendant.project.program.check.CheckContext.TypedText;
 import org.pendant.project.program.script.GeneratedScript;
 import org.pendant.project.program.script.ScriptGenerator;
 import org.pendant.script.function.Builtins;
@@ -32,10 +32,10 @@ final class ScriptCheck {
   private static final String UNKNOWN_VARIABLE = "unknown-variable";
   private static final String UNASSIGNED_VARIABLE = "unassigned-variable";
 
-  private final Findings findings;
+  private final CheckContext findings;
   private final Builtins<?> builtins;
 
-  ScriptCheck(Findings findings, Builtins<?> builtins) {
+  ScriptCheck(CheckContext findings, Builtins<?> builtins) {
     this.findings = findings;
     this.builtins = builtins;
   }
@@ -128,7 +128,7 @@ final class ScriptCheck {
           findings.problem(
               key,
               each.field(),
-              Expressions.located(each.text(), bytes, within.get(), error.message()));
+              ExpressionValidator.located(each.text(), bytes, within.get(), error.message()));
           return;
         }
       }

@@ -8,12 +8,12 @@ import org.pendant.project.program.Section;
 
 /** Checks the nodes at the top of a tree. */
 final class SectionCheck {
-  private final Findings findings;
+  private final CheckContext findings;
   private final Set<NodeKind> single = new HashSet<>();
   private final Set<String> subPrograms = new HashSet<>();
   private boolean hasMain;
 
-  SectionCheck(Findings findings) {
+  SectionCheck(CheckContext findings) {
     this.findings = findings;
   }
 

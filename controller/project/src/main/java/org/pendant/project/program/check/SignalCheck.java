@@ -13,9 +13,9 @@ import org.pendant.project.program.ProgramNode;
 final class SignalCheck {
   private static final Pattern NAME = Pattern.compile("(\\w+)\\[(\\d{1,3})\\]");
 
-  private final Findings findings;
+  private final CheckContext findings;
 
-  SignalCheck(Findings findings) {
+  SignalCheck(CheckContext findings) {
     this.findings = findings;
   }
 

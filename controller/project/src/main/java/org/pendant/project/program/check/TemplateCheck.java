@@ -33,12 +33,12 @@ final class TemplateCheck {
   private static final int BOX_CORNERS = 8;
   private static final List<String> AXIS_NAMES = List.of("x", "y", "z", "rx", "ry", "rz");
 
-  private final Findings findings;
+  private final CheckContext findings;
   private final SignalCheck signals;
   private final MotionCheck motion;
   private final Set<String> names = new HashSet<>();
 
-  TemplateCheck(Findings findings, SignalCheck signals, MotionCheck motion) {
+  TemplateCheck(CheckContext findings, SignalCheck signals, MotionCheck motion) {
     this.findings = findings;
     this.signals = signals;
     this.motion = motion;

@@ -11,12 +11,12 @@ import org.pendant.project.program.WaitFor;
 /** Writes what is neither a move nor a decision. */
 final class ActionWriter {
   private final ScriptContext context;
-  private final StepWriter steps;
+  private final ScriptStepWriter steps;
   private final ScriptLines lines;
   private final ActiveTool tool;
   private final SignalCode signals;
 
-  ActionWriter(ScriptContext context, StepWriter steps, ActiveTool tool) {
+  ActionWriter(ScriptContext context, ScriptStepWriter steps, ActiveTool tool) {
     this.context = context;
     this.steps = steps;
     this.tool = tool;

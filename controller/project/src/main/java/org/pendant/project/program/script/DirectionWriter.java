@@ -24,11 +24,11 @@ final class DirectionWriter {
   private static final double ENDLESS_M = 1000;
 
   private final ScriptContext context;
-  private final StepWriter steps;
+  private final ScriptStepWriter steps;
   private final ScriptLines lines;
   private final SignalCode signals;
 
-  DirectionWriter(ScriptContext context, StepWriter steps) {
+  DirectionWriter(ScriptContext context, ScriptStepWriter steps) {
     this.context = context;
     this.steps = steps;
     lines = context.lines();

@@ -11,11 +11,11 @@ final class FlowWriter {
   private static final int MAX_NESTED = 12;
 
   private final ScriptContext context;
-  private final StepWriter steps;
+  private final ScriptStepWriter steps;
   private final ScriptLines lines;
   private final ScriptNames names;
 
-  FlowWriter(ScriptContext context, StepWriter steps) {
+  FlowWriter(ScriptContext context, ScriptStepWriter steps) {
     this.context = context;
     this.steps = steps;
     lines = context.lines();

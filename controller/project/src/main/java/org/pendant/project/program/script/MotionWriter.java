@@ -20,13 +20,13 @@ final class MotionWriter {
   private static final String ACTIVE_TOOL = "get_tcp_offset()";
 
   private final ScriptContext context;
-  private final StepWriter steps;
+  private final ScriptStepWriter steps;
   private final ScriptLines lines;
   private final ActiveTool tool;
   private final DirectionWriter directions;
   private Optional<MotionStep.Move> move = Optional.empty();
 
-  MotionWriter(ScriptContext context, StepWriter steps) {
+  MotionWriter(ScriptContext context, ScriptStepWriter steps) {
     this.context = context;
     this.steps = steps;
     lines = context.lines();

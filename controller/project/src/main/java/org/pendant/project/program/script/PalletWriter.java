@@ -14,11 +14,11 @@ final class PalletWriter {
   private static final int BOX_CORNERS = 8;
 
   private final ScriptContext context;
-  private final StepWriter steps;
+  private final ScriptStepWriter steps;
   private final TemplateWriter templates;
   private final ScriptLines lines;
 
-  PalletWriter(ScriptContext context, StepWriter steps, TemplateWriter templates) {
+  PalletWriter(ScriptContext context, ScriptStepWriter steps, TemplateWriter templates) {
     this.context = context;
     this.steps = steps;
     this.templates = templates;

@@ -20,11 +20,11 @@ final class ProcessWriter {
   private static final double SCREW_SPEED_M_PER_S = 0.1;
 
   private final ScriptContext context;
-  private final StepWriter steps;
+  private final ScriptStepWriter steps;
   private final ScriptLines lines;
   private final SignalCode signals;
 
-  ProcessWriter(ScriptContext context, StepWriter steps) {
+  ProcessWriter(ScriptContext context, ScriptStepWriter steps) {
     this.context = context;
     this.steps = steps;
     lines = context.lines();

@@ -58,7 +58,7 @@ public final class ScriptGenerator {
   }
 
   private static GeneratedScript written(ScriptContext context) {
-    new ProgramWriter(context).write();
+    new ScriptProgramWriter(context).write();
     return context.lines().script();
   }
 }

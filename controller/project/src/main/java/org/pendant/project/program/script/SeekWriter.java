@@ -16,12 +16,12 @@ final class SeekWriter {
   private static final double STOP_M_PER_S2 = 5;
 
   private final ScriptContext context;
-  private final StepWriter steps;
+  private final ScriptStepWriter steps;
   private final TemplateWriter templates;
   private final ScriptLines lines;
   private final Map<Long, String> levels = new HashMap<>();
 
-  SeekWriter(ScriptContext context, StepWriter steps, TemplateWriter templates) {
+  SeekWriter(ScriptContext context, ScriptStepWriter steps, TemplateWriter templates) {
     this.context = context;
     this.steps = steps;
     this.templates = templates;

@@ -14,14 +14,14 @@ import org.pendant.project.program.TreeNames;
 /** Writes templates, each by the writer of its kind, and what is below those that have places. */
 final class TemplateWriter {
   private final ScriptContext context;
-  private final StepWriter steps;
+  private final ScriptStepWriter steps;
   private final ScriptLines lines;
   private final PalletWriter pallets;
   private final SeekWriter seeks;
   private final ProcessWriter processes;
   private final Deque<Places> open = new ArrayDeque<>();
 
-  TemplateWriter(ScriptContext context, StepWriter steps) {
+  TemplateWriter(ScriptContext context, ScriptStepWriter steps) {
     this.context = context;
     this.steps = steps;
     lines = context.lines();

@@ -45,7 +45,7 @@ public final class ProgramText {
   }
 
   private static void positions(Map<String, WaypointPosition> positions, StringBuilder out) {
-    StepWriter writer = new StepWriter(out);
+    TextStepWriter writer = new TextStepWriter(out);
     positions.forEach(
         (name, position) -> {
           out.append("position");
@@ -59,7 +59,7 @@ public final class ProgramText {
   }
 
   private static void node(ProgramNode node, String indent, StringBuilder out) {
-    StepWriter writer = new StepWriter(out);
+    TextStepWriter writer = new TextStepWriter(out);
     out.append(indent);
     if (node.suppressed()) {
       out.append("suppressed ");

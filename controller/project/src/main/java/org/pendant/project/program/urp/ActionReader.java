@@ -17,10 +17,10 @@ import org.pendant.project.program.WaitFor;
 
 /** Understands the elements that wait, set, ask and compute. */
 final class ActionReader {
-  private final Expressions expressions;
+  private final ExpressionReader expressions;
   private final UrpSignals signals;
 
-  ActionReader(Expressions expressions, UrpSignals signals) {
+  ActionReader(ExpressionReader expressions, UrpSignals signals) {
     this.expressions = expressions;
     this.signals = signals;
   }

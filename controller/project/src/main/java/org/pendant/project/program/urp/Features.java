@@ -32,7 +32,7 @@ final class Features {
   }
 
   /** Our name of the feature that an element is about; the base if it names none. */
-  static String in(XmlElement element, Expressions expressions) throws UnreadableFile {
+  static String in(XmlElement element, ExpressionReader expressions) throws UnreadableFile {
     Optional<XmlElement> feature = element.child("feature");
     String name = feature.isEmpty() ? BASE : expressions.name(feature.get());
     return name.isEmpty() ? WaypointPosition.BASE : here(name);

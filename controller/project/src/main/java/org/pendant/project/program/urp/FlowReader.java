@@ -13,9 +13,9 @@ final class FlowReader {
   /** The value of what runs when no case fits. */
   static final String DEFAULT_CASE = Integer.toString(Integer.MAX_VALUE);
 
-  private final Expressions expressions;
+  private final ExpressionReader expressions;
 
-  FlowReader(Expressions expressions) {
+  FlowReader(ExpressionReader expressions) {
     this.expressions = expressions;
   }
 

@@ -34,7 +34,8 @@ final class ForceNodes {
   private ForceNodes() {}
 
   /** The step of an element; empty if it is no whole node of that sort. */
-  static Optional<Step> read(XmlElement element, Expressions expressions) throws UnreadableFile {
+  static Optional<Step> read(XmlElement element, ExpressionReader expressions)
+      throws UnreadableFile {
     double[] compliant = row(element, COMPLIANT);
     double[] wrench = row(element, WRENCH);
     double[] speeds = row(element, SPEEDS);

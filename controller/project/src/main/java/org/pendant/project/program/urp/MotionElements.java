@@ -111,7 +111,7 @@ final class MotionElements {
         out.open("Waypoint", "type", "Variable", "name", "", "kinematicsFlags", "-1");
         parameters(waypoint, within);
         if (installation.feature(variable.expression()).isPresent()) {
-          out.leaf("variable", Expressions.FEATURE, variable.expression());
+          out.leaf("variable", ExpressionReader.FEATURE, variable.expression());
         } else if (StepElements.isName(variable.expression())) {
           elements.variable("variable", variable.expression());
         } else {

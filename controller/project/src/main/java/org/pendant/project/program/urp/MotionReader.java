@@ -59,12 +59,13 @@ final class MotionReader {
   private static final OptionalDouble NONE = OptionalDouble.empty();
   private static final Pattern AXIS = Pattern.compile("([XYZ])(Plus|Minus)");
 
-  private final Expressions expressions;
+  private final ExpressionReader expressions;
   private final UrpSignals signals;
   private final Positions positions;
   private final Remarks remarks;
 
-  MotionReader(Expressions expressions, UrpSignals signals, Positions positions, Remarks remarks) {
+  MotionReader(
+      ExpressionReader expressions, UrpSignals signals, Positions positions, Remarks remarks) {
     this.expressions = expressions;
     this.signals = signals;
     this.positions = positions;

@@ -49,7 +49,7 @@ final class ProgramReader {
   private final ArmDescription expected;
 
   private final Remarks remarks = new Remarks();
-  private final Expressions expressions;
+  private final ExpressionReader expressions;
   private final MotionReader motion;
   private final ActionReader action;
   private final FlowReader flow;
@@ -70,7 +70,7 @@ final class ProgramReader {
     this.root = root;
     expected = Arms.of(installation.robot());
     UrpSignals signals = new UrpSignals(installation, remarks);
-    expressions = new Expressions(signals, remarks);
+    expressions = new ExpressionReader(signals, remarks);
     positions =
         new Positions(root.child("kinematics"), new ForwardKinematics(expected.dh()), remarks);
     motion = new MotionReader(expressions, signals, positions, remarks);
@@ -351,14 +351,14 @@ final class ProgramReader {
     }
     Remarks ofNode = switchedOff ? new Remarks() : remarks;
     if (SwitchedOff.kind(element).equals("Contributed")) {
-      return Optional.of(ProgramTree.node(Kept.contributed(element, ofNode)));
+      return Optional.of(ProgramTree.node(PreservedElements.contributed(element, ofNode)));
     }
     element.child("motionParameters").ifPresent(understood::add);
     Optional<Step> step = motion.step(element, within);
     step = step.isEmpty() ? action.step(element) : step;
     step = step.isEmpty() ? flow.step(element) : step;
     if (step.isEmpty()) {
-      return Optional.of(ProgramTree.node(Kept.unknown(element, ofNode)));
+      return Optional.of(ProgramTree.node(PreservedElements.unknown(element, ofNode)));
     }
     if (!switchedOff) {
       understood.add(element);

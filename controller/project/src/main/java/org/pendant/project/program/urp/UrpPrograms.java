@@ -50,7 +50,7 @@ public final class UrpPrograms {
    * @param installation says which arm it is for, and where features are
    */
   public static byte[] write(String name, ProgramTree tree, Installation installation) {
-    return PackedXml.packed(new ProgramWriter(name, tree, installation).write());
+    return PackedXml.packed(new UrpProgramWriter(name, tree, installation).write());
   }
 
   /**
@@ -58,7 +58,7 @@ public final class UrpPrograms {
    * known, and which are written in one of our own.
    */
   public static List<String> ownForms(String name, ProgramTree tree, Installation installation) {
-    ProgramWriter writer = new ProgramWriter(name, tree, installation);
+    UrpProgramWriter writer = new UrpProgramWriter(name, tree, installation);
     var _ = writer.write();
     return writer.ownForms();
   }

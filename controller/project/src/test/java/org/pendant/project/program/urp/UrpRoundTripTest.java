@@ -228,7 +228,7 @@ class UrpRoundTripTest {
                 node(classy).withSuppressed(true)),
             node(new Section.ThreadSection("T", true)).withSuppressed(true),
             node(new Section.SubProgram("S", "")).withSuppressed(true));
-    String xml = new ProgramWriter("x", off, Installation.NONE).write();
+    String xml = new UrpProgramWriter("x", off, Installation.NONE).write();
     for (String part :
         List.of(
             "<suppressedNode class=\"Folder\" name=\"f\">",
@@ -253,7 +253,7 @@ class UrpRoundTripTest {
         UrpPrograms.read("x.urp", xml.getBytes(StandardCharsets.UTF_8)).tree().renumbered();
     long key = read.nodes().getLast().key();
     ProgramTree used = read.withNode(key, node -> node.withSuppressed(false));
-    String written = new ProgramWriter("x", used, Installation.NONE).write();
+    String written = new UrpProgramWriter("x", used, Installation.NONE).write();
     assertTrue(written.contains("<Weld speed=\"1\" on=\"x\"><a/></Weld>"), written);
     assertFalse(written.contains("uppressedNode"), written);
     assertEquals(read, again(read));

@@ -8,14 +8,14 @@ import java.util.Optional;
  *
  * @param argument what follows the words, without blanks around it; may be empty
  */
-record Request(Word word, String argument) {
+record DashboardRequest(Word word, String argument) {
 
   /** Reads a line; empty when it is none of what can be asked. Capitals count in arguments only. */
-  static Optional<Request> read(String line) {
+  static Optional<DashboardRequest> read(String line) {
     for (Word word : Word.values()) {
       Optional<String> rest = after(word, line);
       if (rest.isPresent() && (word.takesArgument() || rest.get().isEmpty())) {
-        return Optional.of(new Request(word, rest.get()));
+        return Optional.of(new DashboardRequest(word, rest.get()));
       }
     }
     return Optional.empty();

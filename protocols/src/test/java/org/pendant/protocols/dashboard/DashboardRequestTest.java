@@ -6,13 +6,14 @@ import java.util.Locale;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-class RequestTest {
+class DashboardRequestTest {
   private static void assertReads(Word word, String argument, String line) {
-    assertEquals(Optional.of(new Request(word, argument)), Request.read(line), line);
+    assertEquals(
+        Optional.of(new DashboardRequest(word, argument)), DashboardRequest.read(line), line);
   }
 
   private static void assertUnknown(String line) {
-    assertEquals(Optional.empty(), Request.read(line), line);
+    assertEquals(Optional.empty(), DashboardRequest.read(line), line);
   }
 
   @Test

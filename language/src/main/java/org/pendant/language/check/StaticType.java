@@ -3,7 +3,7 @@ package org.pendant.language.check;
 import org.pendant.language.signature.Type;
 
 /** What a value certainly is, as far as the text alone tells; {@link #ANY} where it does not. */
-enum Kind {
+enum StaticType {
   ANY("a value"),
   BOOL("a bool"),
   /** An int, a float or a thread handle. */
@@ -16,7 +16,7 @@ enum Kind {
 
   private final String text;
 
-  Kind(String text) {
+  StaticType(String text) {
     this.text = text;
   }
 
@@ -35,7 +35,7 @@ enum Kind {
   }
 
   /** What a variable may hold that is assigned this kind and {@code other} at different places. */
-  Kind or(Kind other) {
+  StaticType or(StaticType other) {
     return this == other ? this : ANY;
   }
 
@@ -43,12 +43,12 @@ enum Kind {
    * Whether a variable that holds this kind certainly cannot take {@code other}. Structs convert to
    * lists (manual 4.1.1), so that pair is never certain.
    */
-  boolean refuses(Kind other) {
+  boolean refuses(StaticType other) {
     boolean convertible = (this == STRUCT && other == LIST) || (this == LIST && other == STRUCT);
     return certain() && other.certain() && this != other && !convertible;
   }
 
-  static Kind of(Type type) {
+  static StaticType of(Type type) {
     return switch (type) {
       case BOOL -> BOOL;
       case INT, NUMBER -> NUMBER;

@@ -12,13 +12,13 @@ import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
 import org.pendant.language.syntax.Statement;
-import org.pendant.project.program.check.Findings.TypedText;
+import org.pendant.project.program.check.CheckContext.TypedText;
 
 /**
  * Finds expressions that cannot be read. All are read in one go, as conditions one below another;
  * only when something is wrong are they taken apart, half by half, to find out what.
  */
-final class Expressions {
+final class ExpressionValidator {
   private static final String BEFORE = "if (";
   private static final String BEHIND = "):\nend\n";
   private static final Pattern LINE_END = Pattern.compile("[\\r\\n]");
@@ -27,10 +27,10 @@ final class Expressions {
   /** The code of what {@link GuestExpression} refuses before it reads. */
   private static final String NO_EXPRESSION = "not-an-expression";
 
-  private final Findings findings;
+  private final CheckContext findings;
   private final Catalogue catalogue;
 
-  Expressions(Findings findings, Catalogue catalogue) {
+  ExpressionValidator(CheckContext findings, Catalogue catalogue) {
     this.findings = findings;
     this.catalogue = catalogue;
   }

@@ -4,12 +4,12 @@ import java.nio.ByteBuffer;
 import java.util.List;
 
 /** What a client asks for. */
-sealed interface Request {
+sealed interface RtdeRequest {
   /** To speak a version of the protocol from now on. */
-  record ProtocolVersion(int version) implements Request {}
+  record ProtocolVersion(int version) implements RtdeRequest {}
 
   /** Which software the controller runs. */
-  record ControllerVersion() implements Request {}
+  record ControllerVersion() implements RtdeRequest {}
 
   /**
    * To get fields.
@@ -17,7 +17,7 @@ sealed interface Request {
    * @param frequencyHz how often; any number
    * @param names of the fields, in their order
    */
-  record SetupOutputs(double frequencyHz, List<String> names) implements Request {
+  record SetupOutputs(double frequencyHz, List<String> names) implements RtdeRequest {
     /** Copies the list. */
     public SetupOutputs {
       names = List.copyOf(names);
@@ -29,7 +29,7 @@ sealed interface Request {
    *
    * @param names of the fields, in their order
    */
-  record SetupInputs(List<String> names) implements Request {
+  record SetupInputs(List<String> names) implements RtdeRequest {
     /** Copies the list. */
     public SetupInputs {
       names = List.copyOf(names);
@@ -42,13 +42,13 @@ sealed interface Request {
    * @param type of the package: outputs or inputs
    * @param reason what was found and what was expected
    */
-  record RefusedSetup(int type, String reason) implements Request {}
+  record RefusedSetup(int type, String reason) implements RtdeRequest {}
 
   /** To get data packages. */
-  record Start() implements Request {}
+  record Start() implements RtdeRequest {}
 
   /** To get none any more. */
-  record Pause() implements Request {}
+  record Pause() implements RtdeRequest {}
 
   /**
    * Values to write.
@@ -56,10 +56,10 @@ sealed interface Request {
    * @param recipe number of the recipe
    * @param values the rest of the package
    */
-  record Data(int recipe, ByteBuffer values) implements Request {}
+  record Data(int recipe, ByteBuffer values) implements RtdeRequest {}
 
   /** Something for the log. */
-  record Text(TextLevel level, String text) implements Request {}
+  record Text(TextLevel level, String text) implements RtdeRequest {}
 
   /**
    * A package that cannot be understood and is passed over.
@@ -67,5 +67,5 @@ sealed interface Request {
    * @param level how bad that is
    * @param reason what was found and what was expected
    */
-  record Malformed(TextLevel level, String reason) implements Request {}
+  record Malformed(TextLevel level, String reason) implements RtdeRequest {}
 }

@@ -7,12 +7,12 @@ import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.message.MessageLog;
 
 /** The serial line of the tool connector: the box's side of it. The frame loop owns this. */
-public final class ToolLine {
+public final class ToolSerialInterface {
   private final ToolSerialConnector door;
   private final Signals signals;
   private final MessageLog log;
 
-  ToolLine(ToolSerialConnector door, Signals signals, MessageLog log) {
+  ToolSerialInterface(ToolSerialConnector door, Signals signals, MessageLog log) {
     this.door = door;
     this.signals = signals;
     this.log = log;

@@ -8,10 +8,10 @@ import org.pendant.project.program.Section.InitialValue;
 import org.pendant.project.program.Step;
 
 /** Writes one step: its line, and the lines of text that belong to it. */
-final class StepWriter {
+final class TextStepWriter {
   private final StringBuilder out;
 
-  StepWriter(StringBuilder out) {
+  TextStepWriter(StringBuilder out) {
     this.out = out;
   }
 

@@ -17,11 +17,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.protocols.net.ProtocolException;
 
-class FrameCutterTest {
+class ModbusFrameReaderTest {
   private static final byte[] READ = Hex.bytes("0001 0000 0006 01 03 010E 0006");
   private static final byte[] SHORTEST = Hex.bytes("0002 0000 0002 01 07");
 
-  private final FrameCutter cutter = new FrameCutter();
+  private final ModbusFrameReader cutter = new ModbusFrameReader();
 
   private List<byte[]> feed(byte[] bytes) throws ProtocolException {
     ByteBuffer buffer = ByteBuffer.wrap(bytes);
@@ -67,8 +67,8 @@ class FrameCutterTest {
 
   @Test
   void takesTheLongestRequest() throws Exception {
-    byte[] frame = new byte[FrameCutter.PREFIX + FrameCutter.MAX_REST];
-    frame[5] = (byte) FrameCutter.MAX_REST;
+    byte[] frame = new byte[ModbusFrameReader.PREFIX + ModbusFrameReader.MAX_REST];
+    frame[5] = (byte) ModbusFrameReader.MAX_REST;
     assertEquals(1, feed(frame).size());
   }
 
@@ -80,8 +80,8 @@ class FrameCutterTest {
       List<byte[]> sent = new ArrayList<>();
       ByteArrayOutputStream stream = new ByteArrayOutputStream();
       for (int i = random.nextInt(1, 20); i > 0; i--) {
-        int rest = random.nextInt(FrameCutter.MIN_REST, FrameCutter.MAX_REST + 1);
-        byte[] frame = new byte[FrameCutter.PREFIX + rest];
+        int rest = random.nextInt(ModbusFrameReader.MIN_REST, ModbusFrameReader.MAX_REST + 1);
+        byte[] frame = new byte[ModbusFrameReader.PREFIX + rest];
         random.nextBytes(frame);
         frame[4] = 0;
         frame[5] = (byte) rest;

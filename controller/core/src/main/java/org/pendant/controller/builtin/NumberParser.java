@@ -15,7 +15,7 @@ import org.pendant.script.value.ValueText;
  * <p>A decimal point makes a float. Without one the number is an int and must fit 32 bits, unless a
  * negative exponent leaves a fraction: {@code 5e-4}, which the manual calls valid, is a float.
  */
-final class NumberText {
+final class NumberParser {
   /** Leading white space as C's isspace has it, a sign, then one of the four forms. */
   private static final Pattern NUMBER =
       Pattern.compile(
@@ -35,7 +35,7 @@ final class NumberText {
   /** Characters of the string that a message shows. */
   private static final int MAX_SHOWN = 80;
 
-  private NumberText() {}
+  private NumberParser() {}
 
   /** The number that argument 0 of {@code call} spells. */
   static Value parse(Call<?> call) throws ScriptError {

@@ -15,7 +15,7 @@ import org.pendant.script.vm.ProgramEvent;
  *     org.pendant.controller.state.ProgramStatus#name}
  * @param source its text, with the name of the file it came from
  */
-public record ProgramText(long frame, String name, Source source) {
+public record RecordedProgram(long frame, String name, Source source) {
   /** Robot time at which it started, s. */
   public double timeS() {
     return frame / (double) FrameTime.FRAMES_PER_SECOND;
@@ -27,19 +27,19 @@ public record ProgramText(long frame, String name, Source source) {
    * @param source the text of the running or last program, asked in that case only, such as {@code
    *     controller::programSource}
    */
-  public static Optional<ProgramText> startedIn(
+  public static Optional<RecordedProgram> startedIn(
       ControllerState state, Supplier<Optional<Source>> source) {
     for (ProgramEvent each : state.newProgramEvents()) {
       if (each instanceof ProgramEvent.Started) {
         return source
             .get()
-            .map(text -> new ProgramText(state.frame(), state.program().name(), text));
+            .map(text -> new RecordedProgram(state.frame(), state.program().name(), text));
       }
     }
     return Optional.empty();
   }
 
-  boolean sameText(ProgramText other) {
+  boolean sameText(RecordedProgram other) {
     return source == other.source
         || (source.name().equals(other.source.name()) && source.text().equals(other.source.text()));
   }

@@ -19,7 +19,7 @@ import org.pendant.controller.external.ModbusAddress;
 import org.pendant.controller.external.ModbusExchange;
 import org.pendant.controller.external.ModbusKind;
 
-class QuestionTest {
+class DeviceRequestTest {
   private static final ModbusAddress DEVICE = new ModbusAddress("d", 502);
 
   private static byte[] bytes(String hex) {
@@ -30,45 +30,55 @@ class QuestionTest {
     return new ModbusExchange(DEVICE, 0xFE, kind, 0x1234, count, 0x1234, count, false);
   }
 
-  private static void asks(Question question, String hex) {
+  private static void asks(DeviceRequest question, String hex) {
     assertArrayEquals(bytes(hex), question.frame(0xABCD));
   }
 
   @Test
   void readsWithTheFunctionOfItsKind() {
-    asks(Question.reading(exchange(ModbusKind.DIGITAL_INPUT, 1)), "ABCD00000006 FE 02 1234 0001");
-    asks(Question.reading(exchange(ModbusKind.DIGITAL_OUTPUT, 1)), "ABCD00000006 FE 01 1234 0001");
-    asks(Question.reading(exchange(ModbusKind.DIGITAL_OUTPUTS, 9)), "ABCD00000006 FE 01 1234 0009");
-    asks(Question.reading(exchange(ModbusKind.REGISTER_INPUT, 2)), "ABCD00000006 FE 04 1234 0002");
-    asks(Question.reading(exchange(ModbusKind.REGISTER_OUTPUT, 1)), "ABCD00000006 FE 03 1234 0001");
     asks(
-        Question.reading(exchange(ModbusKind.REGISTER_OUTPUTS, 123)),
+        DeviceRequest.reading(exchange(ModbusKind.DIGITAL_INPUT, 1)),
+        "ABCD00000006 FE 02 1234 0001");
+    asks(
+        DeviceRequest.reading(exchange(ModbusKind.DIGITAL_OUTPUT, 1)),
+        "ABCD00000006 FE 01 1234 0001");
+    asks(
+        DeviceRequest.reading(exchange(ModbusKind.DIGITAL_OUTPUTS, 9)),
+        "ABCD00000006 FE 01 1234 0009");
+    asks(
+        DeviceRequest.reading(exchange(ModbusKind.REGISTER_INPUT, 2)),
+        "ABCD00000006 FE 04 1234 0002");
+    asks(
+        DeviceRequest.reading(exchange(ModbusKind.REGISTER_OUTPUT, 1)),
+        "ABCD00000006 FE 03 1234 0001");
+    asks(
+        DeviceRequest.reading(exchange(ModbusKind.REGISTER_OUTPUTS, 123)),
         "ABCD00000006 FE 03 1234 007B");
     asks(
-        Question.reading(exchange(ModbusKind.READ_WRITE_REGISTERS, 3)),
+        DeviceRequest.reading(exchange(ModbusKind.READ_WRITE_REGISTERS, 3)),
         "ABCD00000006 FE 03 1234 0003");
   }
 
   @Test
   void writesWithTheFunctionOfItsKind() {
     asks(
-        Question.writing(exchange(ModbusKind.DIGITAL_OUTPUT, 1), List.of(1)),
+        DeviceRequest.writing(exchange(ModbusKind.DIGITAL_OUTPUT, 1), List.of(1)),
         "ABCD00000008 FE 0F 1234 0001 01 01");
     asks(
-        Question.writing(
+        DeviceRequest.writing(
             exchange(ModbusKind.DIGITAL_OUTPUTS, 9), List.of(1, 0, 1, 0, 0, 0, 0, 0, 1)),
         "ABCD00000009 FE 0F 1234 0009 02 0501");
     asks(
-        Question.writing(exchange(ModbusKind.REGISTER_OUTPUT, 1), List.of(0xFFFE)),
+        DeviceRequest.writing(exchange(ModbusKind.REGISTER_OUTPUT, 1), List.of(0xFFFE)),
         "ABCD00000006 FE 06 1234 FFFE");
     asks(
-        Question.writing(exchange(ModbusKind.REGISTER_OUTPUT, 2), List.of(1, 2)),
+        DeviceRequest.writing(exchange(ModbusKind.REGISTER_OUTPUT, 2), List.of(1, 2)),
         "ABCD0000000B FE 10 1234 0002 04 0001 0002");
     asks(
-        Question.writing(exchange(ModbusKind.REGISTER_OUTPUTS, 1), List.of(7)),
+        DeviceRequest.writing(exchange(ModbusKind.REGISTER_OUTPUTS, 1), List.of(7)),
         "ABCD00000009 FE 10 1234 0001 02 0007");
     asks(
-        Question.writing(
+        DeviceRequest.writing(
             new ModbusExchange(
                 DEVICE, 0xFE, ModbusKind.READ_WRITE_REGISTERS, 0x1234, 3, 0x4321, 2, false),
             List.of(5, 6)),
@@ -77,54 +87,56 @@ class QuestionTest {
 
   @Test
   void sendsWhatSomebodyElseHasMade() {
-    asks(Question.made(103, 6, new byte[] {17, 32, 2, 88}), "ABCD00000006 67 06 1120 0258");
-    asks(Question.made(255, 7, new byte[0]), "ABCD00000002 FF 07");
+    asks(DeviceRequest.made(103, 6, new byte[] {17, 32, 2, 88}), "ABCD00000006 67 06 1120 0258");
+    asks(DeviceRequest.made(255, 7, new byte[0]), "ABCD00000002 FF 07");
   }
 
   @Test
   void readsBitsAndRegistersOutOfAnswers() {
     assertEquals(
-        new Answer.Values(List.of(1, 0, 1, 0, 0, 0, 0, 0, 1)),
-        Question.reading(exchange(ModbusKind.DIGITAL_OUTPUTS, 9))
+        new DeviceResponse.Values(List.of(1, 0, 1, 0, 0, 0, 0, 0, 1)),
+        DeviceRequest.reading(exchange(ModbusKind.DIGITAL_OUTPUTS, 9))
             .answer(bytes("ABCD00000005 FE 01 02 05FF")));
     assertEquals(
-        new Answer.Values(List.of(1)),
-        Question.reading(exchange(ModbusKind.DIGITAL_INPUT, 1))
+        new DeviceResponse.Values(List.of(1)),
+        DeviceRequest.reading(exchange(ModbusKind.DIGITAL_INPUT, 1))
             .answer(bytes("ABCD00000004 FE 02 01 01")));
     assertEquals(
-        new Answer.Values(List.of(0xFFFF, 0x8001)),
-        Question.reading(exchange(ModbusKind.REGISTER_INPUT, 2))
+        new DeviceResponse.Values(List.of(0xFFFF, 0x8001)),
+        DeviceRequest.reading(exchange(ModbusKind.REGISTER_INPUT, 2))
             .answer(bytes("ABCD00000007 FE 04 04 FFFF 8001")));
     assertEquals(
-        new Answer.Values(List.of(3)),
-        Question.reading(exchange(ModbusKind.REGISTER_OUTPUT, 1))
+        new DeviceResponse.Values(List.of(3)),
+        DeviceRequest.reading(exchange(ModbusKind.REGISTER_OUTPUT, 1))
             .answer(bytes("ABCD00000005 FE 03 02 0003")));
     assertEquals(
-        new Answer.Values(List.of(9)),
-        Question.writing(exchange(ModbusKind.READ_WRITE_REGISTERS, 1), List.of(5))
+        new DeviceResponse.Values(List.of(9)),
+        DeviceRequest.writing(exchange(ModbusKind.READ_WRITE_REGISTERS, 1), List.of(5))
             .answer(bytes("ABCD00000005 FE 17 02 0009")));
   }
 
   @Test
   void aWriteIsDoneWhenItIsEchoed() {
-    Question question = Question.writing(exchange(ModbusKind.REGISTER_OUTPUTS, 1), List.of(7));
-    assertEquals(new Answer.Done(), question.answer(bytes("ABCD00000006 FE 10 1234 0001")));
-    assertEquals(new Answer.Nonsense(), question.answer(bytes("ABCD00000006 FE 10 1234 0002")));
-    assertEquals(new Answer.Nonsense(), question.answer(bytes("ABCD00000004 FE 10 1234")));
+    DeviceRequest question =
+        DeviceRequest.writing(exchange(ModbusKind.REGISTER_OUTPUTS, 1), List.of(7));
+    assertEquals(new DeviceResponse.Done(), question.answer(bytes("ABCD00000006 FE 10 1234 0001")));
+    assertEquals(
+        new DeviceResponse.Nonsense(), question.answer(bytes("ABCD00000006 FE 10 1234 0002")));
+    assertEquals(new DeviceResponse.Nonsense(), question.answer(bytes("ABCD00000004 FE 10 1234")));
   }
 
   @Test
   void refusalsHaveTheirCode() {
-    Question question = Question.reading(exchange(ModbusKind.REGISTER_INPUT, 1));
-    assertEquals(new Answer.Refused(11), question.answer(bytes("ABCD00000003 FE 84 0B")));
-    assertEquals(new Answer.Nonsense(), question.answer(bytes("ABCD00000003 FE 84 00")));
-    assertEquals(new Answer.Nonsense(), question.answer(bytes("ABCD00000004 FE 84 0B 00")));
-    assertEquals(new Answer.Nonsense(), question.answer(bytes("ABCD00000003 FE 83 0B")));
+    DeviceRequest question = DeviceRequest.reading(exchange(ModbusKind.REGISTER_INPUT, 1));
+    assertEquals(new DeviceResponse.Refused(11), question.answer(bytes("ABCD00000003 FE 84 0B")));
+    assertEquals(new DeviceResponse.Nonsense(), question.answer(bytes("ABCD00000003 FE 84 00")));
+    assertEquals(new DeviceResponse.Nonsense(), question.answer(bytes("ABCD00000004 FE 84 0B 00")));
+    assertEquals(new DeviceResponse.Nonsense(), question.answer(bytes("ABCD00000003 FE 83 0B")));
   }
 
   @Test
   void answersOfAnotherLengthUnitOrFunctionAreNone() {
-    Question question = Question.reading(exchange(ModbusKind.REGISTER_OUTPUT, 2));
+    DeviceRequest question = DeviceRequest.reading(exchange(ModbusKind.REGISTER_OUTPUT, 2));
     for (String wrong :
         List.of(
             "ABCD00000007 FD 03 04 0001 0002",
@@ -133,7 +145,7 @@ class QuestionTest {
             "ABCD00000005 FE 03 04 0001",
             "ABCD00000009 FE 03 06 0001 0002 0003",
             "ABCD00000003 FE 03 04")) {
-      assertEquals(new Answer.Nonsense(), question.answer(bytes(wrong)), wrong);
+      assertEquals(new DeviceResponse.Nonsense(), question.answer(bytes(wrong)), wrong);
     }
   }
 
@@ -146,12 +158,13 @@ class QuestionTest {
       ModbusKind kind = kinds.get(random.nextInt(kinds.size()));
       // as many as a request takes that reads and writes
       int count = 1 + random.nextInt(121);
-      Question question =
+      DeviceRequest question =
           kind.output() && random.nextBoolean()
-              ? Question.writing(exchange(kind, count), random.ints(count, 0, 2).boxed().toList())
-              : Question.reading(exchange(kind, count));
+              ? DeviceRequest.writing(
+                  exchange(kind, count), random.ints(count, 0, 2).boxed().toList())
+              : DeviceRequest.reading(exchange(kind, count));
       byte[] asked = question.frame(1);
-      byte[] frame = new byte[AnswerFrame.PREFIX + 3 + random.nextInt(252)];
+      byte[] frame = new byte[ResponseFrame.PREFIX + 3 + random.nextInt(252)];
       random.nextBytes(frame);
       // near enough to be believed now and then
       System.arraycopy(asked, 0, frame, 0, random.nextInt(10));
@@ -163,11 +176,11 @@ class QuestionTest {
   void framesAreCutOutOfWhatComes() throws IOException {
     byte[] two = bytes("0001 0000 0003 FF 84 02 0002 0000 0005 FF 03 02 0007");
     ByteArrayInputStream in = new ByteArrayInputStream(two);
-    assertArrayEquals(bytes("0001 0000 0003 FF 84 02"), AnswerFrame.read(in));
-    byte[] second = AnswerFrame.read(in);
+    assertArrayEquals(bytes("0001 0000 0003 FF 84 02"), ResponseFrame.read(in));
+    byte[] second = ResponseFrame.read(in);
     assertArrayEquals(bytes("0002 0000 0005 FF 03 02 0007"), second);
-    assertEquals(2, AnswerFrame.transaction(second));
-    assertThrows(EOFException.class, () -> AnswerFrame.read(in));
+    assertEquals(2, ResponseFrame.transaction(second));
+    assertThrows(EOFException.class, () -> ResponseFrame.read(in));
   }
 
   @Test
@@ -177,7 +190,8 @@ class QuestionTest {
       byte[] part = Arrays.copyOf(frame, i);
       assertInstanceOf(
           EOFException.class,
-          assertThrows(IOException.class, () -> AnswerFrame.read(new ByteArrayInputStream(part))));
+          assertThrows(
+              IOException.class, () -> ResponseFrame.read(new ByteArrayInputStream(part))));
     }
   }
 
@@ -192,7 +206,9 @@ class QuestionTest {
             "4854 5450 2F31 2E31")) {
       byte[] bytes = bytes(wrong);
       assertThrows(
-          ProtocolException.class, () -> AnswerFrame.read(new ByteArrayInputStream(bytes)), wrong);
+          ProtocolException.class,
+          () -> ResponseFrame.read(new ByteArrayInputStream(bytes)),
+          wrong);
     }
   }
 }

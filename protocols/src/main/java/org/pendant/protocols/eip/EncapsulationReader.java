@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.pendant.protocols.net.ProtocolException;
 
 /** Cuts what one peer sends into encapsulation frames. */
-final class FrameCutter {
+final class EncapsulationReader {
   private static final int LENGTH_AT = 2;
   private static final int LENGTH_KNOWN = 4;
 

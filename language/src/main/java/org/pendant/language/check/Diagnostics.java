@@ -8,7 +8,7 @@ import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.SourceRange;
 
 /** The complaints collected so far. */
-final class Findings {
+final class Diagnostics {
   private final List<Diagnostic> found = new ArrayList<>();
 
   void addAll(Collection<Diagnostic> diagnostics) {

@@ -3,7 +3,7 @@ package org.pendant.script.debug;
 import org.pendant.script.vm.ScriptFailure;
 
 /** Why a program is held. */
-public sealed interface StopReason {
+public sealed interface PauseReason {
 
   /**
    * A breakpoint.
@@ -11,21 +11,21 @@ public sealed interface StopReason {
    * @param line as it was set
    * @param hits how often this run came to it so far
    */
-  record AtBreakpoint(int line, long hits) implements StopReason {}
+  record AtBreakpoint(int line, long hits) implements PauseReason {}
 
   /**
    * The condition of a breakpoint could not be computed.
    *
    * @param line of the breakpoint, as it was set
    */
-  record ConditionFailed(int line, String message) implements StopReason {}
+  record ConditionFailed(int line, String message) implements PauseReason {}
 
   /** A step or a run to a line is over. */
-  record Stepped() implements StopReason {}
+  record Stepped() implements PauseReason {}
 
   /** Somebody asked for it. */
-  record PauseRequested() implements StopReason {}
+  record PauseRequested() implements PauseReason {}
 
   /** The program failed; it ends with this failure when it is let go. */
-  record Failed(ScriptFailure failure) implements StopReason {}
+  record Failed(ScriptFailure failure) implements PauseReason {}
 }

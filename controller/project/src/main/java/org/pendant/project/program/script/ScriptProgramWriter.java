@@ -7,18 +7,18 @@ import org.pendant.project.program.Section;
 import org.pendant.project.program.TreeNames;
 
 /** Writes a program as a whole: the sections of the tree, and what they need around them. */
-final class ProgramWriter {
+final class ScriptProgramWriter {
   private final ScriptContext context;
   private final ScriptLines lines;
   private final ScriptNames names;
-  private final StepWriter steps;
+  private final ScriptStepWriter steps;
   private final List<ProgramNode> sections;
 
-  ProgramWriter(ScriptContext context) {
+  ScriptProgramWriter(ScriptContext context) {
     this.context = context;
     lines = context.lines();
     names = context.names();
-    steps = new StepWriter(context);
+    steps = new ScriptStepWriter(context);
     sections = context.tree().sections().stream().filter(each -> !each.suppressed()).toList();
   }
 

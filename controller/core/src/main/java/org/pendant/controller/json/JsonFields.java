@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.pendant.language.check.Nearest;
 
 /** The members of one JSON object, asked for by key; every complaint says where. */
-public final class Fields {
+public final class JsonFields {
   private final Json.Members members;
   private final String what;
 
@@ -15,7 +15,7 @@ public final class Fields {
    * @param what it should be, for messages: "a sphere"
    * @throws JsonException if the value is no object
    */
-  public Fields(Json value, String what) throws JsonException {
+  public JsonFields(Json value, String what) throws JsonException {
     if (!(value instanceof Json.Members object)) {
       throw value.place().refusal(what + " is " + value.described() + ", must be an object");
     }

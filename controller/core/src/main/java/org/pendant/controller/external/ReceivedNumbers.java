@@ -4,14 +4,14 @@ import java.util.OptionalInt;
 import java.util.regex.Pattern;
 
 /** Numbers that a peer sends as text. */
-final class NumberText {
+final class ReceivedNumbers {
   /** Java itself would also take {@code 1d} and hexadecimal floats. */
   private static final Pattern NUMBER =
       Pattern.compile("[+-]?(?:[0-9]+\\.?[0-9]*|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?");
 
   private static final Pattern INTEGER = Pattern.compile("[+-]?[0-9]{1,10}");
 
-  private NumberText() {}
+  private ReceivedNumbers() {}
 
   /** The numbers of {@code text}, commas between; none at all where one is not a number. */
   static double[] parse(String text) {

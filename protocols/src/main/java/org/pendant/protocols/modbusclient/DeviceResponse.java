@@ -3,24 +3,24 @@ package org.pendant.protocols.modbusclient;
 import java.util.List;
 
 /** What a device says to a question. */
-sealed interface Answer {
+sealed interface DeviceResponse {
   /**
    * What was read.
    *
    * @param values bits as 0 and 1, registers 0 to 65535
    */
-  record Values(List<Integer> values) implements Answer {}
+  record Values(List<Integer> values) implements DeviceResponse {}
 
   /** It has done what it was told. */
-  record Done() implements Answer {}
+  record Done() implements DeviceResponse {}
 
   /**
    * It will not.
    *
    * @param code the exception code, 1 to 255
    */
-  record Refused(int code) implements Answer {}
+  record Refused(int code) implements DeviceResponse {}
 
   /** It says something that is no answer to this question. */
-  record Nonsense() implements Answer {}
+  record Nonsense() implements DeviceResponse {}
 }

@@ -10,7 +10,7 @@ import org.pendant.project.program.Section;
 import org.pendant.project.program.TemplateStep;
 
 /** Writes nodes, each by the writer of its family. */
-final class StepWriter {
+final class ScriptStepWriter {
   private final ScriptContext context;
   private final MotionWriter motion;
   private final ActionWriter action;
@@ -18,7 +18,7 @@ final class StepWriter {
   private final ForeignWriter foreign;
   private final TemplateWriter template;
 
-  StepWriter(ScriptContext context) {
+  ScriptStepWriter(ScriptContext context) {
     this.context = context;
     motion = new MotionWriter(context, this);
     action = new ActionWriter(context, this, motion.tool());

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.pendant.protocols.net.ProtocolException;
 
 /** Puts requests together from bytes that come cut anywhere. */
-final class FrameCutter {
+final class ModbusFrameReader {
   /** Transaction (2 bytes), protocol (2), length of the rest (2); the unit counts to the rest. */
   static final int PREFIX = 6;
 

@@ -21,7 +21,7 @@ import org.pendant.project.program.ToolChoice;
 import org.pendant.project.program.WaypointPosition;
 
 /** What has been found out about a tree so far, and the questions that many nodes ask about it. */
-final class Findings {
+final class CheckContext {
   private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z_0-9]*");
 
   private final ProgramTree tree;
@@ -39,7 +39,7 @@ final class Findings {
    */
   record TypedText(long key, String field, String text) {}
 
-  Findings(ProgramTree tree, Installation installation, Catalogue catalogue) {
+  CheckContext(ProgramTree tree, Installation installation, Catalogue catalogue) {
     this.tree = tree;
     this.installation = installation;
     this.catalogue = catalogue;

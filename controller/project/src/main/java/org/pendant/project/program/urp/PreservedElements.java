@@ -8,11 +8,11 @@ import org.pendant.project.program.ExternalControl;
 import org.pendant.project.program.ForeignStep;
 
 /** Keeps elements to the letter that nobody understands. */
-final class Kept {
+final class PreservedElements {
   /** Begins a comment before a contributed node: the script in its place. */
   static final String STUB = "pendant-stub ";
 
-  private Kept() {}
+  private PreservedElements() {}
 
   /** A node that is not known. */
   static ForeignStep.Unknown unknown(XmlElement element, Remarks remarks) {

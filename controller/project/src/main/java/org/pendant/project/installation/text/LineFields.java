@@ -15,7 +15,7 @@ import org.pendant.project.program.text.LineText.Value;
 import org.pendant.project.program.text.WrongText;
 
 /** The fields of one line, asked for one by one; each is refused with its place. */
-final class Fields {
+final class LineFields {
   private static final Pattern NUMBER =
       Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
   private static final Pattern WHOLE = Pattern.compile("[+-]?\\d{1,9}");
@@ -29,7 +29,7 @@ final class Fields {
    *
    * @param column where the line begins, from 1
    */
-  Fields(LineText line, int column) {
+  LineFields(LineText line, int column) {
     this.line = line;
     this.column = column;
   }

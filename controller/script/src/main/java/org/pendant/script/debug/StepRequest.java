@@ -3,23 +3,23 @@ package org.pendant.script.debug;
 import org.pendant.script.vm.StackMark;
 
 /** What a thread was let go for. */
-sealed interface Step {
+sealed interface StepRequest {
   /** The thread that steps. */
   int thread();
 
   /** To its next statement, wherever that is. */
-  record Into(int thread) implements Step {}
+  record Into(int thread) implements StepRequest {}
 
   /** To the next statement of a call that it is in now. */
-  record Over(int thread, StackMark calls) implements Step {}
+  record Over(int thread, StackMark calls) implements StepRequest {}
 
   /** To the next statement of a call around the innermost one. */
-  record Out(int thread, StackMark calls) implements Step {}
+  record Out(int thread, StackMark calls) implements StepRequest {}
 
   /**
    * To one statement.
    *
    * @param start its first offset in the program's text
    */
-  record To(int thread, int start) implements Step {}
+  record To(int thread, int start) implements StepRequest {}
 }

@@ -30,7 +30,7 @@ import org.pendant.project.program.text.ProgramText;
  * Makes the elements of a tree. What was written is read again at once: a node that does not come
  * back as it was is written in a form of our own, with its text in it, so that nothing is lost.
  */
-final class ProgramWriter {
+final class UrpProgramWriter {
   private static final String VERSION = "5.24.1";
   private static final String CHILDREN = "children";
   private static final int MAX_TURNS = 4;
@@ -51,7 +51,7 @@ final class ProgramWriter {
   private StepElements elements = new StepElements(out);
   private MotionElements motion;
 
-  ProgramWriter(String name, ProgramTree tree, Installation installation) {
+  UrpProgramWriter(String name, ProgramTree tree, Installation installation) {
     this.name = name;
     this.tree = tree.renumbered();
     this.installation = installation;
@@ -322,7 +322,7 @@ final class ProgramWriter {
       case ForeignStep.Contributed contributed -> {
         if (!contributed.stub().isEmpty() && whole(contributed.data()).isPresent()) {
           byte[] stub = String.join("\n", contributed.stub()).getBytes(StandardCharsets.UTF_8);
-          out.comment(Kept.STUB + Base64.getEncoder().encodeToString(stub));
+          out.comment(PreservedElements.STUB + Base64.getEncoder().encodeToString(stub));
         }
         yield raw(contributed.data(), suppressed);
       }

@@ -31,9 +31,9 @@ import java.util.stream.IntStream;
 import org.pendant.controller.external.ModbusExchange;
 
 /** A request to a device and how its answer is read. Pure: bytes in, bytes out. */
-final class Question {
+final class DeviceRequest {
   /** Bytes of an answer to a write: prefix, unit, function, address, count. */
-  private static final int WRITTEN_LENGTH = AnswerFrame.PREFIX + 6;
+  private static final int WRITTEN_LENGTH = ResponseFrame.PREFIX + 6;
 
   private static final int EXCEPTION_BIT = 0x80;
 
@@ -50,14 +50,14 @@ final class Question {
     ANYTHING
   }
 
-  private Question(byte[] request, Expected expected, int values) {
+  private DeviceRequest(byte[] request, Expected expected, int values) {
     this.request = request;
     this.expected = expected;
     this.values = values;
   }
 
   /** Reads what the exchange reads. */
-  static Question reading(ModbusExchange exchange) {
+  static DeviceRequest reading(ModbusExchange exchange) {
     int address = exchange.readAddress();
     int count = exchange.readCount();
     ModbusRequest request =
@@ -69,7 +69,7 @@ final class Question {
               new ReadMultipleRegistersRequest(address, count);
         };
     Expected expected = exchange.kind().digital() ? Expected.BITS : Expected.REGISTERS;
-    return new Question(encoded(request, exchange.unit()), expected, count);
+    return new DeviceRequest(encoded(request, exchange.unit()), expected, count);
   }
 
   /**
@@ -77,7 +77,7 @@ final class Question {
    *
    * @param values as many as it writes
    */
-  static Question writing(ModbusExchange exchange, List<Integer> values) {
+  static DeviceRequest writing(ModbusExchange exchange, List<Integer> values) {
     int address = exchange.writeAddress();
     return switch (exchange.kind()) {
       case DIGITAL_OUTPUT, DIGITAL_OUTPUTS ->
@@ -96,11 +96,11 @@ final class Question {
     };
   }
 
-  private static Question echoed(ModbusExchange exchange, ModbusRequest request) {
-    return new Question(encoded(request, exchange.unit()), Expected.ECHO, 0);
+  private static DeviceRequest echoed(ModbusExchange exchange, ModbusRequest request) {
+    return new DeviceRequest(encoded(request, exchange.unit()), Expected.ECHO, 0);
   }
 
-  private static Question readingAndWriting(ModbusExchange exchange, List<Integer> values) {
+  private static DeviceRequest readingAndWriting(ModbusExchange exchange, List<Integer> values) {
     ReadWriteMultipleRequest request =
         new ReadWriteMultipleRequest(
             exchange.unit(),
@@ -109,16 +109,16 @@ final class Question {
             exchange.writeAddress(),
             exchange.writeCount());
     request.setRegisters(registers(values));
-    return new Question(
+    return new DeviceRequest(
         encoded(request, exchange.unit()), Expected.REGISTERS, exchange.readCount());
   }
 
   /** Sends what somebody else has made. */
-  static Question made(int unit, int function, byte[] data) {
-    ByteBuffer bytes = ByteBuffer.allocate(AnswerFrame.PREFIX + 2 + data.length);
+  static DeviceRequest made(int unit, int function, byte[] data) {
+    ByteBuffer bytes = ByteBuffer.allocate(ResponseFrame.PREFIX + 2 + data.length);
     bytes.putInt(0).putShort((short) (2 + data.length));
     bytes.put((byte) unit).put((byte) function).put(data);
-    return new Question(bytes.array(), Expected.ANYTHING, 0);
+    return new DeviceRequest(bytes.array(), Expected.ANYTHING, 0);
   }
 
   private static BitVector bits(List<Integer> values) {
@@ -159,46 +159,46 @@ final class Question {
   }
 
   /** What a frame that answers this says. */
-  Answer answer(byte[] frame) {
+  DeviceResponse answer(byte[] frame) {
     if (expected == Expected.ANYTHING) {
-      return new Answer.Done();
+      return new DeviceResponse.Done();
     }
-    int asked = request[AnswerFrame.FUNCTION];
-    int function = frame[AnswerFrame.FUNCTION] & 0xFF;
-    if (frame[AnswerFrame.PREFIX] != request[AnswerFrame.PREFIX]) {
-      return new Answer.Nonsense();
+    int asked = request[ResponseFrame.FUNCTION];
+    int function = frame[ResponseFrame.FUNCTION] & 0xFF;
+    if (frame[ResponseFrame.PREFIX] != request[ResponseFrame.PREFIX]) {
+      return new DeviceResponse.Nonsense();
     }
     if (function == (asked | EXCEPTION_BIT)) {
-      return frame.length == AnswerFrame.FUNCTION + 2 && frame[AnswerFrame.FUNCTION + 1] != 0
-          ? new Answer.Refused(frame[AnswerFrame.FUNCTION + 1] & 0xFF)
-          : new Answer.Nonsense();
+      return frame.length == ResponseFrame.FUNCTION + 2 && frame[ResponseFrame.FUNCTION + 1] != 0
+          ? new DeviceResponse.Refused(frame[ResponseFrame.FUNCTION + 1] & 0xFF)
+          : new DeviceResponse.Nonsense();
     }
     if (function != asked) {
-      return new Answer.Nonsense();
+      return new DeviceResponse.Nonsense();
     }
     return switch (expected) {
       case BITS -> values(frame, (values + 7) / 8);
       case REGISTERS -> values(frame, 2 * values);
       case ECHO -> echo(frame);
-      case ANYTHING -> new Answer.Done();
+      case ANYTHING -> new DeviceResponse.Done();
     };
   }
 
-  private Answer echo(byte[] frame) {
+  private DeviceResponse echo(byte[] frame) {
     boolean same = frame.length == WRITTEN_LENGTH;
-    for (int i = AnswerFrame.FUNCTION; same && i < WRITTEN_LENGTH; i++) {
+    for (int i = ResponseFrame.FUNCTION; same && i < WRITTEN_LENGTH; i++) {
       same = frame[i] == request[i];
     }
-    return same ? new Answer.Done() : new Answer.Nonsense();
+    return same ? new DeviceResponse.Done() : new DeviceResponse.Nonsense();
   }
 
-  private Answer values(byte[] frame, int bytes) {
-    if (frame.length != AnswerFrame.FUNCTION + 2 + bytes
-        || (frame[AnswerFrame.FUNCTION + 1] & 0xFF) != bytes) {
-      return new Answer.Nonsense();
+  private DeviceResponse values(byte[] frame, int bytes) {
+    if (frame.length != ResponseFrame.FUNCTION + 2 + bytes
+        || (frame[ResponseFrame.FUNCTION + 1] & 0xFF) != bytes) {
+      return new DeviceResponse.Nonsense();
     }
     ModbusResponse response =
-        ModbusResponse.createModbusResponse(frame[AnswerFrame.FUNCTION] & 0xFF);
+        ModbusResponse.createModbusResponse(frame[ResponseFrame.FUNCTION] & 0xFF);
     try {
       response.readFrom(new DataInputStream(new ByteArrayInputStream(frame)));
     } catch (IOException e) {
@@ -214,7 +214,7 @@ final class Question {
           case ReadWriteMultipleResponse registers -> registers::getRegisterValue;
           default -> throw new IllegalStateException("not asked for: " + response);
         };
-    return new Answer.Values(
+    return new DeviceResponse.Values(
         IntStream.range(0, values).map(i -> value.applyAsInt(i) & 0xFFFF).boxed().toList());
   }
 }

@@ -7,7 +7,7 @@ import org.pendant.project.polyscope.xml.XmlElement;
 import org.pendant.project.program.TreeNames;
 
 /** Reads expressions, which files keep as rows of single characters, tokens and names. */
-final class Expressions {
+final class ExpressionReader {
   /** Names the feature that a variable stands for. */
   static final String FEATURE = "featureName";
 
@@ -29,7 +29,7 @@ final class Expressions {
   private final UrpSignals signals;
   private final Remarks remarks;
 
-  Expressions(UrpSignals signals, Remarks remarks) {
+  ExpressionReader(UrpSignals signals, Remarks remarks) {
     this.signals = signals;
     this.remarks = remarks;
   }

@@ -9,7 +9,7 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 
 /** Cuts the answers out of what a device sends. */
-final class AnswerFrame {
+final class ResponseFrame {
   /** Transaction (2 bytes), protocol (2), length of the rest (2); the unit counts to the rest. */
   static final int PREFIX = 6;
 
@@ -22,7 +22,7 @@ final class AnswerFrame {
   /** Unit and the longest answer, 253 bytes. */
   static final int MAX_REST = 254;
 
-  private AnswerFrame() {}
+  private ResponseFrame() {}
 
   /**
    * Waits for an answer.
