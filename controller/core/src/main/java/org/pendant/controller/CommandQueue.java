@@ -161,7 +161,7 @@ final class CommandQueue {
           new Answered(
               line,
               new Reply.Interpreted(
-                  new Interpreter.Reply.Discarded(
+                  new Interpreter.Response.Discarded(
                       "more than " + Interpreter.MAX_QUEUED + " statements are waiting"))));
     }
   }

@@ -7,8 +7,8 @@ import org.pendant.controller.installation.SignalId;
 import org.pendant.controller.installation.SignalUse;
 import org.pendant.controller.installation.Wiring;
 import org.pendant.controller.io.AnalogBank;
-import org.pendant.controller.io.Direction;
 import org.pendant.controller.io.InputAction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.RunStateAction;
 import org.pendant.controller.io.RunStateOutputs;
@@ -96,7 +96,7 @@ final class InstalledSignals {
   }
 
   private void use(SignalId.Register register, SignalUse use) {
-    if (register.direction() == Direction.INPUT) {
+    if (register.direction() == RegisterDirection.INPUT) {
       signals.setRegisterAction(register.address(), use.input());
     } else {
       signals.runState().chooseRegister(register.address(), use.output());

@@ -28,5 +28,5 @@ public sealed interface Reply {
   record InterpreterState(InterpreterStatus status) implements Reply {}
 
   /** What interpreter mode says to a line. */
-  record Interpreted(Interpreter.Reply reply) implements Reply {}
+  record Interpreted(Interpreter.Response reply) implements Reply {}
 }

@@ -48,7 +48,7 @@ final class InterpreterCommandsTest {
   }
 
   private static Reply acknowledged(int id) {
-    return new Reply.Interpreted(new Interpreter.Reply.Acknowledged(id));
+    return new Reply.Interpreted(new Interpreter.Response.Acknowledged(id));
   }
 
   private InterpreterStatus status() {
@@ -87,7 +87,7 @@ final class InterpreterCommandsTest {
     controller.advance();
     controller.advance();
     assertInstanceOf(
-        Interpreter.Reply.Discarded.class,
+        Interpreter.Response.Discarded.class,
         assertInstanceOf(Reply.Interpreted.class, tooLate.join()).reply());
     assertEquals(acknowledged(3), last.join());
   }
@@ -103,7 +103,7 @@ final class InterpreterCommandsTest {
     ask(new Command.StopProgram());
     controller.advance();
     assertEquals(
-        new Reply.Interpreted(new Interpreter.Reply.Discarded("no program is running")),
+        new Reply.Interpreted(new Interpreter.Response.Discarded("no program is running")),
         waiting.join());
   }
 

@@ -7,7 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalState;
@@ -20,7 +20,7 @@ class SignalCommandsTest {
   private final RunningProgram robot = new RunningProgram();
 
   private static SignalWrite integer(int address, int value) {
-    return new SignalWrite.IntegerRegister(Direction.INPUT, address, value);
+    return new SignalWrite.IntegerRegister(RegisterDirection.INPUT, address, value);
   }
 
   private Reply refused(String reason) {

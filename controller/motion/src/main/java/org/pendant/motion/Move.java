@@ -15,7 +15,7 @@ import org.pendant.motion.profile.ProfileLimits;
  * @param kind which moves it may blend with
  */
 public record Move(
-    Route route, MoveLimits limits, double blendRadiusM, double jerkRampS, Kind kind) {
+    PathPlanner route, MoveLimits limits, double blendRadiusM, double jerkRampS, Kind kind) {
 
   /** Moves of different kinds lead round a waypoint in different ways. */
   public enum Kind {
@@ -36,7 +36,7 @@ public record Move(
 
   /** Makes the path of a move. */
   @FunctionalInterface
-  public interface Route {
+  public interface PathPlanner {
     /**
      * The path.
      *
@@ -47,7 +47,7 @@ public record Move(
   }
 
   /** A move from goal to goal. */
-  public Move(Route route, MoveLimits limits, double blendRadiusM, double jerkRampS) {
+  public Move(PathPlanner route, MoveLimits limits, double blendRadiusM, double jerkRampS) {
     this(route, limits, blendRadiusM, jerkRampS, Kind.TRAVEL);
   }
 

@@ -88,11 +88,11 @@ final class BlendLimitsTest {
             random.nextDouble(-turn, turn)));
   }
 
-  private Move.Route line(Pose goal) {
+  private Move.PathPlanner line(Pose goal) {
     return from -> Routes.line(arm, from, forward.tcpPose(from, TCP), goal, TCP);
   }
 
-  private Move.Route joints(Joints goal) {
+  private Move.PathPlanner joints(Joints goal) {
     return from -> Routes.joints(arm, from, goal, forward.tcpPose(goal, TCP), TCP);
   }
 

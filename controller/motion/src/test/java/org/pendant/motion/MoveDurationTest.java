@@ -67,7 +67,7 @@ final class MoveDurationTest {
       Pose to = forward.tcpPose(goal, TCP);
       double a = linear ? random.nextDouble(0.1, 1) : random.nextDouble(0.2, 8);
       double v = linear ? random.nextDouble(0.02, 0.2) : random.nextDouble(0.05, 3);
-      Move.Route route =
+      Move.PathPlanner route =
           linear
               ? q -> Routes.line(arm, q, from, to, TCP)
               : q -> Routes.joints(arm, q, goal, to, TCP);

@@ -193,8 +193,8 @@ final class OddBlendTest {
   @ValueSource(doubles = {0, 0.08})
   void durationsThatTheArmCannotKeepAreStretched(double ramp) throws PlanningException {
     Joints far = READY.with(0, 1);
-    Move.Route there = from -> Routes.joints(arm, from, far, forward.tcpPose(far, TCP), TCP);
-    Move.Route back = from -> Routes.joints(arm, from, READY, home, TCP);
+    Move.PathPlanner there = from -> Routes.joints(arm, from, far, forward.tcpPose(far, TCP), TCP);
+    Move.PathPlanner back = from -> Routes.joints(arm, from, READY, home, TCP);
     MoveLimits hasty = new MoveLimits(1.4, 1.05, 0.05);
     MotionTicket first = control.start(new Move(there, hasty, 0.05, ramp)).orElseThrow();
     assertTrue(first.stretchedS() > 0.3, "stretched to " + first.stretchedS());

@@ -63,18 +63,18 @@ final class ArmForms {
         }
       };
 
-  static final Form<Control> CONTROL =
+  static final Form<ControlStatus> CONTROL =
       new Form<>() {
         @Override
-        void write(Control value, ByteSink out) {
+        void write(ControlStatus value, ByteSink out) {
           out.constant(value.mode());
           out.bool(value.moving());
           out.bool(value.steady());
         }
 
         @Override
-        Control read(ByteSource in) throws MalformedBytes {
-          return Control.of(in.constant(ControlMode.class), in.bool(), in.bool());
+        ControlStatus read(ByteSource in) throws MalformedBytes {
+          return ControlStatus.of(in.constant(ControlMode.class), in.bool(), in.bool());
         }
       };
 

@@ -42,7 +42,7 @@ public final class Column {
      * @param part where it is
      * @param of reads it from the part's object
      */
-    record OfPart(Part part, ToDoubleFunction<Object> of) implements Reading {}
+    record OfPart(SnapshotPart part, ToDoubleFunction<Object> of) implements Reading {}
 
     /**
      * A number that has to be worked out.
@@ -100,14 +100,15 @@ public final class Column {
 
   /** The line that the main thread has reached, from 1; 0 when no program runs. */
   public static Column line() {
-    return new Column(new Reading.OfPart(Part.PROGRAM, part -> ((ProgramStatus) part).line()));
+    return new Column(
+        new Reading.OfPart(SnapshotPart.PROGRAM, part -> ((ProgramStatus) part).line()));
   }
 
   /** Whether a program runs: 0 for stopped, 1 for running, 2 for paused. */
   public static Column programState() {
     return new Column(
         new Reading.OfPart(
-            Part.PROGRAM,
+            SnapshotPart.PROGRAM,
             part ->
                 switch (((ProgramStatus) part).state()) {
                   case STOPPED -> 0;
@@ -120,13 +121,13 @@ public final class Column {
   public static Column digital(SignalBank bank) {
     return new Column(
         new Reading.OfPart(
-            Part.IO, part -> Integer.toUnsignedLong(((DigitalLevels) part).bits(bank))));
+            SnapshotPart.IO, part -> Integer.toUnsignedLong(((DigitalLevels) part).bits(bank))));
   }
 
   /** The level of a digital signal, 0 or 1. */
   public static Column digital(Signal signal) {
     return new Column(
-        new Reading.OfPart(Part.IO, part -> ((DigitalLevels) part).level(signal) ? 1 : 0));
+        new Reading.OfPart(SnapshotPart.IO, part -> ((DigitalLevels) part).level(signal) ? 1 : 0));
   }
 
   /**
@@ -136,7 +137,7 @@ public final class Column {
   public static Column variable(VariablePath path) {
     return new Column(
         new Reading.OfPart(
-            Part.VARIABLES,
+            SnapshotPart.VARIABLES,
             part ->
                 ((VariableSamples) part)
                     .find(path)
@@ -158,7 +159,7 @@ public final class Column {
   public static Column traced(VariablePath path) {
     String name = path.text();
     return new Column(
-        new Reading.OfPart(Part.TRACED, part -> ((TracedVariables) part).value(name)));
+        new Reading.OfPart(SnapshotPart.TRACED, part -> ((TracedVariables) part).value(name)));
   }
 
   /** How fast the TCP moves, m/s. */

@@ -45,8 +45,8 @@ final class FileFormat {
       out.text(each.column());
       out.count(each.size());
     }
-    out.count(Part.COUNT);
-    for (Part each : Part.PARTS) {
+    out.count(SnapshotPart.COUNT);
+    for (SnapshotPart each : SnapshotPart.PARTS) {
       out.text(each.column());
     }
   }
@@ -86,7 +86,7 @@ final class FileFormat {
     for (NumberGroup each : NumberGroup.values()) {
       columns.add(each.column() + " " + each.size());
     }
-    for (Part each : Part.PARTS) {
+    for (SnapshotPart each : SnapshotPart.PARTS) {
       columns.add(each.column());
     }
     return columns;

@@ -19,7 +19,7 @@ abstract class Form<T> {
    */
   abstract T read(ByteSource in) throws MalformedBytes;
 
-  /** Appends a value of a type that only its {@link Part} knows. */
+  /** Appends a value of a type that only its {@link SnapshotPart} knows. */
   @SuppressWarnings(
       "unchecked") // a part's getter and form are of the same type, see its constructor
   final void writeObject(Object value, ByteSink out) {

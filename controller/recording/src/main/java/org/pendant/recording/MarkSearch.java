@@ -44,16 +44,16 @@ final class MarkSearch {
   }
 
   private void visit(SegmentCursor entry) {
-    ProgramStatus now = (ProgramStatus) entry.part(Part.PROGRAM);
+    ProgramStatus now = (ProgramStatus) entry.part(SnapshotPart.PROGRAM);
     int line = now.line();
-    if (entry.changed(Part.NEWS)) {
-      news((FrameDelta) entry.part(Part.NEWS), entry.frame(), line);
+    if (entry.changed(SnapshotPart.NEWS)) {
+      news((FrameDelta) entry.part(SnapshotPart.NEWS), entry.frame(), line);
     }
-    if (entry.changed(Part.SAFETY)) {
-      safety((SafetyStatus) entry.part(Part.SAFETY), entry.frame(), line);
+    if (entry.changed(SnapshotPart.SAFETY)) {
+      safety((SafetyStatus) entry.part(SnapshotPart.SAFETY), entry.frame(), line);
     }
     // the first entry of a segment has it in any case, changed or not
-    if (entry.changed(Part.PROGRAM) && line > 0 && program.filter(now::equals).isEmpty()) {
+    if (entry.changed(SnapshotPart.PROGRAM) && line > 0 && program.filter(now::equals).isEmpty()) {
       label(entry.frame(), line);
     }
     program = Optional.of(now);

@@ -184,8 +184,8 @@ public final class Recording {
         from,
         frameAt(toS),
         entry -> {
-          if (entry.frame() >= from && entry.changed(Part.NEWS)) {
-            entries.addAll(((FrameDelta) entry.part(Part.NEWS)).entries());
+          if (entry.frame() >= from && entry.changed(SnapshotPart.NEWS)) {
+            entries.addAll(((FrameDelta) entry.part(SnapshotPart.NEWS)).entries());
           }
         });
     return entries;

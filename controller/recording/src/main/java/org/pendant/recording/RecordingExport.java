@@ -77,8 +77,8 @@ public final class RecordingExport {
         from,
         to,
         entry -> {
-          if (names.isEmpty() || entry.changed(Part.TRACED)) {
-            names.addAll(((TracedVariables) entry.part(Part.TRACED)).names());
+          if (names.isEmpty() || entry.changed(SnapshotPart.TRACED)) {
+            names.addAll(((TracedVariables) entry.part(SnapshotPart.TRACED)).names());
           }
         });
     return names.stream().filter(VariablePath::isOne).map(VariablePath::of).toList();

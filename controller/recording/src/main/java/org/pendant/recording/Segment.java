@@ -7,9 +7,9 @@ import java.util.Arrays;
  * was. One thread appends; others read up to {@link #published} at the same time, as what has been
  * appended never changes.
  *
- * <p>An entry has the number of its frame, a mask of {@link NumberGroup}s and one of {@link Part}s,
- * whose values follow each other in the two pools in the order of their bits. Snapshots of a frame
- * that a debugger held have entries with the same frame.
+ * <p>An entry has the number of its frame, a mask of {@link NumberGroup}s and one of {@link
+ * SnapshotPart}s, whose values follow each other in the two pools in the order of their bits.
+ * Snapshots of a frame that a debugger held have entries with the same frame.
  */
 final class Segment implements SegmentRef {
   /** Entries of a segment. */

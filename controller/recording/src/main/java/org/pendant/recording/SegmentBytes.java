@@ -30,7 +30,9 @@ final class SegmentBytes {
     int part = 0;
     for (int i = 0; i < count; i++) {
       for (int left = segment.partMask(i); left != 0; left &= left - 1) {
-        Part.of(Integer.numberOfTrailingZeros(left)).form().writeObject(segment.part(part), out);
+        SnapshotPart.of(Integer.numberOfTrailingZeros(left))
+            .form()
+            .writeObject(segment.part(part), out);
         part++;
       }
     }
@@ -91,11 +93,11 @@ final class SegmentBytes {
       }
       frames[i] = (int) frame;
       numberMasks[i] = in.upTo(NumberGroup.ALL);
-      partMasks[i] = in.upTo(Part.ALL);
+      partMasks[i] = in.upTo(SnapshotPart.ALL);
       numbers += NumberGroup.sizeOfAll(numberMasks[i]);
       parts += Integer.bitCount(partMasks[i]);
     }
-    if (frames[0] != 0 || numberMasks[0] != NumberGroup.ALL || partMasks[0] != Part.ALL) {
+    if (frames[0] != 0 || numberMasks[0] != NumberGroup.ALL || partMasks[0] != SnapshotPart.ALL) {
       throw new MalformedBytes("the first entry of a block is not whole");
     }
     if (numbers > Segment.MAX_NUMBERS) {
@@ -146,7 +148,7 @@ final class SegmentBytes {
         if (at == objects.length) {
           objects = Arrays.copyOf(objects, Math.min(parts, 2 * at));
         }
-        objects[at] = Part.of(Integer.numberOfTrailingZeros(left)).form().read(in);
+        objects[at] = SnapshotPart.of(Integer.numberOfTrailingZeros(left)).form().read(in);
         at++;
       }
     }

@@ -5,7 +5,7 @@ final class SegmentCursor {
   private final Segment segment;
   private final int count;
   private final int[] numberAt = new int[NumberGroup.COUNT];
-  private final int[] partAt = new int[Part.COUNT];
+  private final int[] partAt = new int[SnapshotPart.COUNT];
   private int numbers;
   private int parts;
   private int entry = -1;
@@ -53,7 +53,7 @@ final class SegmentCursor {
   }
 
   /** Whether the present entry has a new value of a part. */
-  boolean changed(Part part) {
+  boolean changed(SnapshotPart part) {
     return (segment.partMask(entry) & part.bit()) != 0;
   }
 
@@ -63,7 +63,7 @@ final class SegmentCursor {
   }
 
   /** A part. */
-  Object part(Part part) {
+  Object part(SnapshotPart part) {
     return segment.part(partAt[part.index()]);
   }
 }

@@ -19,10 +19,10 @@ final class SnapshotEncoder {
   private final int ambientFrames;
   private final double[] last = new double[NumberGroup.NUMBERS];
   private final double[] now = new double[NumberGroup.NUMBERS];
-  private final Object[] lastParts = new Object[Part.COUNT];
+  private final Object[] lastParts = new Object[SnapshotPart.COUNT];
 
   /** What the parts were before this frame, for those that it has changed. */
-  private final Object[] before = new Object[Part.COUNT];
+  private final Object[] before = new Object[SnapshotPart.COUNT];
 
   private long ambientFrame;
   private Segment segment;
@@ -42,8 +42,8 @@ final class SnapshotEncoder {
     this.full = full;
     this.ambientFrames = ambientFrames;
     NumberGroup.read(start, last);
-    for (int i = 0; i < Part.COUNT; i++) {
-      lastParts[i] = Part.of(i).in(start);
+    for (int i = 0; i < SnapshotPart.COUNT; i++) {
+      lastParts[i] = SnapshotPart.of(i).in(start);
     }
     segment = new Segment(start.frame());
     keepAll(start.frame());
@@ -96,21 +96,21 @@ final class SnapshotEncoder {
       handedOn = false;
       begun.accept(segment);
     }
-    if ((partMask & Part.NEWS.bit()) != 0) {
+    if ((partMask & SnapshotPart.NEWS.bit()) != 0) {
       newsAreOld();
     }
   }
 
   private void newsAreOld() {
-    int news = Part.NEWS.index();
+    int news = SnapshotPart.NEWS.index();
     lastParts[news] = ((FrameDelta) lastParts[news]).old();
   }
 
   private int newParts(ControllerState state) {
     int mask = 0;
-    for (int i = 0; i < Part.COUNT; i++) {
-      Part part = Part.of(i);
-      if (part == Part.NEWS && !FrameDelta.in(state)) {
+    for (int i = 0; i < SnapshotPart.COUNT; i++) {
+      SnapshotPart part = SnapshotPart.of(i);
+      if (part == SnapshotPart.NEWS && !FrameDelta.in(state)) {
         continue;
       }
       Object value = part.in(state);
@@ -137,7 +137,7 @@ final class SnapshotEncoder {
   private void keepAll(long frame) {
     // what the segment before has as well may outlive that: it counts here once more
     Arrays.fill(before, MemoryEstimate.NOTHING);
-    keep(frame, NumberGroup.ALL, Part.ALL);
+    keep(frame, NumberGroup.ALL, SnapshotPart.ALL);
   }
 
   private void keep(long frame, int numberMask, int partMask) {

@@ -47,8 +47,8 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
   ControllerState of(SegmentCursor at, long frame) {
     ArmState armState = armState(at);
     ArmReadings readings = readings(at);
-    FrameDelta frameDelta = (FrameDelta) at.part(Part.NEWS);
-    if (at.frame() != frame || !at.changed(Part.NEWS)) {
+    FrameDelta frameDelta = (FrameDelta) at.part(SnapshotPart.NEWS);
+    if (at.frame() != frame || !at.changed(SnapshotPart.NEWS)) {
       frameDelta = frameDelta.old();
     }
     return new ControllerState(
@@ -59,19 +59,19 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
         armState,
         readings,
         new ArmGeometry(armState, readings),
-        (SafetyStatus) at.part(Part.SAFETY),
-        (ProgramStatus) at.part(Part.PROGRAM),
-        (DebugState) at.part(Part.DEBUG),
-        (DigitalLevels) at.part(Part.IO),
-        (SignalState) at.part(Part.SIGNALS),
-        (List<ModbusSignalState>) at.part(Part.MODBUS),
-        (AssemblyImage) at.part(Part.ASSEMBLIES),
-        (Encoders.Counts) at.part(Part.ENCODERS),
-        (FreedriveState) at.part(Part.FREEDRIVE),
-        (VariableSamples) at.part(Part.VARIABLES),
-        (TracedVariables) at.part(Part.TRACED),
-        (List<Popup>) at.part(Part.POPUPS),
-        (List<Question>) at.part(Part.QUESTIONS),
+        (SafetyStatus) at.part(SnapshotPart.SAFETY),
+        (ProgramStatus) at.part(SnapshotPart.PROGRAM),
+        (DebugState) at.part(SnapshotPart.DEBUG),
+        (DigitalLevels) at.part(SnapshotPart.IO),
+        (SignalState) at.part(SnapshotPart.SIGNALS),
+        (List<ModbusSignalState>) at.part(SnapshotPart.MODBUS),
+        (AssemblyImage) at.part(SnapshotPart.ASSEMBLIES),
+        (Encoders.Counts) at.part(SnapshotPart.ENCODERS),
+        (FreedriveState) at.part(SnapshotPart.FREEDRIVE),
+        (VariableSamples) at.part(SnapshotPart.VARIABLES),
+        (TracedVariables) at.part(SnapshotPart.TRACED),
+        (List<Popup>) at.part(SnapshotPart.POPUPS),
+        (List<Question>) at.part(SnapshotPart.QUESTIONS),
         frameDelta.entries().isEmpty() ? LogLines.NONE : new LogLines.Listed(frameDelta.entries()),
         frameDelta.popups(),
         frameDelta.questions(),
@@ -80,14 +80,14 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
   }
 
   private ArmState armState(SegmentCursor at) {
-    Control control = (Control) at.part(Part.CONTROL);
+    ControlStatus control = (ControlStatus) at.part(SnapshotPart.CONTROL);
     return new ArmState(
         joints(at, NumberGroup.TARGET_Q),
         joints(at, NumberGroup.TARGET_QD),
         joints(at, NumberGroup.TARGET_QDD),
         joints(at, NumberGroup.ACTUAL_Q),
         joints(at, NumberGroup.ACTUAL_QD),
-        (ToolCentre) at.part(Part.TOOL),
+        (ToolCentre) at.part(SnapshotPart.TOOL),
         arm,
         kinematics,
         control.mode(),
@@ -95,7 +95,7 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
         control.steady(),
         at.number(NumberGroup.SPEED, 0),
         at.number(NumberGroup.SPEED, 1),
-        (Optional<MotionFailure>) at.part(Part.FAULT));
+        (Optional<MotionFailure>) at.part(SnapshotPart.FAULT));
   }
 
   private static ArmReadings readings(SegmentCursor at) {
@@ -116,8 +116,8 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
             at.number(NumberGroup.TOOL_ACCELERATION, 2)),
         wrench(at, NumberGroup.FLANGE_WRENCH),
         wrench(at, NumberGroup.RAW_WRENCH),
-        (Payload) at.part(Part.PAYLOAD),
-        (Mounting) at.part(Part.MOUNTING),
+        (Payload) at.part(SnapshotPart.PAYLOAD),
+        (Mounting) at.part(SnapshotPart.MOUNTING),
         at.number(NumberGroup.LOAD, 1),
         at.number(NumberGroup.AMBIENT, 8),
         at.number(NumberGroup.AMBIENT, 9),

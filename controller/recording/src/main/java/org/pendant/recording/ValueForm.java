@@ -7,7 +7,6 @@ import org.pendant.script.value.BoolValue;
 import org.pendant.script.value.FloatValue;
 import org.pendant.script.value.HandleValue;
 import org.pendant.script.value.IntValue;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.MatrixValue;
 import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.NumberList;
@@ -16,6 +15,7 @@ import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.StringValue;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /**
  * The form of a script value: its kind, then what it holds. Lists are written without spare room.
@@ -79,7 +79,7 @@ final class ValueForm extends Form<Value> {
   Value read(ByteSource in) throws MalformedBytes {
     in.deeper();
     Value value =
-        switch (in.constant(Kind.class)) {
+        switch (in.constant(ValueKind.class)) {
           case NONE -> NoneValue.NONE;
           case BOOL -> Value.of(in.bool());
           case INT -> Value.of(in.integer());
@@ -96,11 +96,11 @@ final class ValueForm extends Form<Value> {
   }
 
   private Value list(ByteSource in) throws MalformedBytes {
-    Kind kind = in.constant(Kind.class);
-    return kind.isNumber() || kind == Kind.BOOL ? numbers(kind, in) : objects(kind, in);
+    ValueKind kind = in.constant(ValueKind.class);
+    return kind.isNumber() || kind == ValueKind.BOOL ? numbers(kind, in) : objects(kind, in);
   }
 
-  private static NumberList numbers(Kind kind, ByteSource in) throws MalformedBytes {
+  private static NumberList numbers(ValueKind kind, ByteSource in) throws MalformedBytes {
     double[] numbers = new double[in.count(Double.BYTES)];
     for (int i = 0; i < numbers.length; i++) {
       numbers[i] = in.number();
@@ -108,7 +108,7 @@ final class ValueForm extends Form<Value> {
     return NumberList.owning(numbers, numbers.length, kind);
   }
 
-  private ObjectList objects(Kind kind, ByteSource in) throws MalformedBytes {
+  private ObjectList objects(ValueKind kind, ByteSource in) throws MalformedBytes {
     Value sample = checked(kind, read(in));
     int count = in.count(1);
     List<Value> elements = new ArrayList<>();
@@ -118,7 +118,7 @@ final class ValueForm extends Form<Value> {
     return ObjectList.owning(elements.toArray(Value[]::new), count, sample);
   }
 
-  private static Value checked(Kind wanted, Value element) throws MalformedBytes {
+  private static Value checked(ValueKind wanted, Value element) throws MalformedBytes {
     if (element.kind() != wanted) {
       throw new MalformedBytes(
           "an element is " + element.kind().described() + ", must be " + wanted.described());

@@ -6,7 +6,7 @@
  * <p>In memory and in files ({@code docs/recording.md}) a recording is a row of segments. Each
  * begins with a whole snapshot and goes on with what each frame has changed: numbers in {@link
  * org.pendant.recording.NumberGroup}s, which tend to change in every frame, and {@link
- * org.pendant.recording.Part}s, which rarely do.
+ * org.pendant.recording.SnapshotPart}s, which rarely do.
  *
  * <pre>{@code
  * RecordingRing ring = new RecordingRing(controller.state(), controller::programSource);

@@ -69,7 +69,6 @@ import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.PauseReason;
 import org.pendant.script.function.ScriptPlace;
 import org.pendant.script.value.HandleValue;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.MatrixValue;
 import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.NumberList;
@@ -77,6 +76,7 @@ import org.pendant.script.value.ObjectList;
 import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 import org.pendant.script.variables.TracedVariables;
 import org.pendant.script.variables.VariableSample;
 import org.pendant.script.variables.VariableSamples;
@@ -428,7 +428,7 @@ final class RandomStates {
 
   private VariableSample sample() {
     Optional<Value> value = maybe(() -> value(0));
-    boolean list = value.map(each -> each.kind() == Kind.LIST).orElse(false);
+    boolean list = value.map(each -> each.kind() == ValueKind.LIST).orElse(false);
     return VariableSample.of(text(), text(), value, list ? 100 : 0);
   }
 

@@ -49,10 +49,11 @@ final class RecordingTest {
       assertEquals(index, each.index());
       index++;
     }
-    for (int i = 0; i < Part.COUNT; i++) {
-      assertEquals(i, Part.PARTS.get(i).index());
+    for (int i = 0; i < SnapshotPart.COUNT; i++) {
+      assertEquals(i, SnapshotPart.PARTS.get(i).index());
     }
-    assertTrue(NumberGroup.COUNT < Integer.SIZE && Part.COUNT < Integer.SIZE, "masks are ints");
+    assertTrue(
+        NumberGroup.COUNT < Integer.SIZE && SnapshotPart.COUNT < Integer.SIZE, "masks are ints");
   }
 
   @Test

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.project.program.ControlScript;
 import org.pendant.project.program.script.GeneratedScript;
-import org.pendant.project.program.script.GeneratedScript.Place;
+import org.pendant.project.program.script.GeneratedScript.NodeLines;
 
 /** Which lines of the text that runs are which of the text that people see; both count from 1. */
 public interface RunLines {
@@ -59,7 +59,7 @@ public interface RunLines {
 
       @Override
       public int toShown(int line) {
-        Optional<Place> place = run.at(line);
+        Optional<NodeLines> place = run.at(line);
         return place.isEmpty()
             ? outside.toNow(line)
             : shown.of(place.get().key()).map(same -> moved(line, place.get(), same)).orElse(0);
@@ -80,7 +80,7 @@ public interface RunLines {
     };
   }
 
-  private static int moved(int line, Place from, Place to) {
+  private static int moved(int line, NodeLines from, NodeLines to) {
     return Math.clamp((long) line - from.first() + to.first(), 1, to.last());
   }
 }

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.Variable;
-import org.pendant.script.value.Kind;
+import org.pendant.script.value.ValueKind;
 
 /** A line of a table of values. */
 sealed interface ValueRow {
@@ -71,13 +71,13 @@ sealed interface ValueRow {
     /** As people read it; strings are in quotes so that they can be told from others. */
     String text() {
       String text = ByteText.decoded(variable.text());
-      return variable.kind().equals(Optional.of(Kind.STRING)) ? '"' + text + '"' : text;
+      return variable.kind().equals(Optional.of(ValueKind.STRING)) ? '"' + text + '"' : text;
     }
 
     /** Such as {@code list [3]}. */
     String kind() {
-      String kind = variable.kind().map(Kind::text).orElse("");
-      return variable.kind().equals(Optional.of(Kind.LIST))
+      String kind = variable.kind().map(ValueKind::text).orElse("");
+      return variable.kind().equals(Optional.of(ValueKind.LIST))
           ? kind + " [" + variable.children() + "]"
           : kind;
     }

@@ -13,8 +13,8 @@ import org.pendant.controller.installation.Wiring;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.io.AnalogSignal;
-import org.pendant.controller.io.Direction;
 import org.pendant.controller.io.InputAction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.RegisterLevels;
 import org.pendant.controller.io.RunStateAction;
@@ -92,9 +92,9 @@ final class SignalTable extends AbstractTableModel {
           case FLAGS ->
               row.id() instanceof SignalId.Digital d && d.signal().bank() == SignalBank.FLAG;
           case INPUT_REGISTERS ->
-              row.id() instanceof SignalId.Register r && r.direction() == Direction.INPUT;
+              row.id() instanceof SignalId.Register r && r.direction() == RegisterDirection.INPUT;
           case OUTPUT_REGISTERS ->
-              row.id() instanceof SignalId.Register r && r.direction() == Direction.OUTPUT;
+              row.id() instanceof SignalId.Register r && r.direction() == RegisterDirection.OUTPUT;
         };
     return fits
         && (row.name().contains(filter)
@@ -114,7 +114,7 @@ final class SignalTable extends AbstractTableModel {
         all.add(new Row(bank.name(i), new SignalId.Analog(bank, i)));
       }
     }
-    for (Direction direction : Direction.values()) {
+    for (RegisterDirection direction : RegisterDirection.values()) {
       for (RegisterKind kind : RegisterKind.values()) {
         for (int i = 0; i < kind.size(); i++) {
           all.add(new Row(direction.name(kind, i), new SignalId.Register(direction, kind, i)));
@@ -162,7 +162,7 @@ final class SignalTable extends AbstractTableModel {
             ? String.format(Locale.ROOT, "%.2f mA", signal.value() * 1000)
             : String.format(Locale.ROOT, "%.3f V", signal.value());
       }
-      case SignalId.Register(Direction direction, RegisterKind kind, int address) -> {
+      case SignalId.Register(RegisterDirection direction, RegisterKind kind, int address) -> {
         RegisterLevels registers = state.signals().registers(direction);
         yield switch (kind) {
           case BOOLEAN -> registers.bool(address) ? "High" : "Low";

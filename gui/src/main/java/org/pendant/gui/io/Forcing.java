@@ -13,8 +13,8 @@ import java.util.function.Function;
 import org.pendant.controller.Command;
 import org.pendant.controller.Reply;
 import org.pendant.controller.io.AnalogDomain;
-import org.pendant.controller.io.Direction;
 import org.pendant.controller.io.InputOwners;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalWrite;
 
 /**
@@ -105,11 +105,11 @@ final class Forcing {
         yield both;
       }
       case SignalWrite.BooleanRegister set ->
-          List.of(new SignalWrite.BooleanRegister(Direction.INPUT, set.address(), false));
+          List.of(new SignalWrite.BooleanRegister(RegisterDirection.INPUT, set.address(), false));
       case SignalWrite.IntegerRegister set ->
-          List.of(new SignalWrite.IntegerRegister(Direction.INPUT, set.address(), 0));
+          List.of(new SignalWrite.IntegerRegister(RegisterDirection.INPUT, set.address(), 0));
       case SignalWrite.FloatRegister set ->
-          List.of(new SignalWrite.FloatRegister(Direction.INPUT, set.address(), 0));
+          List.of(new SignalWrite.FloatRegister(RegisterDirection.INPUT, set.address(), 0));
       case SignalWrite.PortRegister set ->
           List.of(new SignalWrite.PortRegister(set.address(), (short) 0));
       case SignalWrite.PortBit set -> List.of(new SignalWrite.PortBit(set.address(), false));

@@ -16,7 +16,7 @@ import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.io.AnalogBank;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.state.ControllerState;
@@ -197,7 +197,7 @@ public final class IoView implements View {
     cards.add(tool.component());
     cards.add(safety.component());
     for (RegisterKind kind : RegisterKind.values()) {
-      for (Direction direction : Direction.values()) {
+      for (RegisterDirection direction : RegisterDirection.values()) {
         addMemory(cards, new Memory.Registers(direction, kind), labels);
       }
     }

@@ -2,7 +2,7 @@ package org.pendant.gui.io;
 
 import java.util.Locale;
 import java.util.Optional;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
@@ -48,7 +48,7 @@ sealed interface Memory {
   SignalWrite write(int index, double value);
 
   /** General-purpose registers. */
-  record Registers(Direction direction, RegisterKind kind) implements Memory {
+  record Registers(RegisterDirection direction, RegisterKind kind) implements Memory {
     @Override
     public String title() {
       return kind.text().substring(0, 1).toUpperCase(Locale.ROOT)
@@ -88,7 +88,7 @@ sealed interface Memory {
 
     @Override
     public boolean input() {
-      return direction == Direction.INPUT;
+      return direction == RegisterDirection.INPUT;
     }
 
     @Override

@@ -1,7 +1,7 @@
 package org.pendant.gui.io;
 
 import org.pendant.controller.io.AnalogBank;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
@@ -81,7 +81,7 @@ final class SignalName {
   }
 
   /** A name for components and settings, such as {@code input-float-register-3}. */
-  static String id(Direction direction, RegisterKind kind, int address) {
+  static String id(RegisterDirection direction, RegisterKind kind, int address) {
     return direction.text() + "-" + kind.text() + "-register-" + address;
   }
 

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.pendant.language.source.ByteText;
-import org.pendant.script.value.Kind;
+import org.pendant.script.value.ValueKind;
 import org.pendant.script.variables.VariablePath;
 import org.pendant.script.variables.VariableSample;
 import org.pendant.script.variables.VariableSamples;
@@ -53,7 +53,7 @@ final class ScriptVariables {
   }
 
   private static boolean isNumber(VariableSample sample) {
-    return sample.kind().filter(kind -> kind.isNumber() || kind == Kind.BOOL).isPresent();
+    return sample.kind().filter(kind -> kind.isNumber() || kind == ValueKind.BOOL).isPresent();
   }
 
   private static VariablePath path(VariableSample sample) {

@@ -8,7 +8,7 @@ import java.util.function.ToDoubleFunction;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.io.AnalogSignal;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.RegisterLevels;
 import org.pendant.controller.io.SignalBank;
@@ -38,7 +38,7 @@ final class SignalQuantities {
       addAnalog(bank);
     }
     add("tool_voltage", "Signals/Tool", "Tool voltage", "V", s -> s.signals().tool().voltageV());
-    for (Direction direction : Direction.values()) {
+    for (RegisterDirection direction : RegisterDirection.values()) {
       for (RegisterKind kind : RegisterKind.values()) {
         addRegisters(direction, kind);
       }
@@ -79,7 +79,7 @@ final class SignalQuantities {
     return signal.domain() == AnalogDomain.CURRENT ? 1e3 * signal.value() : signal.value();
   }
 
-  private void addRegisters(Direction direction, RegisterKind kind) {
+  private void addRegisters(RegisterDirection direction, RegisterKind kind) {
     String group = "Registers/" + capital(direction.text()) + "s, " + kind.text();
     for (int i = 0; i < kind.size(); i++) {
       int address = i;

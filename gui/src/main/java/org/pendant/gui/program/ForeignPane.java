@@ -15,7 +15,7 @@ import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.StepNames;
 import org.pendant.project.program.script.GeneratedScript;
-import org.pendant.project.program.script.GeneratedScript.Place;
+import org.pendant.project.program.script.GeneratedScript.NodeLines;
 import org.pendant.project.program.urp.ShownNodes;
 
 /** What is known of a node of a program of PolyScope X: what it is called, and its lines. */
@@ -94,7 +94,7 @@ final class ForeignPane extends JPanel {
     if (node.step() instanceof ActionStep.ScriptFile file && node.suppressed()) {
       return String.join("\n", file.lines());
     }
-    Optional<Place> place = script.of(node.key());
+    Optional<NodeLines> place = script.of(node.key());
     List<String> found =
         place.isEmpty()
             ? List.of()

@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.pendant.project.program.script.GeneratedScript;
-import org.pendant.project.program.script.GeneratedScript.Place;
+import org.pendant.project.program.script.GeneratedScript.NodeLines;
 
 /**
  * Which nodes of a program the breakpoints in its script stand beside. A node and the first one
@@ -40,7 +40,7 @@ final class NodeBreakpoints {
           }
         });
     if (keys.isEmpty()) {
-      script.at(line).map(Place::key).ifPresent(keys::add);
+      script.at(line).map(NodeLines::key).ifPresent(keys::add);
     }
     return keys;
   }
@@ -64,7 +64,7 @@ final class NodeBreakpoints {
       beside.stream().filter(line -> !chosen.containsValue(line)).forEach(lines::toggle);
       return true;
     }
-    Optional<Place> place = script.of(key);
+    Optional<NodeLines> place = script.of(key);
     place.ifPresent(each -> set(script, key, each.first(), lines));
     return place.isPresent();
   }
@@ -99,7 +99,7 @@ final class NodeBreakpoints {
 
   /** As far below the first line of its node as it was. */
   private static int moved(GeneratedScript before, GeneratedScript now, long key, int line) {
-    int below = line - before.of(key).map(Place::first).orElse(line);
+    int below = line - before.of(key).map(NodeLines::first).orElse(line);
     return now.of(key).map(place -> Math.min(place.last(), place.first() + below)).orElse(0);
   }
 

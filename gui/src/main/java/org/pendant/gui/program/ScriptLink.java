@@ -21,7 +21,7 @@ import org.pendant.gui.editor.ScriptEditor;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.script.GeneratedScript;
-import org.pendant.project.program.script.GeneratedScript.Place;
+import org.pendant.project.program.script.GeneratedScript.NodeLines;
 import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.vm.ThreadSnapshot;
 
@@ -142,14 +142,14 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
   }
 
   private static long key(GeneratedScript script, int line) {
-    return line < 1 ? 0 : script.at(line).map(Place::key).orElse(0L);
+    return line < 1 ? 0 : script.at(line).map(NodeLines::key).orElse(0L);
   }
 
   // --- selection
 
   /** A node was selected: the script shows its first line, unless it shows one of it already. */
   void selected(TreeProgram program, long key) {
-    Optional<Place> place = program.script().of(key);
+    Optional<NodeLines> place = program.script().of(key);
     int caret = editor.caretLine();
     if (place.isPresent()
         && program.script().at(caret).filter(there -> there.key() == key).isEmpty()) {

@@ -51,7 +51,7 @@ final class ScriptPreview extends JScrollPane {
 
   private void mark() {
     text.getHighlighter().removeAllHighlights();
-    Optional<GeneratedScript.Place> place = shown.of(key);
+    Optional<GeneratedScript.NodeLines> place = shown.of(key);
     if (place.isEmpty() || place.get().last() > text.getLineCount()) {
       return;
     }

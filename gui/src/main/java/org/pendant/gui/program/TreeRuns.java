@@ -61,7 +61,7 @@ public final class TreeRuns {
   }
 
   /** Where a run would have the arm go first; empty for scripts, and where nobody can tell. */
-  public Optional<FirstWaypoint.Place> first(ProgramDocument document, long from) {
+  public Optional<FirstWaypoint.Target> first(ProgramDocument document, long from) {
     return trees
         .of(document)
         .filter(program -> whyNot(document, from).isEmpty())

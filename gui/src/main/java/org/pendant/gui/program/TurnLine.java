@@ -58,7 +58,7 @@ final class TurnLine {
     int first =
         script.places().stream()
             .filter(each -> each.key() == key)
-            .mapToInt(GeneratedScript.Place::first)
+            .mapToInt(GeneratedScript.NodeLines::first)
             .max()
             .orElse(0);
     List<String> lines = script.text().lines().toList();

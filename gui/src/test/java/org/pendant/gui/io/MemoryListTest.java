@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.gui.workbench.Settings;
 import org.pendant.language.source.Source;
@@ -39,11 +39,11 @@ final class MemoryListTest {
               remembered.put(name, text);
             }
           });
-  private final MemoryList floats = list(Direction.INPUT, RegisterKind.FLOAT);
-  private final MemoryList integers = list(Direction.OUTPUT, RegisterKind.INTEGER);
+  private final MemoryList floats = list(RegisterDirection.INPUT, RegisterKind.FLOAT);
+  private final MemoryList integers = list(RegisterDirection.OUTPUT, RegisterKind.INTEGER);
   private final MemoryList flags = new MemoryList(new Memory.Flags(), forcing, labels);
 
-  private MemoryList list(Direction direction, RegisterKind kind) {
+  private MemoryList list(RegisterDirection direction, RegisterKind kind) {
     return new MemoryList(new Memory.Registers(direction, kind), forcing, labels);
   }
 

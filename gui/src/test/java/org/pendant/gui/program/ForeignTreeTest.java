@@ -25,7 +25,7 @@ import org.pendant.gui.session.ProgramFile;
 import org.pendant.project.program.NodeKind;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.StepNames;
-import org.pendant.project.program.script.GeneratedScript.Place;
+import org.pendant.project.program.script.GeneratedScript.NodeLines;
 
 /** A program of PolyScope X on the Program screen. */
 final class ForeignTreeTest {
@@ -115,7 +115,7 @@ final class ForeignTreeTest {
 
   @Test
   void theLinesOfANodeAreThoseThatDoItsWork() {
-    Place place = program.script().of(key("ur-wait 2 s")).orElseThrow();
+    NodeLines place = program.script().of(key("ur-wait 2 s")).orElseThrow();
     List<String> lines = document.script().text().lines().toList();
     assertEquals("  sleep(2)", lines.get(place.first() - 1));
     assertEquals(place, program.script().at(place.first()).orElseThrow());

@@ -24,7 +24,7 @@ final class ArgumentCheck {
     this.state = state;
   }
 
-  void check(Head head, List<Argument> arguments, SourceRange nameRange) {
+  void check(FunctionHead head, List<Argument> arguments, SourceRange nameRange) {
     int count = head.parameters().size();
     boolean[] given = new boolean[count];
     boolean tooMany = false;
@@ -87,7 +87,7 @@ final class ArgumentCheck {
             "an argument without a name follows one with a name; expected name=value");
   }
 
-  private int position(Head head, String name, SourceRange range) {
+  private int position(FunctionHead head, String name, SourceRange range) {
     Integer position = head.positions().get(name);
     if (position != null) {
       return position;
@@ -106,7 +106,7 @@ final class ArgumentCheck {
   }
 
   private void accept(
-      Head head, int position, boolean[] given, Argument argument, StaticType kind) {
+      FunctionHead head, int position, boolean[] given, Argument argument, StaticType kind) {
     Parameter parameter = head.parameters().get(position);
     if (given[position]) {
       duplicate(head.name(), parameter.name(), argument.range());
@@ -137,7 +137,7 @@ final class ArgumentCheck {
             "duplicate-argument", range, function + ": " + name + " is given twice, expected once");
   }
 
-  private void tooMany(Head head, int found, SourceRange range) {
+  private void tooMany(FunctionHead head, int found, SourceRange range) {
     run.findings()
         .error(
             "too-many-arguments",
@@ -145,7 +145,7 @@ final class ArgumentCheck {
             head.name() + " has " + found + " arguments, expected " + head.text());
   }
 
-  private void reportMissing(Head head, boolean[] given, SourceRange nameRange) {
+  private void reportMissing(FunctionHead head, boolean[] given, SourceRange nameRange) {
     List<String> missing = new ArrayList<>();
     for (int i = 0; i < given.length; i++) {
       if (!given[i] && head.parameters().get(i).required()) {

@@ -31,14 +31,14 @@ final class CheckRun {
   private final CallGraph graph = new CallGraph();
   private final Nearest nearest = new Nearest();
   private final Map<String, Optional<Builtin>> builtins = new HashMap<>();
-  private final IdentityHashMap<Definition, Head> heads = new IdentityHashMap<>();
+  private final IdentityHashMap<Definition, FunctionHead> heads = new IdentityHashMap<>();
   private final Set<String> deprecated = new HashSet<>();
   private final Map<String, String> functionOffers = new HashMap<>();
   private final Map<String, String> variableOffers = new HashMap<>();
   private boolean entersInterpreterMode;
 
   /** A built-in function and what calls of it must look like. */
-  record Builtin(Signature signature, Head head) {}
+  record Builtin(Signature signature, FunctionHead head) {}
 
   /**
    * A run over a program or one line.
@@ -73,14 +73,15 @@ final class CheckRun {
     return graph;
   }
 
-  Head head(Definition definition) {
-    return heads.computeIfAbsent(definition, Head::of);
+  FunctionHead head(Definition definition) {
+    return heads.computeIfAbsent(definition, FunctionHead::of);
   }
 
   /** The built-in function of this name, if there is one. */
   Optional<Builtin> builtin(String name) {
     return builtins.computeIfAbsent(
-        name, _ -> catalogue.function(name).map(found -> new Builtin(found, Head.of(found))));
+        name,
+        _ -> catalogue.function(name).map(found -> new Builtin(found, FunctionHead.of(found))));
   }
 
   /**

@@ -245,7 +245,7 @@ final class ExpressionCheck {
                   + run.suggestion(call.method(), () -> methods(receiver)));
       return StaticType.ANY;
     }
-    arguments.check(Head.of(signature.get()), call.arguments(), call.nameRange());
+    arguments.check(FunctionHead.of(signature.get()), call.arguments(), call.nameRange());
     noteTime(signature.get(), call.nameRange());
     return StaticType.of(signature.get().result());
   }

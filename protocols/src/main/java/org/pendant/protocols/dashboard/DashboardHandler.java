@@ -76,8 +76,9 @@ final class DashboardHandler {
       case POWER_ON -> always("power on", new Command.PowerOn(), "Powering on");
       case POWER_OFF -> always("power off", new Command.PowerOff(), "Powering off");
       case BRAKE_RELEASE -> always("brake release", new Command.ReleaseBrakes(), "Brake releasing");
-      case SAFETY_STATUS -> "Safetystatus: " + Names.status(state().safety().safetyMode());
-      case SAFETY_MODE -> "Safetymode: " + Names.mode(state().safety().safetyMode());
+      case SAFETY_STATUS ->
+          "Safetystatus: " + SafetyModeNames.status(state().safety().safetyMode());
+      case SAFETY_MODE -> "Safetymode: " + SafetyModeNames.mode(state().safety().safetyMode());
       case UNLOCK_PROTECTIVE_STOP -> unlockProtectiveStop();
       case RESTART_SAFETY -> restartSafety();
       case IS_IN_REMOTE_CONTROL -> String.valueOf(remote.remote());

@@ -8,11 +8,11 @@ import java.util.Optional;
  *
  * @param argument what follows the words, without blanks around it; may be empty
  */
-record DashboardRequest(Word word, String argument) {
+record DashboardRequest(DashboardCommand word, String argument) {
 
   /** Reads a line; empty when it is none of what can be asked. Capitals count in arguments only. */
   static Optional<DashboardRequest> read(String line) {
-    for (Word word : Word.values()) {
+    for (DashboardCommand word : DashboardCommand.values()) {
       Optional<String> rest = after(word, line);
       if (rest.isPresent() && (word.takesArgument() || rest.get().isEmpty())) {
         return Optional.of(new DashboardRequest(word, rest.get()));
@@ -22,7 +22,7 @@ record DashboardRequest(Word word, String argument) {
   }
 
   /** What follows the words at the begin of {@code line}. */
-  private static Optional<String> after(Word word, String line) {
+  private static Optional<String> after(DashboardCommand word, String line) {
     String rest = line.strip();
     for (String each : word.words()) {
       int end = blank(rest);

@@ -51,7 +51,7 @@ final class DashboardSession implements Session {
       send(LOCAL);
     } else {
       send(dashboardHandler.answer(request.get()));
-      if (request.get().word() == Word.QUIT) {
+      if (request.get().word() == DashboardCommand.QUIT) {
         left = true;
         connection.closeAfterSending();
       }

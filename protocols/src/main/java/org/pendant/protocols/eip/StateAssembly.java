@@ -5,7 +5,7 @@ import java.nio.ByteOrder;
 import java.util.concurrent.TimeUnit;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogLevels;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterLevels;
 import org.pendant.controller.state.ArmReadings;
 import org.pendant.controller.state.ControllerState;
@@ -39,7 +39,7 @@ final class StateAssembly {
     putSignals(state, out.position(SIGNALS_AT));
     putJoints(state, out.position(JOINTS_AT));
     putTcp(state, out.position(TCP_AT));
-    putRegisters(state.signals().registers(Direction.OUTPUT), out.position(REGISTERS_AT));
+    putRegisters(state.signals().registers(RegisterDirection.OUTPUT), out.position(REGISTERS_AT));
     return out.flip();
   }
 

@@ -108,9 +108,9 @@ final class InterpreterSession implements Session {
 
   private static String answer(Reply reply, String line) {
     return switch (reply) {
-      case Reply.Interpreted(Interpreter.Reply.Acknowledged acknowledged) ->
+      case Reply.Interpreted(Interpreter.Response.Acknowledged acknowledged) ->
           "ack: " + acknowledged.id() + ": " + line;
-      case Reply.Interpreted(Interpreter.Reply.Discarded discarded) ->
+      case Reply.Interpreted(Interpreter.Response.Discarded discarded) ->
           discard(discarded.reason(), line);
       case Reply.Refused refused -> discard(refused.reason(), line);
       case Reply.Done _, Reply.Failed _, Reply.InterpreterState _ ->

@@ -11,7 +11,7 @@ import org.pendant.controller.state.StateStream;
  * loop and the servers never wait for each other.
  */
 public final class StateBroadcaster implements AutoCloseable {
-  private final StateStream.Follower frames;
+  private final StateStream.Subscription frames;
   private final PeerLog log;
   private final List<Listener> listeners = new CopyOnWriteArrayList<>();
   private final Thread thread;

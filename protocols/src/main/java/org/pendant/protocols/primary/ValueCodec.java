@@ -7,7 +7,6 @@ import org.pendant.script.value.BoolValue;
 import org.pendant.script.value.FloatValue;
 import org.pendant.script.value.HandleValue;
 import org.pendant.script.value.IntValue;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ListValue;
 import org.pendant.script.value.MatrixValue;
 import org.pendant.script.value.NoneValue;
@@ -17,6 +16,7 @@ import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.StringValue;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /**
  * Script values as bytes, as since version 5.9: a type, then the value. Structs and handles have no
@@ -61,7 +61,7 @@ final class ValueCodec {
       case HandleValue handle -> textSize(handle.text());
       case PoseValue pose -> 1 + Pose.SIZE * Float.BYTES;
       case NumberList list ->
-          3 + count(list) * (list.elementKind() == Kind.BOOL ? 2 : NUMBER_BYTES);
+          3 + count(list) * (list.elementKind() == ValueKind.BOOL ? 2 : NUMBER_BYTES);
       case ObjectList list -> {
         int size = 3;
         for (int i = 0; i < count(list); i++) {
@@ -117,7 +117,7 @@ final class ValueCodec {
     }
   }
 
-  private static void putNumber(Kind kind, double number, ByteBuffer out) {
+  private static void putNumber(ValueKind kind, double number, ByteBuffer out) {
     switch (kind) {
       case BOOL -> out.put(BOOL).put((byte) (number != 0 ? 1 : 0));
       case INT -> out.put(INT).putInt((int) number);

@@ -289,7 +289,7 @@ public final class RemotePendant {
 
   /** Pauses the program and waits until it stands. */
   public Optional<String> pause() {
-    try (StateStream.Follower frames = controller.feed().follow()) {
+    try (StateStream.Subscription frames = controller.feed().follow()) {
       Optional<String> refusal = ask(new Command.PauseProgram());
       long begunNs = System.nanoTime();
       while (refusal.isEmpty()

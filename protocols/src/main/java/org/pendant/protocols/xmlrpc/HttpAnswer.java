@@ -90,7 +90,9 @@ final class HttpAnswer {
 
   private String readLine() throws IOException {
     StringBuilder line = new StringBuilder();
-    for (int next = Line.orEnd(in.read()); next != '\n'; next = Line.orEnd(in.read())) {
+    for (int next = RpcConnection.orEnd(in.read());
+        next != '\n';
+        next = RpcConnection.orEnd(in.read())) {
       if (line.length() == MAX_LINE) {
         throw new IOException("a line of the answer has more than " + MAX_LINE + " characters");
       }
@@ -111,7 +113,7 @@ final class HttpAnswer {
       readExactly(number(header("content-length"), 10));
     } else {
       for (int next = in.read(); next >= 0; next = in.read()) {
-        Line.bound(body.size() + 1L);
+        RpcConnection.bound(body.size() + 1L);
         body.write(next);
       }
     }
@@ -134,9 +136,9 @@ final class HttpAnswer {
   }
 
   private void readExactly(long count) throws IOException {
-    Line.bound(body.size() + count);
+    RpcConnection.bound(body.size() + count);
     for (long i = 0; i < count; i++) {
-      body.write(Line.orEnd(in.read()));
+      body.write(RpcConnection.orEnd(in.read()));
     }
   }
 

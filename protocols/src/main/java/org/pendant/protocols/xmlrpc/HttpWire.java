@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 
 /** HTTP/1.1 with a connection that stays open as long as the server likes. */
 final class HttpWire implements Wire {
-  private final Line line;
+  private final RpcConnection line;
   private final String authority;
   private final String target;
 
@@ -15,7 +15,7 @@ final class HttpWire implements Wire {
    * @param authority host and port as the script wrote them
    * @param target path and query
    */
-  HttpWire(Line line, String authority, String target) {
+  HttpWire(RpcConnection line, String authority, String target) {
     this.line = line;
     this.authority = authority;
     this.target = target;

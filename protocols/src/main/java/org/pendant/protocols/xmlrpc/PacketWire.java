@@ -18,9 +18,9 @@ final class PacketWire implements Wire {
   private static final String NOTHING = "NOP";
   private static final String LITERAL = "ESC";
 
-  private final Line line;
+  private final RpcConnection line;
 
-  PacketWire(Line line) {
+  PacketWire(RpcConnection line) {
     this.line = line;
   }
 
@@ -69,7 +69,7 @@ final class PacketWire implements Wire {
     ByteArrayOutputStream content = new ByteArrayOutputStream();
     boolean begun = false;
     while (true) {
-      int next = Line.orEnd(line.read());
+      int next = RpcConnection.orEnd(line.read());
       if (next != ESCAPE) {
         if (!begun) {
           throw new IOException("the answer does not begin with a packet");
@@ -87,7 +87,7 @@ final class PacketWire implements Wire {
           default -> throw new IOException("the answer is no packet");
         }
       }
-      Line.bound(content.size());
+      RpcConnection.bound(content.size());
     }
   }
 

@@ -33,7 +33,7 @@ public final class XmlRpcConnector implements RpcConnector, AutoCloseable {
     if (stream.matches()) {
       String host = stream.group(1) == null ? stream.group(2) : stream.group(1);
       int port = port(Integer.parseInt(stream.group(3)), url);
-      return link(new PacketWire(new Line(hostPolicy, host, port)));
+      return link(new PacketWire(new RpcConnection(hostPolicy, host, port)));
     }
     URI uri = uri(url);
     int port = uri.getPort() < 0 ? HTTP_PORT : port(uri.getPort(), url);
@@ -43,7 +43,8 @@ public final class XmlRpcConnector implements RpcConnector, AutoCloseable {
     }
     String path = uri.getRawPath().isEmpty() ? "/" : uri.getRawPath();
     String target = uri.getRawQuery() == null ? path : path + "?" + uri.getRawQuery();
-    return link(new HttpWire(new Line(hostPolicy, host, port), uri.getRawAuthority(), target));
+    return link(
+        new HttpWire(new RpcConnection(hostPolicy, host, port), uri.getRawAuthority(), target));
   }
 
   private RpcLink link(Wire wire) {

@@ -30,7 +30,7 @@ final class XmlRpcLink implements RpcLink {
   private final XmlRpcClient client = new XmlRpcClient();
   private final ReentrantLock turn = new ReentrantLock(true);
   private final AtomicBoolean closingFirst = new AtomicBoolean();
-  private final Set<Task> tasks = ConcurrentHashMap.newKeySet();
+  private final Set<RpcTask> tasks = ConcurrentHashMap.newKeySet();
 
   /**
    * A handle for the server at the end of {@code wire}.
@@ -70,7 +70,7 @@ final class XmlRpcLink implements RpcLink {
   }
 
   private Pending begin(Callable<Value> work) {
-    Task task = new Task(() -> inTurn(work), tasks::remove);
+    RpcTask task = new RpcTask(() -> inTurn(work), tasks::remove);
     tasks.add(task);
     task.begin();
     return task;
@@ -116,7 +116,7 @@ final class XmlRpcLink implements RpcLink {
 
   @Override
   public void close() {
-    tasks.forEach(Task::cancel);
+    tasks.forEach(RpcTask::cancel);
     afterwards.accept(this);
     Thread.ofVirtual().name("RPC closing").start(wire::close);
   }

@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 class DashboardRequestTest {
-  private static void assertReads(Word word, String argument, String line) {
+  private static void assertReads(DashboardCommand word, String argument, String line) {
     assertEquals(
         Optional.of(new DashboardRequest(word, argument)), DashboardRequest.read(line), line);
   }
@@ -18,7 +18,7 @@ class DashboardRequestTest {
 
   @Test
   void everyWordIsReadAsItself() {
-    for (Word word : Word.values()) {
+    for (DashboardCommand word : DashboardCommand.values()) {
       String line = String.join(" ", word.words());
       assertReads(word, "", line);
       assertReads(word, "", line.toUpperCase(Locale.ROOT));
@@ -28,16 +28,18 @@ class DashboardRequestTest {
 
   @Test
   void argumentsKeepTheirCapitalsAndBlanks() {
-    assertReads(Word.LOAD, "My  Program.urp", "LOAD   My  Program.urp ");
-    assertReads(Word.POPUP, "Close the Door", "popup Close the Door");
-    assertReads(Word.ADD_TO_LOG, "one", "addToLog one");
+    assertReads(DashboardCommand.LOAD, "My  Program.urp", "LOAD   My  Program.urp ");
+    assertReads(DashboardCommand.POPUP, "Close the Door", "popup Close the Door");
+    assertReads(DashboardCommand.ADD_TO_LOG, "one", "addToLog one");
   }
 
   @Test
   void anInstallationIsNoProgram() {
     assertReads(
-        Word.LOAD_INSTALLATION, "default.installation", "load installation default.installation");
-    assertReads(Word.LOAD, "installations.urp", "load installations.urp");
+        DashboardCommand.LOAD_INSTALLATION,
+        "default.installation",
+        "load installation default.installation");
+    assertReads(DashboardCommand.LOAD, "installations.urp", "load installations.urp");
   }
 
   @Test

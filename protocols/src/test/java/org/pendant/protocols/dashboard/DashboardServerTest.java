@@ -265,7 +265,7 @@ class DashboardServerTest {
   }
 
   private void await(Predicate<ControllerState> condition) throws InterruptedException {
-    try (StateStream.Follower frames = box.controller().feed().follow()) {
+    try (StateStream.Subscription frames = box.controller().feed().follow()) {
       while (!condition.test(box.controller().state())) {
         var _ = frames.take();
       }
@@ -496,10 +496,11 @@ class DashboardServerTest {
 
   @Test
   void everyWordGetsOneLine() throws IOException {
-    Map<Word, String> arguments =
-        Map.of(Word.SET_OPERATIONAL_MODE, " manual", Word.LOAD, " waits.urp");
-    for (Word word : Word.values()) {
-      if (word != Word.QUIT) {
+    Map<DashboardCommand, String> arguments =
+        Map.of(
+            DashboardCommand.SET_OPERATIONAL_MODE, " manual", DashboardCommand.LOAD, " waits.urp");
+    for (DashboardCommand word : DashboardCommand.values()) {
+      if (word != DashboardCommand.QUIT) {
         String answer =
             client.ask(String.join(" ", word.words()) + arguments.getOrDefault(word, ""));
         assertFalse(answer.startsWith("could not understand"), word + ": " + answer);

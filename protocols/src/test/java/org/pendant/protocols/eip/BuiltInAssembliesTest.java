@@ -16,7 +16,7 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Reply;
 import org.pendant.controller.io.AnalogBank;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.rtde.InputUpdate;
 import org.pendant.controller.state.ControllerState;
@@ -41,11 +41,11 @@ class BuiltInAssembliesTest {
         new Command.WriteSignals(
             "test",
             List.of(
-                new SignalWrite.BooleanRegister(Direction.OUTPUT, 63, true),
-                new SignalWrite.IntegerRegister(Direction.OUTPUT, 0, -7),
-                new SignalWrite.IntegerRegister(Direction.OUTPUT, 23, 23),
-                new SignalWrite.FloatRegister(Direction.OUTPUT, 0, 0.5),
-                new SignalWrite.FloatRegister(Direction.OUTPUT, 23, 2.5))));
+                new SignalWrite.BooleanRegister(RegisterDirection.OUTPUT, 63, true),
+                new SignalWrite.IntegerRegister(RegisterDirection.OUTPUT, 0, -7),
+                new SignalWrite.IntegerRegister(RegisterDirection.OUTPUT, 23, 23),
+                new SignalWrite.FloatRegister(RegisterDirection.OUTPUT, 0, 0.5),
+                new SignalWrite.FloatRegister(RegisterDirection.OUTPUT, 23, 2.5))));
     done(new Command.SetSpeedFraction(0.25));
     ControllerState state = controller.state();
     ByteBuffer data = StateAssembly.of(state);
@@ -90,15 +90,15 @@ class BuiltInAssembliesTest {
     assertEquals(0x80, state.io().configurableOut());
     assertEquals(0x02, state.io().toolOut());
     assertEquals(7.5, state.signals().analog().signal(AnalogBank.STANDARD_OUT, 0).value(), 1e-6);
-    assertTrue(state.signals().registers(Direction.INPUT).bool(0));
-    assertTrue(state.signals().registers(Direction.INPUT).bool(31));
-    assertTrue(state.signals().registers(Direction.INPUT).bool(33));
-    assertEquals(11, state.signals().registers(Direction.INPUT).integer(0));
-    assertEquals(-11, state.signals().registers(Direction.INPUT).integer(11));
-    assertEquals(12, state.signals().registers(Direction.INPUT).integer(12));
-    assertEquals(23, state.signals().registers(Direction.INPUT).integer(23));
-    assertEquals(1.5, state.signals().registers(Direction.INPUT).floating(0));
-    assertEquals(23.5, state.signals().registers(Direction.INPUT).floating(23));
+    assertTrue(state.signals().registers(RegisterDirection.INPUT).bool(0));
+    assertTrue(state.signals().registers(RegisterDirection.INPUT).bool(31));
+    assertTrue(state.signals().registers(RegisterDirection.INPUT).bool(33));
+    assertEquals(11, state.signals().registers(RegisterDirection.INPUT).integer(0));
+    assertEquals(-11, state.signals().registers(RegisterDirection.INPUT).integer(11));
+    assertEquals(12, state.signals().registers(RegisterDirection.INPUT).integer(12));
+    assertEquals(23, state.signals().registers(RegisterDirection.INPUT).integer(23));
+    assertEquals(1.5, state.signals().registers(RegisterDirection.INPUT).floating(0));
+    assertEquals(23.5, state.signals().registers(RegisterDirection.INPUT).floating(23));
   }
 
   @Test

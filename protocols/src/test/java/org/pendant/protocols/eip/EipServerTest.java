@@ -22,7 +22,7 @@ import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Reply;
 import org.pendant.controller.eip.AssemblyPair;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.state.StateStream;
 import org.pendant.language.source.Source;
@@ -59,7 +59,7 @@ class EipServerTest {
   }
 
   private int integer(int register) {
-    return box.controller().state().signals().registers(Direction.INPUT).integer(register);
+    return box.controller().state().signals().registers(RegisterDirection.INPUT).integer(register);
   }
 
   private static byte[] control(int register0) {
@@ -181,7 +181,7 @@ class EipServerTest {
     assertInstanceOf(Reply.Done.class, ask(new Command.StartProgram(waits)));
     try (EipClient client = EipClient.registered(port);
         Scanner scanner = new Scanner(client, 1);
-        StateStream.Follower frames = box.controller().feed().follow()) {
+        StateStream.Subscription frames = box.controller().feed().follow()) {
       assertEquals(0, scanner.open(builtIn(scanner).replace("CDAB000005", "CDAB000000")));
       scanner.run(control(9));
       while (box.controller().state().program().state() != ProgramState.STOPPED) {
@@ -223,7 +223,8 @@ class EipServerTest {
   void theStateCanBeReadByMessages() throws Exception {
     ask(
         new Command.WriteSignals(
-            "test", List.of(new SignalWrite.IntegerRegister(Direction.OUTPUT, 1, 0x01020304))));
+            "test",
+            List.of(new SignalWrite.IntegerRegister(RegisterDirection.OUTPUT, 1, 0x01020304))));
     try (EipClient client = EipClient.registered(port)) {
       String answer = client.message(GET_STATE);
       assertEquals(2 * (4 + 480), answer.length());

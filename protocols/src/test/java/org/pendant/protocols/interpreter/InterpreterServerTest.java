@@ -71,7 +71,7 @@ class InterpreterServerTest {
   private void interpreting() throws Exception {
     start("def im():", "  interpreter_mode()", "  textmsg(\"left\")", "end");
     // the first line that is acknowledged and begun shows that the mode is active
-    try (StateStream.Follower frames = box.controller().feed().follow()) {
+    try (StateStream.Subscription frames = box.controller().feed().follow()) {
       var _ = frames.take();
       var _ = frames.take();
     }
@@ -98,7 +98,7 @@ class InterpreterServerTest {
   }
 
   private void awaitEnd() throws InterruptedException {
-    try (StateStream.Follower frames = box.controller().feed().follow()) {
+    try (StateStream.Subscription frames = box.controller().feed().follow()) {
       while (box.controller().state().program().state() != ProgramState.STOPPED) {
         var _ = frames.take();
       }
@@ -180,7 +180,7 @@ class InterpreterServerTest {
     interpreting();
     ask("movej([1.5, -1.57, -1.57, -1.57, 1.57, 0], a=0.1, v=0.1)");
     ask("end_interpreter()");
-    try (StateStream.Follower frames = box.controller().feed().follow()) {
+    try (StateStream.Subscription frames = box.controller().feed().follow()) {
       while (!box.controller().state().arm().moving()) {
         var _ = frames.take();
       }

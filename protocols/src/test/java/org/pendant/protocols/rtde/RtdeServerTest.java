@@ -64,7 +64,7 @@ class RtdeServerTest {
   }
 
   private ControllerState await(Predicate<ControllerState> wanted) throws InterruptedException {
-    try (StateStream.Follower follower = controller.feed().follow()) {
+    try (StateStream.Subscription follower = controller.feed().follow()) {
       for (int i = 0; i < MAX_FRAMES; i++) {
         ControllerState state = follower.take();
         if (wanted.test(state)) {

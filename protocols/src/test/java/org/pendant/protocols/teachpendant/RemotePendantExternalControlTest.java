@@ -78,7 +78,7 @@ class RemotePendantExternalControlTest {
   }
 
   private void awaitEnd() throws InterruptedException {
-    try (StateStream.Follower frames = box.controller().feed().follow()) {
+    try (StateStream.Subscription frames = box.controller().feed().follow()) {
       while (box.controller().state().program().state() != ProgramState.STOPPED) {
         var _ = frames.take();
       }

@@ -48,7 +48,7 @@ class RemotePendantTreeTest {
       assertEquals("Gripper", remotePendant.state().arm().tool().name());
       for (int run = 0; run < 3; run++) {
         assertEquals(Optional.empty(), remotePendant.play());
-        try (StateStream.Follower frames = box.controller().feed().follow()) {
+        try (StateStream.Subscription frames = box.controller().feed().follow()) {
           while (remotePendant.state().program().state() != ProgramState.STOPPED) {
             var _ = frames.take();
           }

@@ -49,7 +49,7 @@ class StartWatchTest {
 
   private static void await(RunningBox box, Predicate<ControllerState> wanted)
       throws InterruptedException {
-    try (StateStream.Follower frames = box.controller().feed().follow()) {
+    try (StateStream.Subscription frames = box.controller().feed().follow()) {
       while (!wanted.test(box.controller().state())) {
         var _ = frames.take();
       }

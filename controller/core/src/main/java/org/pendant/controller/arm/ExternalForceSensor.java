@@ -16,7 +16,7 @@ import org.pendant.models.pose.Wrench;
 public final class ExternalForceSensor {
   private final double[] flange12 = new double[Transforms.SIZE];
   private boolean enabled;
-  private Mounting mounting = new Mounting(Payload.NONE, 0, 0, 0);
+  private Attachment mounting = new Attachment(Payload.NONE, 0, 0, 0);
   private Wrench reading = Wrench.ZERO;
 
   /**
@@ -27,10 +27,10 @@ public final class ExternalForceSensor {
    * @param yM along y, m
    * @param zM along z, m
    */
-  public record Mounting(Payload sensor, double xM, double yM, double zM) {}
+  public record Attachment(Payload sensor, double xM, double yM, double zM) {}
 
   /** Readings count from now on; until one comes the last one does. */
-  public void enable(Mounting mounting) {
+  public void enable(Attachment mounting) {
     this.mounting = mounting;
     enabled = true;
   }

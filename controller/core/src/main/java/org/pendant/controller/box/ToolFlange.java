@@ -197,7 +197,7 @@ public final class ToolFlange {
   }
 
   /** Has force control use an external sensor from now on (manual 18.2). */
-  public void useExternalForceSensor(ExternalForceSensor.Mounting mounting) {
+  public void useExternalForceSensor(ExternalForceSensor.Attachment mounting) {
     externalForceSensor.enable(mounting);
     setup.forceMode().sensorChanged();
   }

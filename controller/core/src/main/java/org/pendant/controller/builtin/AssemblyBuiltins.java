@@ -14,12 +14,12 @@ import org.pendant.script.function.Call;
 import org.pendant.script.function.Declaration;
 import org.pendant.script.function.Outcome;
 import org.pendant.script.value.HandleValue;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ListValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.StringValue;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /** Data that programs exchange with an EtherNet/IP scanner (manual 21). */
 final class AssemblyBuiltins {
@@ -254,7 +254,7 @@ final class AssemblyBuiltins {
   private static List<String> labels(Call<ControlBox> call) throws ScriptError {
     if (!(call.value(1) instanceof ListValue list)
         || list.length() == 0
-        || list.elementKind() != Kind.STRING) {
+        || list.elementKind() != ValueKind.STRING) {
       throw call.wrongKind(1, "a string or a list of strings");
     }
     List<String> labels = new ArrayList<>(list.length());

@@ -8,9 +8,9 @@ import org.pendant.motion.force.ContactWatch;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Outcome;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.ValueKind;
 
 /** Noticing that the tool has met something (manual 16.66). */
 final class ContactBuiltins {
@@ -44,7 +44,7 @@ final class ContactBuiltins {
   /** A list of six numbers, or a pose as get_target_tcp_speed gives it. */
   private static double[] direction(Call<ControlBox> call) throws ScriptError {
     double[] direction;
-    if (call.kind(0) == Kind.POSE) {
+    if (call.kind(0) == ValueKind.POSE) {
       Pose pose = call.pose(0);
       direction = new double[] {pose.x(), pose.y(), pose.z()};
     } else {

@@ -12,10 +12,10 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.ValueKind;
 
 /** Guiding the arm by hand (manual 15.9, 15.11, 15.18, 15.19, 15.21, 15.55). */
 final class FreedriveBuiltins {
@@ -87,10 +87,10 @@ final class FreedriveBuiltins {
   }
 
   private static FreedriveFrame frame(Call<ControlBox> call) throws ScriptError {
-    if (call.kind(1) == Kind.POSE) {
+    if (call.kind(1) == ValueKind.POSE) {
       return new FreedriveFrame.Feature(MotionArguments.pose(call, 1));
     }
-    if (call.kind(1) != Kind.STRING) {
+    if (call.kind(1) != ValueKind.STRING) {
       throw call.wrongKind(1, "a pose, \"base\" or \"tool\"");
     }
     return switch (call.word(1)) {

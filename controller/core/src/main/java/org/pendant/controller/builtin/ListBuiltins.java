@@ -8,7 +8,6 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ListValue;
 import org.pendant.script.value.MatrixValue;
 import org.pendant.script.value.NumberList;
@@ -17,6 +16,7 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.StringValue;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /** Functions that make and measure lists (manual 17); their methods are {@link ListMethods}. */
 final class ListBuiltins {
@@ -87,7 +87,7 @@ final class ListBuiltins {
     ListValue list = call.list(0);
     int bits = 0;
     if (list instanceof NumberList bools
-        && (bools.elementKind() == Kind.BOOL || list.length() == 0)) {
+        && (bools.elementKind() == ValueKind.BOOL || list.length() == 0)) {
       for (int i = 0; i < Math.min(Integer.SIZE, bools.length()); i++) {
         bits |= (int) bools.numberAt(i) << i;
       }
@@ -126,12 +126,12 @@ final class ListBuiltins {
   private static Outcome makeList(Call<?> call) throws ScriptError {
     int length = call.integer(0, 0, ListValue.MAX_CAPACITY);
     int capacity = call.given(2) ? call.integer(2, length, ListValue.MAX_CAPACITY) : length;
-    Kind kind = call.kind(1);
+    ValueKind kind = call.kind(1);
     return switch (kind) {
       case BOOL, INT, FLOAT -> {
         call.charge(capacity);
         double[] elements = new double[capacity];
-        double initial = kind == Kind.BOOL ? (call.bool(1) ? 1 : 0) : call.number(1);
+        double initial = kind == ValueKind.BOOL ? (call.bool(1) ? 1 : 0) : call.number(1);
         Arrays.fill(elements, 0, length, initial);
         yield call.answer(NumberList.owning(elements, length, kind));
       }

@@ -6,13 +6,13 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ListValue;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.ObjectList;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /** The methods of lists (manual 4.3.1). They change the variable they are called on in place. */
 final class ListMethods {
@@ -148,7 +148,7 @@ final class ListMethods {
   private static Outcome append(Call<?> call) throws ScriptError {
     ListValue list = changed(call, 1);
     call.charge(cost(list, 1));
-    Kind kind = call.kind(1);
+    ValueKind kind = call.kind(1);
     if (list instanceof NumberList numbers && kind.isNumber()) {
       numbers.appendNumber(call.number(1), kind);
     } else {

@@ -7,12 +7,12 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.MatrixValue;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.Operators;
 import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.ValueKind;
 
 /** Functions and methods of matrices (manual 4.3.3, 17.14, 17.34). */
 final class MatrixBuiltins {
@@ -108,7 +108,7 @@ final class MatrixBuiltins {
       case NumberList list when list.length() > 0 && list.elementKind().isNumber() ->
           call.answer(
               MatrixValue.owning(
-                  list.length(), 1, call.numbers(0, -1), list.elementKind() == Kind.INT));
+                  list.length(), 1, call.numbers(0, -1), list.elementKind() == ValueKind.INT));
       default -> throw call.wrongKind(0, "a matrix or a list of numbers");
     };
   }

@@ -8,9 +8,9 @@ import org.pendant.controller.external.ModbusAddress;
 import org.pendant.controller.external.ModbusKind;
 import org.pendant.controller.modbus.ModbusSignal;
 import org.pendant.script.function.Call;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.ValueKind;
 
 /** What the functions of Modbus signals share. */
 final class ModbusArguments {
@@ -78,7 +78,7 @@ final class ModbusArguments {
 
   /** One register or a list of them for an output that has {@code most}. */
   static List<Integer> registers(Call<ControlBox> call, int index, int most) throws ScriptError {
-    if (call.kind(index) != Kind.LIST) {
+    if (call.kind(index) != ValueKind.LIST) {
       return List.of(call.integer(index, 0, MAX_REGISTER));
     }
     List<Integer> values = new ArrayList<>();
@@ -93,11 +93,11 @@ final class ModbusArguments {
 
   /** One bit or a list of them for an output that has {@code most}. */
   static List<Integer> bits(Call<ControlBox> call, int index, int most) throws ScriptError {
-    if (call.kind(index) != Kind.LIST) {
+    if (call.kind(index) != ValueKind.LIST) {
       return List.of(call.bool(index) ? 1 : 0);
     }
     if (!(call.value(index) instanceof NumberList list)
-        || (list.length() > 0 && list.elementKind() != Kind.BOOL)) {
+        || (list.length() > 0 && list.elementKind() != ValueKind.BOOL)) {
       throw call.wrongKind(index, "a bool or a list of bools");
     }
     List<Integer> values = new ArrayList<>();

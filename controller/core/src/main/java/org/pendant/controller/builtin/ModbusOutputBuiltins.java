@@ -12,11 +12,11 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /** Setting Modbus signals, and speaking to devices (manual 18.22 to 18.25, 18.30, 19.1). */
 final class ModbusOutputBuiltins {
@@ -167,7 +167,7 @@ final class ModbusOutputBuiltins {
 
   private static byte[] bytes(Call<ControlBox> call, int index) throws ScriptError {
     if (!(call.value(index) instanceof NumberList list)
-        || (list.length() > 0 && list.elementKind() != Kind.INT)) {
+        || (list.length() > 0 && list.elementKind() != ValueKind.INT)) {
       throw call.wrongKind(index, "a list of ints");
     }
     if (list.length() > MAX_BYTES) {

@@ -14,10 +14,10 @@ import org.pendant.script.function.Call;
 import org.pendant.script.function.Declaration;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /** Adding and reading Modbus signals (manual 18.18 to 18.21, 18.26 to 18.29, 18.31). */
 final class ModbusSignalBuiltins {
@@ -217,12 +217,12 @@ final class ModbusSignalBuiltins {
     List<Integer> values = signal.values();
     boolean digital = signal.exchange().kind().digital();
     if (values.size() > 1) {
-      return call.answer(list(values, digital ? Kind.BOOL : Kind.INT));
+      return call.answer(list(values, digital ? ValueKind.BOOL : ValueKind.INT));
     }
     return digital ? call.answer(values.getFirst() != 0) : call.answerInt(values.getFirst());
   }
 
-  private static NumberList list(List<Integer> values, Kind kind) {
+  private static NumberList list(List<Integer> values, ValueKind kind) {
     double[] numbers = new double[values.size()];
     for (int i = 0; i < numbers.length; i++) {
       numbers[i] = values.get(i);

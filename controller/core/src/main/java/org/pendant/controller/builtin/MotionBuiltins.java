@@ -22,9 +22,9 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.ValueKind;
 
 /** Moves and stops (manual 15). */
 final class MotionBuiltins {
@@ -104,7 +104,7 @@ final class MotionBuiltins {
     ControlBox box = call.host();
     PathLimits pathLimits = headroom(call);
     Pose tcp = box.flange().tool().inFlange();
-    if (call.kind(0) == Kind.POSE) {
+    if (call.kind(0) == ValueKind.POSE) {
       Pose goal = MotionArguments.pose(call, 0);
       return move(
           call,
@@ -137,7 +137,7 @@ final class MotionBuiltins {
     PathLimits pathLimits = headroom(call);
     Pose tcp = box.flange().tool().inFlange();
     Pose goal =
-        call.kind(0) == Kind.POSE
+        call.kind(0) == ValueKind.POSE
             ? MotionArguments.pose(call, 0)
             : box.forward().tcpPose(MotionArguments.jointGoal(call, 0), tcp);
     return move(call, "movel", from -> toPose(box, from, goal, tcp, pathLimits));
@@ -151,7 +151,7 @@ final class MotionBuiltins {
   }
 
   /** Arguments a, v, t and r of movej and movel, from the second on. */
-  private static Outcome move(Call<ControlBox> call, String function, Move.Route route)
+  private static Outcome move(Call<ControlBox> call, String function, Move.PathPlanner route)
       throws ScriptError {
     MoveLimits limits = MotionArguments.moveLimits(call, 1);
     double radiusM = MotionArguments.notNegative(call, 4);

@@ -24,18 +24,18 @@ final class MoveGoal {
   private static final List<String> MEMBERS = List.of("pose", "frame");
 
   private final ForwardKinematics forward;
-  private final Frame frame;
+  private final ReferenceFrame frame;
   private final Pose frameInBase;
   private final Pose tcp;
   private final Pose pose;
 
-  private enum Frame {
+  private enum ReferenceFrame {
     FIXED,
     FLANGE,
     TCP
   }
 
-  private MoveGoal(ControlBox box, Frame frame, Pose frameInBase, Pose pose) {
+  private MoveGoal(ControlBox box, ReferenceFrame frame, Pose frameInBase, Pose pose) {
     forward = box.forward();
     tcp = box.flange().tool().inFlange();
     this.frame = frame;
@@ -47,16 +47,18 @@ final class MoveGoal {
   static MoveGoal of(Call<ControlBox> call, int index) throws ScriptError {
     ControlBox box = call.host();
     return switch (call.kind(index)) {
-      case POSE -> new MoveGoal(box, Frame.FIXED, Pose.ZERO, MotionArguments.pose(call, index));
+      case POSE ->
+          new MoveGoal(box, ReferenceFrame.FIXED, Pose.ZERO, MotionArguments.pose(call, index));
       case LIST ->
           new MoveGoal(
               box,
-              Frame.FIXED,
+              ReferenceFrame.FIXED,
               Pose.ZERO,
               box.forward()
                   .tcpPose(MotionArguments.jointGoal(call, index), box.flange().tool().inFlange()));
       case STRUCT -> inFrame(call, index, call.struct(index));
-      case STRING -> new MoveGoal(box, Frame.FIXED, object(call, call.text(index)), Pose.ZERO);
+      case STRING ->
+          new MoveGoal(box, ReferenceFrame.FIXED, object(call, call.text(index)), Pose.ZERO);
       case NONE, BOOL, INT, FLOAT, MATRIX, HANDLE ->
           throw call.wrongKind(
               index,
@@ -74,10 +76,10 @@ final class MoveGoal {
     Pose given = MotionArguments.finite(call, index, pose.pose());
     ControlBox box = call.host();
     return switch (name.bytes()) {
-      case "base" -> new MoveGoal(box, Frame.FIXED, Pose.ZERO, given);
-      case "flange" -> new MoveGoal(box, Frame.FLANGE, Pose.ZERO, given);
-      case "tcp" -> new MoveGoal(box, Frame.TCP, Pose.ZERO, given);
-      default -> new MoveGoal(box, Frame.FIXED, object(call, name.bytes()), given);
+      case "base" -> new MoveGoal(box, ReferenceFrame.FIXED, Pose.ZERO, given);
+      case "flange" -> new MoveGoal(box, ReferenceFrame.FLANGE, Pose.ZERO, given);
+      case "tcp" -> new MoveGoal(box, ReferenceFrame.TCP, Pose.ZERO, given);
+      default -> new MoveGoal(box, ReferenceFrame.FIXED, object(call, name.bytes()), given);
     };
   }
 

@@ -79,11 +79,11 @@ final class OperatorBuiltins {
     if (pendingPrompt.refusal().isPresent()) {
       throw call.failure("no-answer", pendingPrompt.refusal().get());
     }
-    return new Reply(board, pendingPrompt);
+    return new PromptWait(board, pendingPrompt);
   }
 
   /** Waits for the answer. */
-  private record Reply(PromptQueue board, PendingPrompt pendingPrompt) implements Wait {
+  private record PromptWait(PromptQueue board, PendingPrompt pendingPrompt) implements Wait {
     @Override
     public Optional<Value> poll(long frame) {
       return pendingPrompt.answer().map(OperatorBuiltins::value);

@@ -12,8 +12,8 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.ValueKind;
 
 /** Moves as fast as a share of what the arm can do on their way (manual 15.32, 15.33). */
 final class OptimoveBuiltins {
@@ -59,7 +59,7 @@ final class OptimoveBuiltins {
     ControlBox box = call.host();
     Pose tcp = box.flange().tool().inFlange();
     PathLimits pathLimits = headroom(call);
-    if (call.kind(0) == Kind.LIST) {
+    if (call.kind(0) == ValueKind.LIST) {
       Joints goal = MotionArguments.jointsInRange(call, 0, "goal");
       Pose waypoint = box.forward().tcpPose(goal, tcp);
       return move(
@@ -103,7 +103,7 @@ final class OptimoveBuiltins {
     return share;
   }
 
-  private static Outcome move(Call<ControlBox> call, String function, Move.Route route)
+  private static Outcome move(Call<ControlBox> call, String function, Move.PathPlanner route)
       throws ScriptError {
     double radiusM = MotionArguments.notNegative(call, 3);
     double jerkRampS = call.host().motionSettings().smoothRampS();

@@ -11,8 +11,8 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.ValueKind;
 
 /** Offsets over the path of moves (manual 15.34 to 15.39). */
 final class PathOffsetBuiltins {
@@ -111,7 +111,8 @@ final class PathOffsetBuiltins {
   }
 
   private static Outcome set(Call<ControlBox> call) throws ScriptError {
-    Pose offset = call.kind(0) == Kind.POSE ? call.pose(0) : Pose.of(call.numbers(0, Pose.SIZE));
+    Pose offset =
+        call.kind(0) == ValueKind.POSE ? call.pose(0) : Pose.of(call.numbers(0, Pose.SIZE));
     call.host().pathOffset().set(MotionArguments.finite(call, 0, offset), type(call, 1));
     return call.answer();
   }

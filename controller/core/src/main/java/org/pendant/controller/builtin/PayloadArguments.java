@@ -10,12 +10,12 @@ import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 import org.pendant.script.function.Call;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ListValue;
 import org.pendant.script.value.MatrixValue;
 import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /** Checks of what programs say about payloads. */
 final class PayloadArguments {
@@ -117,7 +117,7 @@ final class PayloadArguments {
 
   private static List<Pose> poses(Call<ControlBox> call, int index) throws ScriptError {
     ListValue list = call.list(index);
-    if (list.length() > 0 && list.elementKind() != Kind.POSE) {
+    if (list.length() > 0 && list.elementKind() != ValueKind.POSE) {
       throw call.wrongKind(index, "a list of poses");
     }
     List<Pose> poses = new ArrayList<>();

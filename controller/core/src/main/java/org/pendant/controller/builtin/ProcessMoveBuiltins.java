@@ -12,8 +12,8 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.ValueKind;
 
 /** Moves at an even speed of the tool (manual 15.28, 15.31). */
 final class ProcessMoveBuiltins {
@@ -83,7 +83,7 @@ final class ProcessMoveBuiltins {
 
   /** A pose of the TCP, or the one that joint positions give. */
   private static Pose pose(Call<ControlBox> call, int index) throws ScriptError {
-    if (call.kind(index) == Kind.POSE) {
+    if (call.kind(index) == ValueKind.POSE) {
       return MotionArguments.pose(call, index);
     }
     ControlBox box = call.host();
@@ -92,7 +92,7 @@ final class ProcessMoveBuiltins {
   }
 
   private static Outcome move(
-      Call<ControlBox> call, String function, MoveLimits limits, int radius, Move.Route route)
+      Call<ControlBox> call, String function, MoveLimits limits, int radius, Move.PathPlanner route)
       throws ScriptError {
     double radiusM = MotionArguments.notNegative(call, radius);
     return MotionWait.move(call, function, new Move(route, limits, radiusM, 0, Move.Kind.PROCESS));

@@ -1,7 +1,7 @@
 package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ControlBox;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterIo;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.language.signature.Type;
@@ -17,8 +17,8 @@ final class RegisterBuiltins {
   private RegisterBuiltins() {}
 
   static void declareIn(Builtins<ControlBox> builtins) {
-    declareReading(builtins, Direction.INPUT, "18.32", "18.33", "18.34");
-    declareReading(builtins, Direction.OUTPUT, "18.35", "18.36", "18.37");
+    declareReading(builtins, RegisterDirection.INPUT, "18.32", "18.33", "18.34");
+    declareReading(builtins, RegisterDirection.OUTPUT, "18.35", "18.36", "18.37");
     write(builtins, RegisterKind.BOOLEAN, "18.67", Type.BOOL)
         .doc("Writes a boolean output register, 0 to 127; registers outlive the program.")
         .does(RegisterBuiltins::setBool);
@@ -32,7 +32,7 @@ final class RegisterBuiltins {
 
   private static void declareReading(
       Builtins<ControlBox> builtins,
-      Direction direction,
+      RegisterDirection direction,
       String booleanSection,
       String floatSection,
       String integerSection) {
@@ -58,7 +58,7 @@ final class RegisterBuiltins {
 
   private static Declaration<ControlBox> read(
       Builtins<ControlBox> builtins,
-      Direction direction,
+      RegisterDirection direction,
       RegisterKind kind,
       String section,
       Type result) {
@@ -80,7 +80,7 @@ final class RegisterBuiltins {
         .effect(Effect.TELLS);
   }
 
-  private static RegisterIo registers(Call<ControlBox> call, Direction direction) {
+  private static RegisterIo registers(Call<ControlBox> call, RegisterDirection direction) {
     return call.host().signals().registers(direction);
   }
 
@@ -89,18 +89,19 @@ final class RegisterBuiltins {
   }
 
   private static Outcome setBool(Call<ControlBox> call) throws ScriptError {
-    registers(call, Direction.OUTPUT).setBool(address(call, RegisterKind.BOOLEAN), call.bool(1));
+    registers(call, RegisterDirection.OUTPUT)
+        .setBool(address(call, RegisterKind.BOOLEAN), call.bool(1));
     return call.answer();
   }
 
   private static Outcome setFloating(Call<ControlBox> call) throws ScriptError {
-    registers(call, Direction.OUTPUT)
+    registers(call, RegisterDirection.OUTPUT)
         .setFloating(address(call, RegisterKind.FLOAT), call.number(1));
     return call.answer();
   }
 
   private static Outcome setInteger(Call<ControlBox> call) throws ScriptError {
-    registers(call, Direction.OUTPUT)
+    registers(call, RegisterDirection.OUTPUT)
         .setInteger(address(call, RegisterKind.INTEGER), call.integer(1));
     return call.answer();
   }

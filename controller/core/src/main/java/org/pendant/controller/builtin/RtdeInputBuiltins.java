@@ -72,7 +72,7 @@ final class RtdeInputBuiltins {
     if (call.bool(0)) {
       box.flange()
           .useExternalForceSensor(
-              new ExternalForceSensor.Mounting(
+              new ExternalForceSensor.Attachment(
                   Payload.of(massKg, cogM[0], cogM[1], cogM[2]),
                   offsetSign * offsetM[0],
                   offsetSign * offsetM[1],

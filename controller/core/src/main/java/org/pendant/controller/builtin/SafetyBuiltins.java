@@ -11,8 +11,8 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.ValueKind;
 
 /** Stops, limits and power (manual 15.40, 15.41, 15.47, 16.37, 16.38, 16.40, 16.42, 16.43). */
 final class SafetyBuiltins {
@@ -99,7 +99,7 @@ final class SafetyBuiltins {
   private static boolean withinLimits(Call<ControlBox> call) throws ScriptError {
     ControlBox box = call.host();
     Pose tcpInFlange = box.flange().tool().inFlange();
-    if (call.kind(0) != Kind.POSE) {
+    if (call.kind(0) != ValueKind.POSE) {
       return box.safety().within(MotionArguments.joints(call, 0), tcpInFlange);
     }
     Pose flange = InverseKinematics.flangeOf(MotionArguments.pose(call, 0), tcpInFlange);

@@ -13,10 +13,10 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Outcome;
 import org.pendant.script.function.Wait;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /** Speeds, positions and torques that programs stream (manual 15.2, 15.44, 15.48, 15.49). */
 final class ServoBuiltins {
@@ -175,7 +175,7 @@ final class ServoBuiltins {
     ControlBox box = call.host();
     Pose tcp = box.flange().tool().inFlange();
     Pose goal =
-        call.kind(0) == Kind.POSE
+        call.kind(0) == ValueKind.POSE
             ? MotionArguments.pose(call, 0)
             : box.forward().tcpPose(MotionArguments.jointGoal(call, 0), tcp);
     double acceleration = MotionArguments.positive(call, 1);

@@ -7,10 +7,10 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ListValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 import org.pendant.script.value.ValueText;
 
 /** Functions of strings, which count bytes (manual 16.56 to 16.61, 16.64, 16.65). */
@@ -177,8 +177,8 @@ final class StringBuiltins {
         switch (value.kind()) {
           case STRING, BOOL, INT, FLOAT, POSE -> true;
           case LIST -> {
-            Kind element = ((ListValue) value).elementKind();
-            yield element.isNumber() || element == Kind.BOOL || element == Kind.POSE;
+            ValueKind element = ((ListValue) value).elementKind();
+            yield element.isNumber() || element == ValueKind.BOOL || element == ValueKind.POSE;
           }
           case NONE, MATRIX, STRUCT, HANDLE -> false;
         };

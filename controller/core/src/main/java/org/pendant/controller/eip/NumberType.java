@@ -3,8 +3,8 @@ package org.pendant.controller.eip;
 import java.nio.ByteBuffer;
 import org.pendant.script.value.FloatValue;
 import org.pendant.script.value.IntValue;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /** The numbers that an assembly can hold (manual 21.3.1). */
 public enum NumberType {
@@ -37,8 +37,8 @@ public enum NumberType {
   }
 
   /** The kind of value that scripts get. */
-  Kind kind() {
-    return this == FLOAT32 ? Kind.FLOAT : Kind.INT;
+  ValueKind kind() {
+    return this == FLOAT32 ? ValueKind.FLOAT : ValueKind.INT;
   }
 
   Value value(double number) {

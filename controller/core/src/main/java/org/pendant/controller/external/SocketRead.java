@@ -3,9 +3,9 @@ package org.pendant.controller.external;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.OptionalInt;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /** What one read of a script waits for, and what it makes of it. */
 public sealed interface SocketRead {
@@ -91,14 +91,14 @@ public sealed interface SocketRead {
         values[i + 1] = bytesEach == 1 ? in.byteAt(i) : in.integerAt(i * bytesEach);
       }
       in.skip(number * bytesEach);
-      return Optional.of(NumberList.owning(values, values.length, Kind.INT));
+      return Optional.of(NumberList.owning(values, values.length, ValueKind.INT));
     }
 
     @Override
     public Value failed() {
       double[] values = new double[number + 1];
       Arrays.fill(values, 1, values.length, -1);
-      return NumberList.owning(values, values.length, Kind.INT);
+      return NumberList.owning(values, values.length, ValueKind.INT);
     }
   }
 

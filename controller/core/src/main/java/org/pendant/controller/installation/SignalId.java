@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.pendant.controller.io.AnalogBank;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
@@ -38,15 +38,15 @@ public sealed interface SignalId {
   }
 
   /** A general-purpose register. */
-  record Register(Direction direction, RegisterKind kind, int address) implements SignalId {
+  record Register(RegisterDirection direction, RegisterKind kind, int address) implements SignalId {
     @Override
     public boolean takesInputAction() {
-      return kind == RegisterKind.BOOLEAN && direction == Direction.INPUT;
+      return kind == RegisterKind.BOOLEAN && direction == RegisterDirection.INPUT;
     }
 
     @Override
     public boolean takesOutputAction() {
-      return kind == RegisterKind.BOOLEAN && direction == Direction.OUTPUT;
+      return kind == RegisterKind.BOOLEAN && direction == RegisterDirection.OUTPUT;
     }
   }
 
@@ -81,7 +81,7 @@ public sealed interface SignalId {
         return Optional.of(new Analog(each, index));
       }
     }
-    for (Direction direction : Direction.values()) {
+    for (RegisterDirection direction : RegisterDirection.values()) {
       for (RegisterKind kind : RegisterKind.values()) {
         if (index < kind.size() && direction.name(kind, index).equals(name)) {
           return Optional.of(new Register(direction, kind, index));

@@ -10,7 +10,6 @@ import org.pendant.script.value.BoolValue;
 import org.pendant.script.value.FloatValue;
 import org.pendant.script.value.HandleValue;
 import org.pendant.script.value.IntValue;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ListValue;
 import org.pendant.script.value.MatrixValue;
 import org.pendant.script.value.NoneValue;
@@ -20,6 +19,7 @@ import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.StringValue;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /** Values as literals of the language, so that a later program begins with them. */
 public final class VariableLiteral {
@@ -91,7 +91,7 @@ public final class VariableLiteral {
     };
   }
 
-  private static Optional<String> number(double value, Kind kind) {
+  private static Optional<String> number(double value, ValueKind kind) {
     return switch (kind) {
       case BOOL -> Optional.of(bool(value != 0));
       case INT -> whole(value);
@@ -101,7 +101,7 @@ public final class VariableLiteral {
   }
 
   private static Optional<String> matrix(MatrixValue matrix) {
-    Kind kind = matrix.integers() ? Kind.INT : Kind.FLOAT;
+    ValueKind kind = matrix.integers() ? ValueKind.INT : ValueKind.FLOAT;
     return joined(
         "[",
         matrix.rows(),

@@ -19,7 +19,7 @@ public record SignalState(
     PortLevels ports,
     InputActions actions) {
   /** The registers of one direction. */
-  public RegisterLevels registers(Direction direction) {
+  public RegisterLevels registers(RegisterDirection direction) {
     return switch (direction) {
       case INPUT -> inputs;
       case OUTPUT -> outputs;

@@ -46,15 +46,17 @@ public final class SignalText {
   private static Optional<SignalWrite> memory(String name, String bank, int address, String value) {
     return switch (bank) {
       case "input_boolean_register" ->
-          Optional.of(new SignalWrite.BooleanRegister(Direction.INPUT, address, level(value)));
+          Optional.of(
+              new SignalWrite.BooleanRegister(RegisterDirection.INPUT, address, level(value)));
       case "input_integer_register" ->
           Optional.of(
               new SignalWrite.IntegerRegister(
-                  Direction.INPUT,
+                  RegisterDirection.INPUT,
                   address,
                   integer(name, value, Integer.MIN_VALUE, Integer.MAX_VALUE)));
       case "input_float_register" ->
-          Optional.of(new SignalWrite.FloatRegister(Direction.INPUT, address, number(name, value)));
+          Optional.of(
+              new SignalWrite.FloatRegister(RegisterDirection.INPUT, address, number(name, value)));
       case "port_register" ->
           Optional.of(
               new SignalWrite.PortRegister(

@@ -167,7 +167,8 @@ public sealed interface SignalWrite {
   }
 
   /** A boolean register, 0 to 127. */
-  record BooleanRegister(Direction direction, int address, boolean value) implements SignalWrite {
+  record BooleanRegister(RegisterDirection direction, int address, boolean value)
+      implements SignalWrite {
     /** Checks the address. */
     public BooleanRegister {
       RegisterKind.BOOLEAN.check(address);
@@ -180,12 +181,13 @@ public sealed interface SignalWrite {
 
     @Override
     public boolean input() {
-      return direction == Direction.INPUT;
+      return direction == RegisterDirection.INPUT;
     }
   }
 
   /** An integer register, 0 to 47. */
-  record IntegerRegister(Direction direction, int address, int value) implements SignalWrite {
+  record IntegerRegister(RegisterDirection direction, int address, int value)
+      implements SignalWrite {
     /** Checks the address. */
     public IntegerRegister {
       RegisterKind.INTEGER.check(address);
@@ -198,12 +200,13 @@ public sealed interface SignalWrite {
 
     @Override
     public boolean input() {
-      return direction == Direction.INPUT;
+      return direction == RegisterDirection.INPUT;
     }
   }
 
   /** A float register, 0 to 47. */
-  record FloatRegister(Direction direction, int address, double value) implements SignalWrite {
+  record FloatRegister(RegisterDirection direction, int address, double value)
+      implements SignalWrite {
     /** Checks the address. */
     public FloatRegister {
       RegisterKind.FLOAT.check(address);
@@ -216,7 +219,7 @@ public sealed interface SignalWrite {
 
     @Override
     public boolean input() {
-      return direction == Direction.INPUT;
+      return direction == RegisterDirection.INPUT;
     }
   }
 

@@ -26,7 +26,7 @@ public final class Signals {
   }
 
   /** The general-purpose registers of one direction. */
-  public RegisterIo registers(Direction direction) {
+  public RegisterIo registers(RegisterDirection direction) {
     return switch (direction) {
       case INPUT -> inputs;
       case OUTPUT -> outputs;

@@ -11,13 +11,13 @@ public sealed interface Json {
   int MAX_QUOTE = 40;
 
   /** Where it begins. */
-  Place place();
+  FilePosition place();
 
   /** What it is, for messages. */
   String described();
 
   /** An object, its members in the file's order. */
-  record Members(Map<String, Member> byKey, Place place) implements Json {
+  record Members(Map<String, Member> byKey, FilePosition place) implements Json {
     public Members {
       byKey = Collections.unmodifiableMap(new LinkedHashMap<>(byKey));
     }
@@ -29,10 +29,10 @@ public sealed interface Json {
   }
 
   /** A member of an object. */
-  record Member(Json value, Place keyPlace) {}
+  record Member(Json value, FilePosition keyPlace) {}
 
   /** An array. */
-  record Elements(List<Json> values, Place place) implements Json {
+  record Elements(List<Json> values, FilePosition place) implements Json {
     public Elements {
       values = List.copyOf(values);
     }
@@ -44,7 +44,7 @@ public sealed interface Json {
   }
 
   /** A string. */
-  record Text(String value, Place place) implements Json {
+  record Text(String value, FilePosition place) implements Json {
     @Override
     public String described() {
       return quoted(value);
@@ -52,7 +52,7 @@ public sealed interface Json {
   }
 
   /** A number; infinite if the file's is too large for a double. */
-  record Numeral(double value, Place place) implements Json {
+  record Numeral(double value, FilePosition place) implements Json {
     @Override
     public String described() {
       return Range.number(value);
@@ -60,7 +60,7 @@ public sealed interface Json {
   }
 
   /** One of the words {@code true}, {@code false}, {@code null}. */
-  record Word(String word, Place place) implements Json {
+  record Word(String word, FilePosition place) implements Json {
     @Override
     public String described() {
       return word;

@@ -24,7 +24,7 @@ public final class JsonFields {
   }
 
   /** Where the object begins. */
-  public Place place() {
+  public FilePosition place() {
     return members.place();
   }
 

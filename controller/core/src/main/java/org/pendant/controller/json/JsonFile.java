@@ -95,13 +95,14 @@ public final class JsonFile {
             .isError();
     String text = letters.flip().toString();
     if (wrong) {
-      throw Place.after(file, text).refusal("a byte is no letter, the file must be in UTF-8");
+      throw FilePosition.after(file, text)
+          .refusal("a byte is no letter, the file must be in UTF-8");
     }
     return text.startsWith("\ufeff") ? text.substring(1) : text;
   }
 
   private Json value(JsonParser parser, int depth) throws JsonException {
-    Place place = here(parser);
+    FilePosition place = here(parser);
     if (depth > DEEPEST) {
       throw place.refusal("more than " + DEEPEST + " values within one another");
     }
@@ -123,11 +124,11 @@ public final class JsonFile {
     };
   }
 
-  private Json members(JsonParser parser, int depth, Place place) throws JsonException {
+  private Json members(JsonParser parser, int depth, FilePosition place) throws JsonException {
     Map<String, Json.Member> members = new LinkedHashMap<>();
     while (parser.nextToken() != JsonToken.END_OBJECT) {
       String key = parser.currentName();
-      Place keyPlace = here(parser);
+      FilePosition keyPlace = here(parser);
       if (members.containsKey(key)) {
         throw keyPlace.refusal("key " + Json.quoted(key) + " again, must be there once");
       }
@@ -137,12 +138,12 @@ public final class JsonFile {
     return new Json.Members(members, place);
   }
 
-  private Place here(JsonParser parser) {
+  private FilePosition here(JsonParser parser) {
     return place(parser.currentTokenLocation());
   }
 
-  private Place place(TokenStreamLocation location) {
-    return new Place(file, location.getLineNr(), location.getColumnNr());
+  private FilePosition place(TokenStreamLocation location) {
+    return new FilePosition(file, location.getLineNr(), location.getColumnNr());
   }
 
   private static String complaint(JacksonException e) {

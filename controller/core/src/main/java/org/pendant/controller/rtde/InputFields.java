@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.pendant.controller.io.AnalogBank;
-import org.pendant.controller.io.Direction;
 import org.pendant.controller.io.InputOwners;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
@@ -162,7 +162,8 @@ public final class InputFields {
           List.of(claim(RegisterKind.INTEGER, i)),
           (values, into) ->
               into.write(
-                  new SignalWrite.IntegerRegister(Direction.INPUT, address, values.getInt())));
+                  new SignalWrite.IntegerRegister(
+                      RegisterDirection.INPUT, address, values.getInt())));
     }
     for (int i = 0; i < RegisterKind.FLOAT.size(); i++) {
       int address = i;
@@ -173,12 +174,13 @@ public final class InputFields {
           List.of(claim(RegisterKind.FLOAT, i)),
           (values, into) ->
               into.write(
-                  new SignalWrite.FloatRegister(Direction.INPUT, address, values.getDouble())));
+                  new SignalWrite.FloatRegister(
+                      RegisterDirection.INPUT, address, values.getDouble())));
     }
   }
 
   private static String claim(RegisterKind kind, int address) {
-    return Direction.INPUT.name(kind, address);
+    return RegisterDirection.INPUT.name(kind, address);
   }
 
   private static void writeBits(int first, int bits, InputGathering into) {
@@ -188,7 +190,7 @@ public final class InputFields {
   }
 
   private static void writeBit(int address, boolean value, InputGathering into) {
-    into.write(new SignalWrite.BooleanRegister(Direction.INPUT, address, value));
+    into.write(new SignalWrite.BooleanRegister(RegisterDirection.INPUT, address, value));
   }
 
   private static int uint8(ByteBuffer values) {

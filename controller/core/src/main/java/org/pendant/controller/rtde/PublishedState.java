@@ -7,9 +7,9 @@ import java.util.function.Supplier;
 import org.pendant.controller.box.Published;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.PortImage;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /**
  * Reads the newest snapshot for programs, exactly as clients get it. Belongs to the thread of the
@@ -63,7 +63,7 @@ public final class PublishedState implements Published {
     for (int i = 0; i < numbers.length; i++) {
       numbers[i] = value.getInt();
     }
-    return NumberList.owning(numbers, numbers.length, Kind.INT);
+    return NumberList.owning(numbers, numbers.length, ValueKind.INT);
   }
 
   @Override

@@ -1,6 +1,6 @@
 package org.pendant.controller.rtde;
 
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 
 /** The general-purpose registers of both directions. */
@@ -11,11 +11,11 @@ final class RegisterFields {
   private RegisterFields() {}
 
   static void addTo(FieldList list) {
-    add(list, Direction.OUTPUT);
-    add(list, Direction.INPUT);
+    add(list, RegisterDirection.OUTPUT);
+    add(list, RegisterDirection.INPUT);
   }
 
-  private static void add(FieldList list, Direction direction) {
+  private static void add(FieldList list, RegisterDirection direction) {
     String side = direction.text();
     list.uint32(
         side + "_bit_registers0_to_31",

@@ -16,7 +16,7 @@ public final class StateStream {
   private record Numbered(long number, ControllerState state) {}
 
   private final AtomicReferenceArray<Numbered> ring = new AtomicReferenceArray<>(KEPT);
-  private final CopyOnWriteArrayList<Follower> followers = new CopyOnWriteArrayList<>();
+  private final CopyOnWriteArrayList<Subscription> followers = new CopyOnWriteArrayList<>();
   private volatile long newest;
 
   /** For the frame loop: a frame has ended. */
@@ -24,26 +24,26 @@ public final class StateStream {
     long number = newest + 1;
     ring.set((int) (number % KEPT), new Numbered(number, state));
     newest = number;
-    for (Follower follower : followers) {
+    for (Subscription follower : followers) {
       LockSupport.unpark(follower.waiting);
     }
   }
 
   /** Begins to follow, from the next snapshot on. One thread uses what this answers. */
-  public Follower follow() {
-    Follower follower = new Follower();
+  public Subscription follow() {
+    Subscription follower = new Subscription();
     followers.add(follower);
     return follower;
   }
 
   /** Somebody who takes the snapshots in turn. Closing may be done by any thread. */
-  public final class Follower implements AutoCloseable {
+  public final class Subscription implements AutoCloseable {
     private long taken = newest;
     private long missed;
     private volatile Thread waiting;
     private volatile boolean closed;
 
-    private Follower() {}
+    private Subscription() {}
 
     /**
      * Waits for the next snapshot. After {@link #close} it answers the newest one without waiting.

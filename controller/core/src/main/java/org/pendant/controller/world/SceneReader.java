@@ -6,18 +6,18 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.pendant.controller.json.FilePosition;
 import org.pendant.controller.json.Json;
 import org.pendant.controller.json.JsonException;
 import org.pendant.controller.json.JsonFields;
 import org.pendant.controller.json.JsonFile;
-import org.pendant.controller.json.Place;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 
 /** Reads a scene from JSON; docs/scene.md describes the file. */
 public final class SceneReader {
   private final List<SceneObject> objects = new ArrayList<>();
-  private final Map<String, Place> places = new HashMap<>();
+  private final Map<String, FilePosition> places = new HashMap<>();
 
   private SceneReader() {}
 
@@ -81,7 +81,7 @@ public final class SceneReader {
                   .refusal("type is " + type.described() + ", must be plane, box or sphere");
         };
     Json.Text name = fields.text("name");
-    Place first = places.putIfAbsent(object.name(), name.place());
+    FilePosition first = places.putIfAbsent(object.name(), name.place());
     if (first != null) {
       throw name.place()
           .refusal(

@@ -14,12 +14,12 @@ import static org.pendant.script.value.Make.struct;
 
 import org.junit.jupiter.api.Test;
 import org.pendant.language.signature.Type;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ListValue;
 import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 class ListBuiltinsTest {
   private final CallFixture fixture = new CallFixture();
@@ -69,7 +69,7 @@ class ListBuiltinsTest {
     assertEquals(100, numbers.capacity());
     ListValue empty = listOf("make_list", 0, true, 100);
     assertEquals(0, empty.length());
-    assertEquals(Kind.BOOL, empty.elementKind());
+    assertEquals(ValueKind.BOOL, empty.elementKind());
     assertEquals("[p[0, 0, 0, 0, 0, 0]]", listOf("make_list", 1, pose(0, 0, 0, 0, 0, 0)).text());
   }
 

@@ -53,13 +53,15 @@ class SignalTextTest {
   @Test
   void registersTakeNumbers() {
     reads(
-        new SignalWrite.BooleanRegister(Direction.INPUT, 64, true),
+        new SignalWrite.BooleanRegister(RegisterDirection.INPUT, 64, true),
         "input_boolean_register[64]",
         "1");
     reads(
-        new SignalWrite.IntegerRegister(Direction.INPUT, 0, -7), "input_integer_register[0]", "-7");
+        new SignalWrite.IntegerRegister(RegisterDirection.INPUT, 0, -7),
+        "input_integer_register[0]",
+        "-7");
     reads(
-        new SignalWrite.FloatRegister(Direction.INPUT, 47, 0.25),
+        new SignalWrite.FloatRegister(RegisterDirection.INPUT, 47, 0.25),
         "input_float_register[47]",
         "0.25");
     reads(new SignalWrite.PortRegister(128, (short) -1), "port_register[128]", "65535");

@@ -27,9 +27,9 @@ class SignalsTest {
     signals.write(new SignalWrite.PortBit(128, false));
     signals.setRegisterAction(3, InputAction.DEFAULT);
     assertSame(state, signals.state());
-    signals.write(new SignalWrite.BooleanRegister(Direction.INPUT, 64, true));
-    assertTrue(signals.state().registers(Direction.INPUT).bool(64));
-    assertFalse(signals.state().registers(Direction.OUTPUT).bool(64));
+    signals.write(new SignalWrite.BooleanRegister(RegisterDirection.INPUT, 64, true));
+    assertTrue(signals.state().registers(RegisterDirection.INPUT).bool(64));
+    assertFalse(signals.state().registers(RegisterDirection.OUTPUT).bool(64));
     assertFalse(state.inputs().bool(64));
   }
 
@@ -64,7 +64,7 @@ class SignalsTest {
     for (int address : new int[] {0, 63, 64, 127}) {
       signals.setRegisterAction(address, InputAction.FREEDRIVE);
       assertEquals(InputAction.FREEDRIVE, signals.actions().ofRegister(address));
-      signals.write(new SignalWrite.BooleanRegister(Direction.INPUT, address, true));
+      signals.write(new SignalWrite.BooleanRegister(RegisterDirection.INPUT, address, true));
       assertTrue(signals.freedriveDemanded());
       signals.clearActions();
       assertFalse(signals.freedriveDemanded());
@@ -111,7 +111,7 @@ class SignalsTest {
   @Test
   void aSignalThatIsTakenRefusesOtherWriters() {
     InputOwners owners = signals.owners();
-    String register = Direction.INPUT.name(RegisterKind.INTEGER, 24);
+    String register = RegisterDirection.INPUT.name(RegisterKind.INTEGER, 24);
     assertEquals(Optional.empty(), owners.claim(register, "RTDE client 1"));
     assertEquals(Optional.empty(), owners.claim(register, "RTDE client 1"));
     assertEquals(

@@ -31,7 +31,7 @@ final class JsonFileTest {
   void valuesKnowWhereTheyStand() throws Exception {
     JsonFields fields =
         new JsonFields(read("{\n  \"size\": 1.5,\n  \"name\": \"ball\"\n}"), "a thing");
-    assertEquals(new Place("a.json", 2, 11), fields.required("size").place());
+    assertEquals(new FilePosition("a.json", 2, 11), fields.required("size").place());
     assertEquals(1.5, fields.number("size", new Range(0, 2, "m")));
     assertEquals("ball", fields.text("name").value());
     assertEquals(Optional.empty(), fields.optional("colour"));
@@ -41,7 +41,7 @@ final class JsonFileTest {
   @Test
   void columnsCountLettersNotBytes() throws Exception {
     JsonFields fields = new JsonFields(read("{\"\u00e4\": 1, \"b\": 2}"), "a thing");
-    assertEquals(new Place("a.json", 1, 15), fields.required("b").place());
+    assertEquals(new FilePosition("a.json", 1, 15), fields.required("b").place());
   }
 
   @Test

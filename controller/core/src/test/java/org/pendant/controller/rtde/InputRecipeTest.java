@@ -15,7 +15,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalWrite;
@@ -124,9 +124,9 @@ class InputRecipeTest {
         recipe("input_int_register_3", "input_double_register_47", "input_bit_register_127");
     assertEquals(
         List.of(
-            new SignalWrite.IntegerRegister(Direction.INPUT, 3, -2),
-            new SignalWrite.FloatRegister(Direction.INPUT, 47, 1.5),
-            new SignalWrite.BooleanRegister(Direction.INPUT, 127, true)),
+            new SignalWrite.IntegerRegister(RegisterDirection.INPUT, 3, -2),
+            new SignalWrite.FloatRegister(RegisterDirection.INPUT, 47, 1.5),
+            new SignalWrite.BooleanRegister(RegisterDirection.INPUT, 127, true)),
         decode(registers, "fffffffe 3ff8000000000000 05").writes());
   }
 
@@ -136,7 +136,7 @@ class InputRecipeTest {
     assertEquals(32, writes.size());
     for (int i = 0; i < 32; i++) {
       assertEquals(
-          new SignalWrite.BooleanRegister(Direction.INPUT, 32 + i, i == 1 || i == 31),
+          new SignalWrite.BooleanRegister(RegisterDirection.INPUT, 32 + i, i == 1 || i == 31),
           writes.get(i));
     }
   }

@@ -14,7 +14,7 @@ class StateStreamTest {
   private static final long GIVE_UP_S = 20;
 
   private final Controller controller = new Controller(ControllerOptions.headless());
-  private final StateStream.Follower follower = controller.feed().follow();
+  private final StateStream.Subscription follower = controller.feed().follow();
 
   @Test
   void handsOutEveryFrameInTurnFromTheNextOn() throws Exception {

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.ValueKind;
 
 /** What a held program shows, and what can be changed in it. */
 class VariablesTest {
@@ -70,11 +70,11 @@ class VariablesTest {
 
   @Test
   void globalsAreShownWithKindTextAndChildren() {
-    assertEquals(new Variable("i", "i", Optional.of(Kind.INT), "1", 0), global("i"));
+    assertEquals(new Variable("i", "i", Optional.of(ValueKind.INT), "1", 0), global("i"));
     assertEquals(
-        new Variable("m", "m", Optional.of(Kind.MATRIX), "[[1, 2], [3, 4]]", 4), global("m"));
+        new Variable("m", "m", Optional.of(ValueKind.MATRIX), "[[1, 2], [3, 4]]", 4), global("m"));
     assertEquals(
-        new Variable("p", "p", Optional.of(Kind.POSE), "p[1, 2, 3, 0, 0, 0]", 6), global("p"));
+        new Variable("p", "p", Optional.of(ValueKind.POSE), "p[1, 2, 3, 0, 0, 0]", 6), global("p"));
     assertEquals(2, global("t").children());
   }
 

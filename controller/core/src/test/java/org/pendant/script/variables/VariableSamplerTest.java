@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ListValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 final class VariableSamplerTest {
   private final RunningProgram program = new RunningProgram();
@@ -40,7 +40,7 @@ final class VariableSamplerTest {
         RunningProgram.texts(program.samples().globals()));
     assertEquals(2, program.samples().run());
     assertEquals(Optional.empty(), program.sample("later").value());
-    assertEquals(Optional.of(Kind.POSE), program.sample("pose").value().map(Value::kind));
+    assertEquals(Optional.of(ValueKind.POSE), program.sample("pose").value().map(Value::kind));
   }
 
   @Test

@@ -19,7 +19,7 @@ public final class ConveyorTracking implements PathOffset {
   /** How much faster than the belt the tool may be then, m/s. */
   public static final double CLOSING_M_PER_S = 0.25;
 
-  private final Follower follower = new Follower();
+  private final CatchUp follower = new CatchUp();
   private Optional<Tracked> tracked = Optional.empty();
 
   private record Tracked(Belt belt, BeltPosition encoder, double startTicks, double travelPerTick) {

@@ -119,10 +119,10 @@ final class Chaining {
 
   private void round(Leg leg, Leg next, double reach) {
     ToolCurve corner = new CornerSegment(leg.curve(), leg.length(), next.curve(), reach);
-    Leg.Pace a = leg.pace();
-    Leg.Pace b = next.pace();
-    Leg.Pace both =
-        new Leg.Pace(
+    Leg.Limits a = leg.pace();
+    Leg.Limits b = next.pace();
+    Leg.Limits both =
+        new Leg.Limits(
             Math.min(a.accelerationMPerS2(), b.accelerationMPerS2()),
             Math.min(a.speedMPerS(), b.speedMPerS()),
             0,
@@ -131,7 +131,7 @@ final class Chaining {
   }
 
   private void add(
-      ToolCurve curve, double from, double length, Leg.Pace pace, boolean stops, String name) {
+      ToolCurve curve, double from, double length, Leg.Limits pace, boolean stops, String name) {
     double bend = 0;
     double turning = 0;
     double back = 0;
@@ -153,7 +153,7 @@ final class Chaining {
     pieces.add(new Chain.Piece(curve, from, length, speed, along, stops, name));
   }
 
-  private static double turningLimit(Leg.Pace pace) {
+  private static double turningLimit(Leg.Limits pace) {
     return Math.max(TURNING_RAD_PER_S, pace.speedMPerS() / RADIAN_M);
   }
 

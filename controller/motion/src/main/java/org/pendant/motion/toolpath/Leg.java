@@ -10,7 +10,7 @@ import org.pendant.motion.ToolCurve;
  * @param pace how fast, and how its end may be cut
  * @param name of the motion that it belongs to, for messages
  */
-record Leg(ToolCurve curve, double length, Pace pace, String name) {
+record Leg(ToolCurve curve, double length, Limits pace, String name) {
 
   /**
    * How fast a leg is.
@@ -21,5 +21,5 @@ record Leg(ToolCurve curve, double length, Pace pace, String name) {
    * @param inner whether its end is a point within a toolpath, where a shallow corner is no reason
    *     to stop
    */
-  record Pace(double accelerationMPerS2, double speedMPerS, double radiusM, boolean inner) {}
+  record Limits(double accelerationMPerS2, double speedMPerS, double radiusM, boolean inner) {}
 }

@@ -63,10 +63,10 @@ final class Route {
     List<NcPoint> points = order.path().points();
     for (int i = 0; i < points.size(); i++) {
       NcPoint point = points.get(i);
-      Leg.Pace whole = order.pace();
+      Leg.Limits whole = order.pace();
       boolean last = i + 1 == points.size();
       double speed = order.feeds() ? point.feedMPerS() : whole.speedMPerS();
-      Leg.Pace pace = new Leg.Pace(whole.accelerationMPerS2(), speed, whole.radiusM(), !last);
+      Leg.Limits pace = new Leg.Limits(whole.accelerationMPerS2(), speed, whole.radiusM(), !last);
       line(
           Poses.trans(order.pcs(), point.inPart()),
           pace,
@@ -74,7 +74,7 @@ final class Route {
     }
   }
 
-  private void line(Pose wanted, Leg.Pace pace, String name) throws PlanningException {
+  private void line(Pose wanted, Leg.Limits pace, String name) throws PlanningException {
     Pose to = turnFree ? unturned(wanted) : wanted;
     StraightLine line = new StraightLine(at, to);
     double length = Math.max(line.lengthM(), Chaining.MIN_M_PER_RAD * line.angleRad());

@@ -54,7 +54,7 @@ public final class Toolpaths {
   private static final class Loaded {
     private final NcPath path;
     private final boolean feeds;
-    private Optional<Leg.Pace> pace = Optional.empty();
+    private Optional<Leg.Limits> pace = Optional.empty();
 
     Loaded(NcPath path, boolean feeds) {
       this.path = path;
@@ -136,7 +136,7 @@ public final class Toolpaths {
       throws PlanningException {
     return queue(
         new QueuedMotion.Line(
-            Poses.trans(pcs, to), new Leg.Pace(acceleration, speed, radiusM, false)));
+            Poses.trans(pcs, to), new Leg.Limits(acceleration, speed, radiusM, false)));
   }
 
   /** Queues an arc; its number. */
@@ -148,7 +148,7 @@ public final class Toolpaths {
             Poses.trans(pcs, via),
             Poses.trans(pcs, to),
             withTangent,
-            new Leg.Pace(acceleration, speed, radiusM, false)));
+            new Leg.Limits(acceleration, speed, radiusM, false)));
   }
 
   /** Whether the feed rates of a loaded file count; empty if there is no such file. */
@@ -163,7 +163,7 @@ public final class Toolpaths {
 
   /** Whether a loaded file was queued before with another pace (manual 20.7). */
   public boolean queuedOtherwise(int file, double acceleration, double speed) {
-    Optional<Leg.Pace> pace = files.get(file).pace;
+    Optional<Leg.Limits> pace = files.get(file).pace;
     return pace.isPresent()
         && (pace.get().accelerationMPerS2() != acceleration || pace.get().speedMPerS() != speed);
   }
@@ -172,7 +172,7 @@ public final class Toolpaths {
   public int addPath(int file, double acceleration, double speed, double radiusM)
       throws PlanningException {
     Loaded loaded = files.get(file);
-    Leg.Pace pace = new Leg.Pace(acceleration, speed, radiusM, true);
+    Leg.Limits pace = new Leg.Limits(acceleration, speed, radiusM, true);
     int id = queue(new QueuedMotion.Path(loaded.path, pcs, loaded.feeds, pace));
     loaded.pace = Optional.of(pace);
     return id;

@@ -12,7 +12,7 @@ final class FollowerTest {
   private static final double MOST = 1.2;
   private static final double CLOSING = 0.25;
 
-  private final Follower follower = new Follower();
+  private final CatchUp follower = new CatchUp();
 
   @Test
   void catchesUpWithARunningBeltAndStaysExactlyWithIt() {

@@ -66,8 +66,8 @@ class RunPlanTest {
     return new Pose(some(place), some(place), some(place), some(turn), some(turn), some(turn));
   }
 
-  private static Leg.Pace pace(double speed, double radius) {
-    return new Leg.Pace(A, speed, radius, false);
+  private static Leg.Limits pace(double speed, double radius) {
+    return new Leg.Limits(A, speed, radius, false);
   }
 
   private static QueuedMotion.Path path(List<Pose> points, double speed, double radius) {
@@ -79,7 +79,7 @@ class RunPlanTest {
         new NcPath("test.nc", listed, List.of()),
         Pose.ZERO,
         true,
-        new Leg.Pace(A, 0, radius, true));
+        new Leg.Limits(A, 0, radius, true));
   }
 
   private static double distance(Pose p, Pose a, Pose b) {

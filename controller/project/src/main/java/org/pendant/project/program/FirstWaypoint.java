@@ -19,7 +19,7 @@ public final class FirstWaypoint {
    * The place of the first waypoint that would be gone to if every branch was entered; empty if
    * there is none, or it was not taught, or something comes first that goes elsewhere.
    */
-  public static Optional<Place> of(ProgramTree tree) {
+  public static Optional<Target> of(ProgramTree tree) {
     FirstWaypoint search = new FirstWaypoint(tree);
     List<ProgramNode> order =
         Stream.concat(
@@ -35,10 +35,10 @@ public final class FirstWaypoint {
    * @param name of the waypoint
    * @param position that was taught
    */
-  public record Place(String name, WaypointPosition position) {}
+  public record Target(String name, WaypointPosition position) {}
 
   /** The search has come to a move; without a place it goes somewhere that nobody taught. */
-  private record Found(Optional<Place> place) {}
+  private record Found(Optional<Target> place) {}
 
   private Optional<Found> among(List<ProgramNode> nodes) {
     for (ProgramNode each : nodes) {
@@ -62,10 +62,10 @@ public final class FirstWaypoint {
     };
   }
 
-  private Optional<Place> place(MotionStep.Waypoint waypoint) {
+  private Optional<Target> place(MotionStep.Waypoint waypoint) {
     return waypoint.target() instanceof WaypointTarget.Fixed fixed
         ? Optional.ofNullable(tree.waypoints().get(fixed.name()))
-            .map(position -> new Place(fixed.name(), position))
+            .map(position -> new Target(fixed.name(), position))
         : Optional.empty();
   }
 

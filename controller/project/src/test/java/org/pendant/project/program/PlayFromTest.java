@@ -164,7 +164,7 @@ class PlayFromTest {
                     new Section.SubProgram("s", ""),
                     node(new ActionStep.Call("s")),
                     move(waypoint("First")))));
-    assertEquals(Optional.of(new FirstWaypoint.Place("First", there)), FirstWaypoint.of(called));
+    assertEquals(Optional.of(new FirstWaypoint.Target("First", there)), FirstWaypoint.of(called));
     assertEquals(Optional.empty(), FirstWaypoint.of(tree), "Late was not taught");
   }
 }

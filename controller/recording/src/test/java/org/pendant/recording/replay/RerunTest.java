@@ -20,7 +20,7 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.message.Answer;
@@ -107,7 +107,7 @@ final class RerunTest {
   }
 
   private static SignalWrite register(double value) {
-    return new SignalWrite.FloatRegister(Direction.INPUT, 3, value);
+    return new SignalWrite.FloatRegister(RegisterDirection.INPUT, 3, value);
   }
 
   private static final String PATH =

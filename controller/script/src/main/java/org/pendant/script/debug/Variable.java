@@ -1,7 +1,7 @@
 package org.pendant.script.debug;
 
 import java.util.Optional;
-import org.pendant.script.value.Kind;
+import org.pendant.script.value.ValueKind;
 
 /**
  * A variable, an element, a member or the value of an expression, ready to be shown.
@@ -13,4 +13,4 @@ import org.pendant.script.value.Kind;
  * @param children how many elements or members it has; those of a matrix are numbers
  */
 public record Variable(
-    String name, String expression, Optional<Kind> kind, String text, int children) {}
+    String name, String expression, Optional<ValueKind> kind, String text, int children) {}

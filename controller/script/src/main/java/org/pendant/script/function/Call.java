@@ -4,7 +4,6 @@ import java.util.Locale;
 import java.util.Optional;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ListValue;
 import org.pendant.script.value.LongOperation;
 import org.pendant.script.value.MatrixValue;
@@ -15,6 +14,7 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.StringValue;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 import org.pendant.script.value.ValueText;
 
 /**
@@ -134,7 +134,7 @@ public final class Call<H extends Host> {
         && registers.tags()[firstArgument + index] != Registers.UNASSIGNED;
   }
 
-  public Kind kind(int index) {
+  public ValueKind kind(int index) {
     return registers.kind(firstArgument + index);
   }
 

@@ -62,7 +62,8 @@ final class Access {
     if (!element.kind().isNumber()) {
       throw elementNotNumber("matrix", element);
     }
-    matrix.set(place(row), place(column), Operators.number(element), element.kind() == Kind.INT);
+    matrix.set(
+        place(row), place(column), Operators.number(element), element.kind() == ValueKind.INT);
     return receiver;
   }
 

@@ -8,7 +8,7 @@ final class Assignment {
 
   /** As {@link Operators#assign}. */
   static Value assign(Value current, Value incoming) throws ScriptError {
-    if (current.kind() == Kind.NONE) {
+    if (current.kind() == ValueKind.NONE) {
       return incoming;
     }
     Optional<String> difference = StructValue.typeDifference(current, incoming);

@@ -6,7 +6,7 @@ public record BoolValue(boolean value) implements Value {
   static final BoolValue FALSE = new BoolValue(false);
 
   @Override
-  public Kind kind() {
-    return Kind.BOOL;
+  public ValueKind kind() {
+    return ValueKind.BOOL;
   }
 }

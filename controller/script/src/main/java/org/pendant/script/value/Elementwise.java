@@ -58,15 +58,15 @@ final class Elementwise {
               + " elements, must have equally many");
     }
     boolean integers =
-        a.elementKind() == Kind.INT
-            && b.elementKind() == Kind.INT
+        a.elementKind() == ValueKind.INT
+            && b.elementKind() == ValueKind.INT
             && operator != BinaryOperator.DIVIDE;
     return list(operator, a, b, a.length(), integers);
   }
 
   private static LongOperation list(
       BinaryOperator operator, Value left, Value right, int length, boolean integers) {
-    Kind kind = integers ? Kind.INT : Kind.FLOAT;
+    ValueKind kind = integers ? ValueKind.INT : ValueKind.FLOAT;
     return new Combination(
         operator, left, right, length, integers, r -> NumberList.owning(r, r.length, kind));
   }
@@ -96,10 +96,11 @@ final class Elementwise {
   private static LongOperation scalar(BinaryOperator operator, Value left, Value right, Value many)
       throws ScriptError {
     boolean mayBeIntegers =
-        (left.kind() == Kind.INT || right.kind() == Kind.INT) && operator != BinaryOperator.DIVIDE;
+        (left.kind() == ValueKind.INT || right.kind() == ValueKind.INT)
+            && operator != BinaryOperator.DIVIDE;
     return switch (many) {
       case NumberList list when list.elementKind().isNumber() -> {
-        boolean integers = mayBeIntegers && list.elementKind() == Kind.INT;
+        boolean integers = mayBeIntegers && list.elementKind() == ValueKind.INT;
         yield list(operator, left, right, list.length(), integers);
       }
       case MatrixValue matrix ->

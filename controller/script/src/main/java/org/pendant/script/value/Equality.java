@@ -18,7 +18,7 @@ final class Equality {
       case MatrixValue a -> right instanceof MatrixValue b && matrices(a, b);
       case StructValue a -> right instanceof StructValue b && structs(a, b);
       case HandleValue a -> right instanceof HandleValue b && a.equals(b);
-      case NoneValue none -> right.kind() == Kind.NONE;
+      case NoneValue none -> right.kind() == ValueKind.NONE;
       case BoolValue b -> false;
       case IntValue i -> false;
       case FloatValue f -> false;
@@ -26,7 +26,7 @@ final class Equality {
   }
 
   private static boolean scalar(Value value) {
-    return value.kind().isNumber() || value.kind() == Kind.BOOL;
+    return value.kind().isNumber() || value.kind() == ValueKind.BOOL;
   }
 
   private static double number(Value value) {

@@ -3,7 +3,7 @@ package org.pendant.script.value;
 /** A 64-bit floating point number. */
 public record FloatValue(double value) implements Value {
   @Override
-  public Kind kind() {
-    return Kind.FLOAT;
+  public ValueKind kind() {
+    return ValueKind.FLOAT;
   }
 }

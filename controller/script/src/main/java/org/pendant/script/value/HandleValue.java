@@ -15,8 +15,8 @@ public record HandleValue(Type type, int id, String path) implements Value {
   private static final long HEADER_BYTES = 64;
 
   @Override
-  public Kind kind() {
-    return Kind.HANDLE;
+  public ValueKind kind() {
+    return ValueKind.HANDLE;
   }
 
   @Override

@@ -3,7 +3,7 @@ package org.pendant.script.value;
 /** A 32-bit signed integer. */
 public record IntValue(int value) implements Value {
   @Override
-  public Kind kind() {
-    return Kind.INT;
+  public ValueKind kind() {
+    return ValueKind.INT;
   }
 }

@@ -29,7 +29,7 @@ final class ListChecks {
     }
   }
 
-  static ScriptError elementType(Kind list, Kind element) {
+  static ScriptError elementType(ValueKind list, ValueKind element) {
     return new ScriptError(
         "wrong-type", "a list of " + list.text() + " cannot take " + element.described());
   }

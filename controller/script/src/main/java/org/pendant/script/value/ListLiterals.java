@@ -16,7 +16,8 @@ final class ListLiterals {
     if (all <= Registers.FLOAT) {
       double[] elements = new double[count];
       System.arraycopy(registers.numbers(), first, elements, 0, count);
-      return NumberList.owning(elements, count, all == Registers.INT ? Kind.INT : Kind.FLOAT);
+      return NumberList.owning(
+          elements, count, all == Registers.INT ? ValueKind.INT : ValueKind.FLOAT);
     }
     Value[] elements = new Value[count];
     for (int i = 0; i < count; i++) {
@@ -40,15 +41,15 @@ final class ListLiterals {
   }
 
   private static NumberList scalars(Value... elements) throws ScriptError {
-    Kind kind = elements[0].kind();
+    ValueKind kind = elements[0].kind();
     double[] numbers = new double[elements.length];
     for (int i = 0; i < numbers.length; i++) {
-      Kind found = elements[i].kind();
+      ValueKind found = elements[i].kind();
       if (!kind.accepts(found)) {
         throw mixed(i, kind.described(), elements[i]);
       }
-      if (found == Kind.FLOAT) {
-        kind = Kind.FLOAT;
+      if (found == ValueKind.FLOAT) {
+        kind = ValueKind.FLOAT;
       }
       numbers[i] =
           elements[i] instanceof BoolValue b ? (b.value() ? 1 : 0) : Operators.number(elements[i]);

@@ -14,7 +14,7 @@ public sealed interface ListValue extends Value permits NumberList, ObjectList {
   int capacity();
 
   /** The kind all elements have; INT or FLOAT for numbers. */
-  Kind elementKind();
+  ValueKind elementKind();
 
   /**
    * The element at {@code index}, not copied.
@@ -74,7 +74,7 @@ public sealed interface ListValue extends Value permits NumberList, ObjectList {
   ListValue copy();
 
   @Override
-  default Kind kind() {
-    return Kind.LIST;
+  default ValueKind kind() {
+    return ValueKind.LIST;
   }
 }

@@ -36,7 +36,7 @@ final class MatrixProduct implements LongOperation {
     b = right.elements();
     inner = left.columns();
     columns = 1;
-    integers = left.integers() && right.elementKind() == Kind.INT;
+    integers = left.integers() && right.elementKind() == ValueKind.INT;
     result = new double[left.rows()];
   }
 
@@ -102,7 +102,7 @@ final class MatrixProduct implements LongOperation {
   public Value result() {
     return right instanceof MatrixValue
         ? MatrixValue.owning(left.rows(), columns, result, integers)
-        : NumberList.owning(result, result.length, integers ? Kind.INT : Kind.FLOAT);
+        : NumberList.owning(result, result.length, integers ? ValueKind.INT : ValueKind.FLOAT);
   }
 
   @Override

@@ -15,7 +15,7 @@ final class MatrixRows implements LongOperation {
     elements = new double[rows.length * columns];
     boolean all = true;
     for (NumberList row : rows) {
-      all &= row.elementKind() == Kind.INT;
+      all &= row.elementKind() == ValueKind.INT;
     }
     integers = all;
   }

@@ -128,8 +128,8 @@ public final class MatrixValue extends Container implements Value {
     return NumberList.owning(picked, rows, elementKind());
   }
 
-  public Kind elementKind() {
-    return integers ? Kind.INT : Kind.FLOAT;
+  public ValueKind elementKind() {
+    return integers ? ValueKind.INT : ValueKind.FLOAT;
   }
 
   private int place(int row, int column) throws ScriptError {
@@ -150,8 +150,8 @@ public final class MatrixValue extends Container implements Value {
   }
 
   @Override
-  public Kind kind() {
-    return Kind.MATRIX;
+  public ValueKind kind() {
+    return ValueKind.MATRIX;
   }
 
   @Override

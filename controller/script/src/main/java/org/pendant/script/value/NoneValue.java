@@ -5,7 +5,7 @@ public enum NoneValue implements Value {
   NONE;
 
   @Override
-  public Kind kind() {
-    return Kind.NONE;
+  public ValueKind kind() {
+    return ValueKind.NONE;
   }
 }

@@ -12,10 +12,10 @@ public final class NumberList extends Container implements ListValue {
 
   private double[] elements;
   private int length;
-  private Kind kind;
+  private ValueKind kind;
   private int tag;
 
-  private NumberList(double[] elements, int length, Kind kind) {
+  private NumberList(double[] elements, int length, ValueKind kind) {
     this.elements = elements;
     this.length = length;
     this.kind = kind;
@@ -29,7 +29,7 @@ public final class NumberList extends Container implements ListValue {
 
   /** A list of floats that owns {@code elements}. */
   public static NumberList of(double... elements) {
-    return new NumberList(elements, elements.length, Kind.FLOAT);
+    return new NumberList(elements, elements.length, ValueKind.FLOAT);
   }
 
   /** A list of ints. */
@@ -38,7 +38,7 @@ public final class NumberList extends Container implements ListValue {
     for (int i = 0; i < numbers.length; i++) {
       numbers[i] = elements[i];
     }
-    return new NumberList(numbers, numbers.length, Kind.INT);
+    return new NumberList(numbers, numbers.length, ValueKind.INT);
   }
 
   /** A list of booleans. */
@@ -47,7 +47,7 @@ public final class NumberList extends Container implements ListValue {
     for (int i = 0; i < numbers.length; i++) {
       numbers[i] = elements[i] ? 1 : 0;
     }
-    return new NumberList(numbers, numbers.length, Kind.BOOL);
+    return new NumberList(numbers, numbers.length, ValueKind.BOOL);
   }
 
   /**
@@ -56,7 +56,7 @@ public final class NumberList extends Container implements ListValue {
    *
    * @param kind INT, FLOAT or BOOL
    */
-  public static NumberList owning(double[] elements, int length, Kind kind) {
+  public static NumberList owning(double[] elements, int length, ValueKind kind) {
     return new NumberList(elements, length, kind);
   }
 
@@ -98,8 +98,8 @@ public final class NumberList extends Container implements ListValue {
 
   /** Turns a list of ints into one of floats. */
   public void widenToFloat() {
-    if (kind == Kind.INT) {
-      kind = Kind.FLOAT;
+    if (kind == ValueKind.INT) {
+      kind = ValueKind.FLOAT;
       tag = Registers.FLOAT;
     }
   }
@@ -115,7 +115,7 @@ public final class NumberList extends Container implements ListValue {
   }
 
   @Override
-  public Kind elementKind() {
+  public ValueKind elementKind() {
     return kind;
   }
 
@@ -148,12 +148,12 @@ public final class NumberList extends Container implements ListValue {
    *
    * @param element INT or FLOAT, the kind of {@code number}
    */
-  public void appendNumber(double number, Kind element) throws ScriptError {
+  public void appendNumber(double number, ValueKind element) throws ScriptError {
     if (!kind.accepts(element)) {
       throw ListChecks.elementType(kind, element);
     }
     ListChecks.room(length + 1, elements.length);
-    if (element == Kind.FLOAT) {
+    if (element == ValueKind.FLOAT) {
       widenToFloat();
     }
     own()[length++] = number;
@@ -169,7 +169,7 @@ public final class NumberList extends Container implements ListValue {
       throw ListChecks.elementType(kind, source.elementKind());
     }
     ListChecks.room(length + added, elements.length);
-    if (other.kind == Kind.FLOAT) {
+    if (other.kind == ValueKind.FLOAT) {
       widenToFloat();
     }
     System.arraycopy(other.elements, 0, own(), length, added);
@@ -210,7 +210,7 @@ public final class NumberList extends Container implements ListValue {
   public void assign(ListValue source) throws ScriptError {
     if (source instanceof NumberList other && kind.accepts(other.kind)) {
       ListChecks.room(other.length, elements.length);
-      if (other.kind == Kind.FLOAT) {
+      if (other.kind == ValueKind.FLOAT) {
         widenToFloat();
       }
       if (other.elements.length == elements.length && elements.length > MAX_COPIED) {

@@ -81,7 +81,7 @@ public final class ObjectList extends Container implements ListValue {
   }
 
   @Override
-  public Kind elementKind() {
+  public ValueKind elementKind() {
     return sample.kind();
   }
 

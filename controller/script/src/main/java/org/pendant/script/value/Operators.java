@@ -363,7 +363,7 @@ public final class Operators {
   }
 
   private static String hint(BinaryOperator operator, Value left, Value right) {
-    boolean oneString = left.kind() == Kind.STRING ^ right.kind() == Kind.STRING;
+    boolean oneString = left.kind() == ValueKind.STRING ^ right.kind() == ValueKind.STRING;
     if (operator == BinaryOperator.ADD && oneString) {
       return "; to_str makes a string of a value, str_cat joins any two";
     }
@@ -371,7 +371,7 @@ public final class Operators {
   }
 
   private static String poseHint(Value left, Value right) {
-    return left.kind() == Kind.POSE || right.kind() == Kind.POSE
+    return left.kind() == ValueKind.POSE || right.kind() == ValueKind.POSE
         ? "; poses are combined by pose_add, pose_sub, pose_trans and pose_inv"
         : "";
   }

@@ -7,8 +7,8 @@ public record PoseValue(Pose pose) implements Value {
   private static final long BYTES = 96;
 
   @Override
-  public Kind kind() {
-    return Kind.POSE;
+  public ValueKind kind() {
+    return ValueKind.POSE;
   }
 
   @Override

@@ -63,13 +63,13 @@ public final class Registers {
     return tags[slot] != UNASSIGNED;
   }
 
-  public Kind kind(int slot) {
+  public ValueKind kind(int slot) {
     return switch (tags[slot]) {
-      case INT -> Kind.INT;
-      case FLOAT -> Kind.FLOAT;
-      case BOOL -> Kind.BOOL;
+      case INT -> ValueKind.INT;
+      case FLOAT -> ValueKind.FLOAT;
+      case BOOL -> ValueKind.BOOL;
       case OBJECT -> objects[slot].kind();
-      default -> Kind.NONE;
+      default -> ValueKind.NONE;
     };
   }
 

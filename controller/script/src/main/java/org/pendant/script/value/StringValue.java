@@ -82,8 +82,8 @@ public final class StringValue implements Value {
   }
 
   @Override
-  public Kind kind() {
-    return Kind.STRING;
+  public ValueKind kind() {
+    return ValueKind.STRING;
   }
 
   @Override

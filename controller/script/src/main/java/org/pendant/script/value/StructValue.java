@@ -250,8 +250,8 @@ public final class StructValue extends Container implements Value {
   }
 
   @Override
-  public Kind kind() {
-    return Kind.STRUCT;
+  public ValueKind kind() {
+    return ValueKind.STRUCT;
   }
 
   @Override

@@ -77,7 +77,7 @@ final class TextConversion implements LongOperation {
       }
       case PoseValue pose -> {
         text.append('p');
-        open(new Numbers(pose.pose().toArray(), 0, 6, Kind.FLOAT), '[');
+        open(new Numbers(pose.pose().toArray(), 0, 6, ValueKind.FLOAT), '[');
       }
       case IntValue i -> text.append(i.value());
       case FloatValue f -> leftNs -= FloatText.append(text, f.value());
@@ -114,10 +114,10 @@ final class TextConversion implements LongOperation {
     private final double[] numbers;
     private final int from;
     private final int to;
-    private final Kind kind;
+    private final ValueKind kind;
     private int next;
 
-    private Numbers(double[] numbers, int from, int to, Kind kind) {
+    private Numbers(double[] numbers, int from, int to, ValueKind kind) {
       this.numbers = numbers;
       this.from = from;
       this.to = to;
@@ -129,7 +129,7 @@ final class TextConversion implements LongOperation {
     public boolean advance() {
       while (next < to && goesOn()) {
         separate(next - from);
-        if (kind == Kind.BOOL) {
+        if (kind == ValueKind.BOOL) {
           text.append(ValueText.bool(numbers[next] != 0));
           leftNs -= NUMBER_NS;
         } else {
@@ -148,7 +148,7 @@ final class TextConversion implements LongOperation {
     private final double[] elements;
     private final int rows;
     private final int columns;
-    private final Kind kind;
+    private final ValueKind kind;
     private int next;
 
     private Rows(MatrixValue matrix) {

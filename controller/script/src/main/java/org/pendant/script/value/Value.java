@@ -17,7 +17,7 @@ public sealed interface Value
         StructValue,
         HandleValue {
 
-  Kind kind();
+  ValueKind kind();
 
   /** An independent value with the same content; immutable values answer themselves. */
   default Value copy() {

@@ -15,10 +15,10 @@ import org.pendant.script.value.Value;
 
 /** Follows the path to one number without making anything; what is no number reads as NaN. */
 final class PathReader {
-  private final VariablePath.Step[] steps;
+  private final VariablePath.Selector[] steps;
 
   PathReader(VariablePath path) {
-    steps = path.steps().toArray(VariablePath.Step[]::new);
+    steps = path.steps().toArray(VariablePath.Selector[]::new);
   }
 
   /** The number that the variable in {@code slot} has there now; booleans are 0 and 1. */
@@ -36,8 +36,8 @@ final class PathReader {
       return scalar(value);
     }
     return switch (steps[done]) {
-      case VariablePath.Step.Element element -> element(value, element.index(), done + 1);
-      case VariablePath.Step.Member member -> member(value, member.name(), done + 1);
+      case VariablePath.Selector.Element element -> element(value, element.index(), done + 1);
+      case VariablePath.Selector.Member member -> member(value, member.name(), done + 1);
     };
   }
 
@@ -72,7 +72,7 @@ final class PathReader {
 
   private double inRow(MatrixValue matrix, int row, int done) {
     return done + 1 == steps.length
-            && steps[done] instanceof VariablePath.Step.Element column
+            && steps[done] instanceof VariablePath.Selector.Element column
             && column.index() < matrix.columns()
         ? matrix.numberAt(row, column.index())
         : Double.NaN;

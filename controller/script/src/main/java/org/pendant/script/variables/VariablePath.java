@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
  * @param name of the variable
  * @param steps from its value to the part that is meant; an element of a matrix takes two
  */
-public record VariablePath(String name, List<Step> steps) {
+public record VariablePath(String name, List<Selector> steps) {
   private static final Pattern NAME = Pattern.compile("[A-Za-z_]\\w*");
   private static final Pattern STEP =
       Pattern.compile("\\s*(?:\\.\\s*(\\w+)|\\[\\s*(\\d+)\\s*(?:,\\s*(\\d+)\\s*)?])");
@@ -24,12 +24,12 @@ public record VariablePath(String name, List<Step> steps) {
   }
 
   /** Into one part of a value. */
-  public sealed interface Step {
+  public sealed interface Selector {
     /** Element {@code index}, from 0. */
-    record Element(int index) implements Step {}
+    record Element(int index) implements Selector {}
 
     /** The member called {@code name}. */
-    record Member(String name) implements Step {}
+    record Member(String name) implements Selector {}
   }
 
   /**
@@ -43,7 +43,7 @@ public record VariablePath(String name, List<Step> steps) {
     if (!name.lookingAt()) {
       throw refused(text);
     }
-    List<Step> steps = new ArrayList<>();
+    List<Selector> steps = new ArrayList<>();
     Matcher step = STEP.matcher(wanted);
     int at = name.end();
     while (at < wanted.length()) {
@@ -52,11 +52,11 @@ public record VariablePath(String name, List<Step> steps) {
         throw refused(text);
       }
       if (step.group(1) != null) {
-        steps.add(new Step.Member(step.group(1)));
+        steps.add(new Selector.Member(step.group(1)));
       } else {
-        steps.add(new Step.Element(index(step.group(2), text)));
+        steps.add(new Selector.Element(index(step.group(2), text)));
         if (step.group(3) != null) {
-          steps.add(new Step.Element(index(step.group(3), text)));
+          steps.add(new Selector.Element(index(step.group(3), text)));
         }
       }
       at = step.end();
@@ -89,10 +89,10 @@ public record VariablePath(String name, List<Step> steps) {
   /** The one way to write it, without spaces and commas: {@code part.sizes[2]}. */
   public String text() {
     StringBuilder text = new StringBuilder(name);
-    for (Step step : steps) {
+    for (Selector step : steps) {
       switch (step) {
-        case Step.Element element -> text.append('[').append(element.index()).append(']');
-        case Step.Member member -> text.append('.').append(member.name());
+        case Selector.Element element -> text.append('[').append(element.index()).append(']');
+        case Selector.Member member -> text.append('.').append(member.name());
       }
     }
     return text.toString();

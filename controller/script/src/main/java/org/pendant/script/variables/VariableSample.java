@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.script.debug.Variable;
 import org.pendant.script.debug.Variables;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.MatrixValue;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.ObjectList;
 import org.pendant.script.value.StringValue;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /**
  * A variable, or a part of one, as it was at one moment. Immutable; one that has not changed since
@@ -79,7 +79,7 @@ public final class VariableSample {
   }
 
   /** The kind of its value; empty before it was assigned. */
-  public Optional<Kind> kind() {
+  public Optional<ValueKind> kind() {
     return value.map(Value::kind);
   }
 
@@ -155,15 +155,15 @@ public final class VariableSample {
   }
 
   /** The part that {@code steps} lead to, if the sample has it. */
-  Optional<VariableSample> part(List<VariablePath.Step> steps) {
+  Optional<VariableSample> part(List<VariablePath.Selector> steps) {
     if (steps.isEmpty()) {
       return Optional.of(this);
     }
     int taken = 1;
     int index = NO_PART;
-    if (steps.getFirst() instanceof VariablePath.Step.Member member) {
+    if (steps.getFirst() instanceof VariablePath.Selector.Member member) {
       index = value.map(present -> member(present, member.name())).orElse(NO_PART);
-    } else if (steps.getFirst() instanceof VariablePath.Step.Element element) {
+    } else if (steps.getFirst() instanceof VariablePath.Selector.Element element) {
       if (value.isPresent() && value.get() instanceof MatrixValue matrix) {
         taken = 2;
         index = inMatrix(matrix, element.index(), steps);
@@ -180,9 +180,9 @@ public final class VariableSample {
     return value instanceof StructValue struct ? struct.names().indexOf(name) : NO_PART;
   }
 
-  private static int inMatrix(MatrixValue matrix, int row, List<VariablePath.Step> steps) {
+  private static int inMatrix(MatrixValue matrix, int row, List<VariablePath.Selector> steps) {
     return steps.size() > 1
-            && steps.get(1) instanceof VariablePath.Step.Element column
+            && steps.get(1) instanceof VariablePath.Selector.Element column
             && column.index() < matrix.columns()
             && row < matrix.rows()
         ? row * matrix.columns() + column.index()

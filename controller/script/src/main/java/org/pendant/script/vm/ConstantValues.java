@@ -7,12 +7,12 @@ import org.pendant.language.syntax.Expression;
 import org.pendant.models.pose.Pose;
 import org.pendant.script.value.FloatValue;
 import org.pendant.script.value.IntValue;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.MatrixValue;
 import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /** Values that are known from the text alone. */
 final class ConstantValues {
@@ -46,8 +46,8 @@ final class ConstantValues {
                           numbers,
                           numbers.length,
                           list.elements().stream().allMatch(ConstantValues::isInt)
-                              ? Kind.INT
-                              : Kind.FLOAT));
+                              ? ValueKind.INT
+                              : ValueKind.FLOAT));
       default -> Optional.empty();
     };
   }
@@ -106,7 +106,7 @@ final class ConstantValues {
   }
 
   private static boolean isInt(Expression expression) {
-    return of(expression).filter(value -> value.kind() == Kind.INT).isPresent();
+    return of(expression).filter(value -> value.kind() == ValueKind.INT).isPresent();
   }
 
   /** Whether evaluating {@code expression} could change a variable. */

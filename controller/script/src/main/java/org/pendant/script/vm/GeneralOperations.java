@@ -7,7 +7,6 @@ import org.pendant.script.function.Builtin;
 import org.pendant.script.function.Work;
 import org.pendant.script.value.BoolValue;
 import org.pendant.script.value.HandleValue;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.LongOperation;
 import org.pendant.script.value.MatrixValue;
 import org.pendant.script.value.NoneValue;
@@ -19,6 +18,7 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.StringValue;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 import org.pendant.script.value.ValueText;
 import org.pendant.script.vm.Processor.Stop;
 
@@ -476,7 +476,7 @@ final class GeneralOperations {
     int first = base + Instruction.index(Instruction.c(w));
     int count = Instruction.index(Instruction.b(w));
     Value list;
-    if (count > 0 && registers.kind(first) == Kind.LIST) {
+    if (count > 0 && registers.kind(first) == ValueKind.LIST) {
       Optional<Value> matrix =
           advance(
               thread,
@@ -546,7 +546,7 @@ final class GeneralOperations {
 
   /** The built-in method that method number {@code name} is for the receiver in {@code slot}. */
   Builtin<?> method(int name, int slot) throws ScriptError {
-    if (registers.kind(slot) == Kind.HANDLE
+    if (registers.kind(slot) == ValueKind.HANDLE
         && registers.objects()[slot] instanceof HandleValue handle) {
       return run.methods().find(run.name(name), handle.type());
     }

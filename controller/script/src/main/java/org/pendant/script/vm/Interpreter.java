@@ -37,12 +37,12 @@ public final class Interpreter {
   private static final int STATIC_SLOTS = 32_768;
 
   /** The answer to a line. */
-  public sealed interface Reply {
+  public sealed interface Response {
     /** Accepted under {@code id}, to be executed in turn. */
-    record Acknowledged(int id) implements Reply {}
+    record Acknowledged(int id) implements Response {}
 
     /** Refused as a whole. */
-    record Discarded(String reason) implements Reply {}
+    record Discarded(String reason) implements Response {}
   }
 
   private record Line(int id, Script script, boolean clears) {}
@@ -193,22 +193,22 @@ public final class Interpreter {
    *
    * @param text its bytes, one {@code char} each, without the line end
    */
-  public Reply submit(String text) {
+  public Response submit(String text) {
     return submit(InterpretedLine.read(text));
   }
 
   /** As {@link #submit(String)}, for a line that has been read already. */
-  public Reply submit(InterpretedLine line) {
+  public Response submit(InterpretedLine line) {
     String text = line.text();
     if (run.isEmpty()) {
-      return new Reply.Discarded("no program is running");
+      return new Response.Discarded("no program is running");
     }
     if (queue.size() >= MAX_QUEUED) {
-      return new Reply.Discarded("more than " + MAX_QUEUED + " statements are waiting");
+      return new Response.Discarded("more than " + MAX_QUEUED + " statements are waiting");
     }
     // a constant takes a byte and a separator at least, so the line cannot overflow its slots
     if (links.statics() + (queuedBytes + text.length()) / 2 >= STATIC_SLOTS - 64) {
-      return new Reply.Discarded("interpreter mode is full, send clear_interpreter() first");
+      return new Response.Discarded("interpreter mode is full, send clear_interpreter() first");
     }
     ParseResult parsed = line.parsed();
     List<Diagnostic> diagnostics = new ArrayList<>(parsed.diagnostics());
@@ -217,7 +217,7 @@ public final class Interpreter {
     }
     Optional<Diagnostic> error = diagnostics.stream().filter(Diagnostic::isError).findFirst();
     if (error.isPresent()) {
-      return new Reply.Discarded(error.get().message());
+      return new Response.Discarded(error.get().message());
     }
     checkedScope = checkedScope.extendedBy(parsed.script().statements());
     lastAccepted = lastAccepted == Integer.MAX_VALUE ? 1 : lastAccepted + 1;
@@ -225,7 +225,7 @@ public final class Interpreter {
     clearsQueued += line.clears() ? 1 : 0;
     queuedBytes += text.length();
     journal.add(new InterpreterEvent.Accepted(lastAccepted, lastExecuted, text));
-    return new Reply.Acknowledged(lastAccepted);
+    return new Response.Acknowledged(lastAccepted);
   }
 
   /** A built-in calls this in the thread that goes into interpreter mode. */

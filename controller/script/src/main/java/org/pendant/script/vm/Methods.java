@@ -7,13 +7,13 @@ import java.util.Optional;
 import org.pendant.language.signature.Type;
 import org.pendant.script.function.Builtin;
 import org.pendant.script.function.Builtins;
-import org.pendant.script.value.Kind;
 import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.ValueKind;
 
 /** Finds methods by the kind of their receiver, which is known only when the call runs. */
 final class Methods {
   private final Builtins<?> builtins;
-  private final Map<Kind, Map<String, Builtin<?>>> known = new EnumMap<>(Kind.class);
+  private final Map<ValueKind, Map<String, Builtin<?>>> known = new EnumMap<>(ValueKind.class);
   private final Map<Type, Map<String, Builtin<?>>> ofHandles = new EnumMap<>(Type.class);
 
   Methods(Builtins<?> builtins) {
@@ -30,7 +30,7 @@ final class Methods {
    *
    * @throws ScriptError when there is none, or it takes another number of arguments
    */
-  Builtin<?> find(String key, Kind kind) throws ScriptError {
+  Builtin<?> find(String key, ValueKind kind) throws ScriptError {
     Map<String, Builtin<?>> table = known.computeIfAbsent(kind, k -> new HashMap<>());
     Builtin<?> found = table.get(key);
     if (found == null) {
@@ -41,7 +41,7 @@ final class Methods {
     return found;
   }
 
-  /** As {@link #find(String, Kind)}, for a receiver that is a handle of {@code type}. */
+  /** As {@link #find(String, ValueKind)}, for a receiver that is a handle of {@code type}. */
   Builtin<?> find(String key, Type type) throws ScriptError {
     Map<String, Builtin<?>> table = ofHandles.computeIfAbsent(type, t -> new HashMap<>());
     Builtin<?> found = table.get(key);
@@ -80,7 +80,7 @@ final class Methods {
     return new ScriptError("unknown-method", article + receiver + " has no method " + name);
   }
 
-  private static Optional<Type> receiver(Kind kind) {
+  private static Optional<Type> receiver(ValueKind kind) {
     return switch (kind) {
       case LIST -> Optional.of(Type.LIST);
       case MATRIX -> Optional.of(Type.MATRIX);

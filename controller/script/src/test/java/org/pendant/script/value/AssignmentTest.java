@@ -48,7 +48,7 @@ class AssignmentTest {
   @Test
   void aListKeepsItsCapacity() throws ScriptError {
     NumberList list = ints(1, 2, 3, 4, 5, 6);
-    assertSame(list, Operators.assign(list, NumberList.owning(new double[100], 5, Kind.INT)));
+    assertSame(list, Operators.assign(list, NumberList.owning(new double[100], 5, ValueKind.INT)));
     assertEquals(5, list.length());
     assertEquals(6, list.capacity());
     Operators.assign(list, floats(0.5));

@@ -20,24 +20,24 @@ class ListValueTest {
 
   @Test
   void storingAFloatTurnsIntsIntoFloats() throws ScriptError {
-    NumberList list = NumberList.owning(new double[] {1, 2, 0}, 2, Kind.INT);
+    NumberList list = NumberList.owning(new double[] {1, 2, 0}, 2, ValueKind.INT);
     list.append(Value.of(0.5));
-    assertEquals(Kind.FLOAT, list.elementKind());
+    assertEquals(ValueKind.FLOAT, list.elementKind());
     assertEquals("[1, 2, 0.5]", list.text());
   }
 
   @Test
   void aFailedAppendChangesNothing() {
     NumberList full = ints(1);
-    assertThrows(ScriptError.class, () -> full.appendNumber(0.5, Kind.FLOAT));
+    assertThrows(ScriptError.class, () -> full.appendNumber(0.5, ValueKind.FLOAT));
     assertThrows(ScriptError.class, () -> full.append(Value.of("a")));
-    assertEquals(Kind.INT, full.elementKind());
+    assertEquals(ValueKind.INT, full.elementKind());
     assertEquals(ints(1), full);
   }
 
   @Test
   void aListExtendsByItself() throws ScriptError {
-    NumberList numbers = NumberList.owning(new double[] {1, 2, 0, 0}, 2, Kind.INT);
+    NumberList numbers = NumberList.owning(new double[] {1, 2, 0, 0}, 2, ValueKind.INT);
     numbers.extend(numbers);
     assertEquals(ints(1, 2, 1, 2), numbers);
     ObjectList words = ObjectList.owning(new Value[] {Value.of("a"), null}, 1, Value.of(""));

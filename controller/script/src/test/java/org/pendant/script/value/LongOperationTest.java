@@ -16,7 +16,7 @@ class LongOperationTest {
   private static NumberList ones(int count) {
     double[] elements = new double[count];
     Arrays.fill(elements, 1);
-    return NumberList.owning(elements, count, Kind.INT);
+    return NumberList.owning(elements, count, ValueKind.INT);
   }
 
   private static ObjectList texts(int count) {

@@ -98,12 +98,13 @@ class OperatorsTest {
 
   @Test
   void resultsOfIntsAreIntsExceptOfDivision() throws ScriptError {
-    assertEquals(Kind.INT, ((ListValue) compute(ints(1, 2), "*", 2)).elementKind());
-    assertEquals(Kind.FLOAT, ((ListValue) compute(ints(1, 2), "*", 2.0)).elementKind());
-    assertEquals(Kind.FLOAT, ((ListValue) compute(ints(2, 4), "/", 2)).elementKind());
+    assertEquals(ValueKind.INT, ((ListValue) compute(ints(1, 2), "*", 2)).elementKind());
+    assertEquals(ValueKind.FLOAT, ((ListValue) compute(ints(1, 2), "*", 2.0)).elementKind());
+    assertEquals(ValueKind.FLOAT, ((ListValue) compute(ints(2, 4), "/", 2)).elementKind());
     assertEquals(
-        Kind.INT, ((MatrixValue) compute(matrix(ints(1)), "*", matrix(ints(2)))).elementKind());
-    assertEquals(Kind.FLOAT, ((MatrixValue) compute(matrix(ints(1)), "/", 1)).elementKind());
+        ValueKind.INT,
+        ((MatrixValue) compute(matrix(ints(1)), "*", matrix(ints(2)))).elementKind());
+    assertEquals(ValueKind.FLOAT, ((MatrixValue) compute(matrix(ints(1)), "/", 1)).elementKind());
   }
 
   @Test
@@ -259,10 +260,10 @@ class OperatorsTest {
 
   @Test
   void aListLiteralTakesTheTypeOfItsElements() throws ScriptError {
-    assertEquals(Kind.INT, ((ListValue) list(1, 2)).elementKind());
-    assertEquals(Kind.FLOAT, ((ListValue) list(1, 2.5)).elementKind());
-    assertEquals(Kind.BOOL, ((ListValue) list(true)).elementKind());
-    assertEquals(Kind.STRING, ((ListValue) list("a", "b")).elementKind());
+    assertEquals(ValueKind.INT, ((ListValue) list(1, 2)).elementKind());
+    assertEquals(ValueKind.FLOAT, ((ListValue) list(1, 2.5)).elementKind());
+    assertEquals(ValueKind.BOOL, ((ListValue) list(true)).elementKind());
+    assertEquals(ValueKind.STRING, ((ListValue) list("a", "b")).elementKind());
     assertEquals(0, ((ListValue) list()).capacity());
     assertEquals(3, ((ListValue) list(1, 2, 3)).capacity());
     assertEquals(floats(1, 2), Operators.listLiteral(List.of(Value.of(1), Value.of(2.0))));
@@ -309,7 +310,7 @@ class OperatorsTest {
     Registers registers = new Registers(4);
     registers.setInt(1, 7);
     registers.setInt(2, 8);
-    assertEquals(Kind.INT, ((ListValue) Operators.listLiteral(registers, 1, 2)).elementKind());
+    assertEquals(ValueKind.INT, ((ListValue) Operators.listLiteral(registers, 1, 2)).elementKind());
     registers.setFloat(2, 8.5);
     assertEquals(floats(7, 8.5), Operators.listLiteral(registers, 1, 2));
     registers.setBool(2, true);

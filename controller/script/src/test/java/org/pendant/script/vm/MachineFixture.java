@@ -139,8 +139,8 @@ final class MachineFixture {
   /** Submits an interpreted line and answers its id, or the reason of the refusal. */
   String submit(String line) {
     return switch (machine.interpreter().submit(line)) {
-      case Interpreter.Reply.Acknowledged reply -> "ack " + reply.id();
-      case Interpreter.Reply.Discarded reply -> "discard " + reply.reason();
+      case Interpreter.Response.Acknowledged reply -> "ack " + reply.id();
+      case Interpreter.Response.Discarded reply -> "discard " + reply.reason();
     };
   }
 }

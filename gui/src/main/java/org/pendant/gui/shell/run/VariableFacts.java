@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.Variable;
-import org.pendant.script.value.Kind;
+import org.pendant.script.value.ValueKind;
 import org.pendant.script.variables.VariableSample;
 import org.pendant.script.variables.VariableSamples;
 
@@ -70,7 +70,7 @@ record VariableFacts(List<Row> rows, int more) {
   private static Row row(
       Variable variable, Set<String> favourites, List<InstallationVariable> installed) {
     String text = ByteText.decoded(variable.text());
-    String value = variable.kind().equals(Optional.of(Kind.STRING)) ? '"' + text + '"' : text;
+    String value = variable.kind().equals(Optional.of(ValueKind.STRING)) ? '"' + text + '"' : text;
     return new Row(
         ByteText.decoded(variable.name()),
         variable.kind().isEmpty() ? "\u2013" : value,

@@ -30,7 +30,7 @@ public record StartPlace(
 
   /** Where a program goes first, for an arm; empty if its feature is not taught. */
   public static Optional<StartPlace> of(
-      FirstWaypoint.Place first, Installation installation, ArmDescription arm) {
+      FirstWaypoint.Target first, Installation installation, ArmDescription arm) {
     WaypointPosition taught = first.position();
     Optional<Pose> frame =
         taught.feature().equals(WaypointPosition.BASE)

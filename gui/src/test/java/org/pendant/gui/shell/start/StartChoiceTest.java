@@ -87,7 +87,7 @@ final class StartChoiceTest {
 
   private static StartPlace place(Pose tcp, Joints joints) {
     return StartPlace.of(
-            new FirstWaypoint.Place(
+            new FirstWaypoint.Target(
                 "Pick", new WaypointPosition(tcp, WaypointPosition.BASE, joints, Pose.ZERO)),
             Installation.NONE,
             ARM)
@@ -205,7 +205,7 @@ final class StartChoiceTest {
     assertEquals(
         Optional.empty(),
         StartPlace.of(
-            new FirstWaypoint.Place(
+            new FirstWaypoint.Target(
                 "Pick", new WaypointPosition(Pose.ZERO, "Table", PLACE, Pose.ZERO)),
             Installation.NONE,
             ARM));

@@ -106,7 +106,7 @@ final class ScriptCheck {
   private long key(GeneratedScript script, int line) {
     return script
         .at(line)
-        .map(GeneratedScript.Place::key)
+        .map(GeneratedScript.NodeLines::key)
         .or(
             () ->
                 findings.tree().sections().stream()

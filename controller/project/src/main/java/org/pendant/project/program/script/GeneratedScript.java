@@ -14,7 +14,7 @@ import org.pendant.project.program.ProgramNode;
  *     that generates nothing has none
  * @param received which lines a driver has sent, see {@link ControlScript}, in their order
  */
-public record GeneratedScript(String text, List<Place> places, List<Received> received) {
+public record GeneratedScript(String text, List<NodeLines> places, List<Received> received) {
   /** Without anything in it. */
   public static final GeneratedScript EMPTY = new GeneratedScript("", List.of(), List.of());
 
@@ -26,7 +26,7 @@ public record GeneratedScript(String text, List<Place> places, List<Received> re
    * @param first line of its own, from 1: where a breakpoint on the node stops
    * @param last line that belongs to it or a node below it
    */
-  public record Place(long key, int number, int first, int last) {}
+  public record NodeLines(long key, int number, int first, int last) {}
 
   /**
    * Lines that follow each other in the text that was received as well.
@@ -43,12 +43,12 @@ public record GeneratedScript(String text, List<Place> places, List<Received> re
   }
 
   /** Where a node is. */
-  public Optional<Place> of(long key) {
+  public Optional<NodeLines> of(long key) {
     return places.stream().filter(each -> each.key() == key).findFirst();
   }
 
   /** The innermost node that a line belongs to. */
-  public Optional<Place> at(int line) {
+  public Optional<NodeLines> at(int line) {
     return places.stream()
         .filter(each -> each.first() <= line && line <= each.last())
         .reduce((outer, inner) -> inner);

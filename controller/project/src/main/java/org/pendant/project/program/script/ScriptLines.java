@@ -36,7 +36,7 @@ final class ScriptLines {
 
   private final StringBuilder text = new StringBuilder();
   private final Map<Long, Integer> numbers = new HashMap<>();
-  private final List<GeneratedScript.Place> places = new ArrayList<>();
+  private final List<GeneratedScript.NodeLines> places = new ArrayList<>();
   private final List<GeneratedScript.Received> received = new ArrayList<>();
   private final Deque<Open> open = new ArrayDeque<>();
   private int lines;
@@ -166,7 +166,7 @@ final class ScriptLines {
     int number = number(done.node);
     int other = done.remark > 0 ? done.remark : done.labelLine;
     int first = done.first > 0 ? done.first : other;
-    places.add(new GeneratedScript.Place(done.node.key(), number, first, lines));
+    places.add(new GeneratedScript.NodeLines(done.node.key(), number, first, lines));
   }
 
   /**
@@ -188,8 +188,8 @@ final class ScriptLines {
   /** The script so far. */
   GeneratedScript script() {
     places.sort(
-        Comparator.comparingInt(GeneratedScript.Place::number)
-            .thenComparingInt(GeneratedScript.Place::first));
+        Comparator.comparingInt(GeneratedScript.NodeLines::number)
+            .thenComparingInt(GeneratedScript.NodeLines::first));
     return new GeneratedScript(text.toString(), places, received);
   }
 }

@@ -7,7 +7,7 @@ import org.pendant.controller.installation.ModbusSetup;
 import org.pendant.controller.installation.SignalId;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
-import org.pendant.controller.io.Direction;
+import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalBank;
 
 /** The calls that read and set a signal, such as {@code digital_out[0]} or one of a device. */
@@ -32,7 +32,7 @@ final class SignalCode {
           "get_" + digital(each.signal().bank()) + "(" + each.signal().index() + ")";
       case SignalId.Analog each -> "get_" + analog(each.bank()) + "(" + each.index() + ")";
       case SignalId.Register each -> {
-        String direction = each.direction() == Direction.INPUT ? "input_" : "output_";
+        String direction = each.direction() == RegisterDirection.INPUT ? "input_" : "output_";
         yield "read_" + direction + each.kind().text() + "_register(" + each.address() + ")";
       }
     };
@@ -70,7 +70,7 @@ final class SignalCode {
                   + ")");
       case SignalId.Analog each when !each.bank().input() ->
           Optional.of(writeAnalog(each.index(), value));
-      case SignalId.Register each when each.direction() == Direction.OUTPUT ->
+      case SignalId.Register each when each.direction() == RegisterDirection.OUTPUT ->
           Optional.of(
               "write_output_"
                   + each.kind().text()

@@ -10,7 +10,7 @@ import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.script.GeneratedScript;
-import org.pendant.project.program.script.GeneratedScript.Place;
+import org.pendant.project.program.script.GeneratedScript.NodeLines;
 
 /**
  * The nodes of a program of PolyScope X, which are only shown, and the lines of its script, which
@@ -21,7 +21,7 @@ public final class ShownNodes {
   private static final Pattern STATEMENT = Pattern.compile("\\s*[^\\s#].*");
 
   private final String[] lines;
-  private final Map<Long, Place> places = new HashMap<>();
+  private final Map<Long, NodeLines> places = new HashMap<>();
 
   private ShownNodes(GeneratedScript script) {
     lines = script.text().split("\n", -1);
@@ -58,7 +58,7 @@ public final class ShownNodes {
     ShownNodes nodes = new ShownNodes(script);
     List<ProgramNode> all = tree.nodes();
     nodes.find(all);
-    List<Place> places = new ArrayList<>(script.places());
+    List<NodeLines> places = new ArrayList<>(script.places());
     for (ProgramNode each : shown(tree)) {
       nodes.add(each, places);
     }
@@ -77,7 +77,7 @@ public final class ShownNodes {
           last++;
         }
         long key = all.get(number - 1).key();
-        places.putIfAbsent(key, new Place(key, number, i + 1, last + 1));
+        places.putIfAbsent(key, new NodeLines(key, number, i + 1, last + 1));
       }
     }
   }
@@ -90,13 +90,13 @@ public final class ShownNodes {
   }
 
   /** Adds a node that has lines and those below it; answers the last line of them all, or 0. */
-  private int add(ProgramNode node, List<Place> all) {
+  private int add(ProgramNode node, List<NodeLines> all) {
     int at = all.size();
     int last = 0;
     for (ProgramNode each : node.children()) {
       last = Math.max(last, add(each, all));
     }
-    Place own = places.get(node.key());
+    NodeLines own = places.get(node.key());
     if (own == null) {
       return last;
     }
@@ -106,7 +106,7 @@ public final class ShownNodes {
       first++;
     }
     boolean runs = STATEMENT.matcher(lines[first - 1]).matches();
-    all.add(at, new Place(node.key(), own.number(), runs ? first : own.first(), last));
+    all.add(at, new NodeLines(node.key(), own.number(), runs ? first : own.first(), last));
     return last;
   }
 }

@@ -84,7 +84,7 @@ final class UrpProgramWriter {
   private boolean complete(String text) {
     ProgramTree read;
     try {
-      read = new ProgramReader(PackedXml.read(text), installation).read(name).tree();
+      read = new UrpProgramReader(PackedXml.read(text), installation).read(name).tree();
     } catch (UnreadableFile e) {
       throw new IllegalStateException("what was just written can be read: " + e.report(name), e);
     }
@@ -130,7 +130,7 @@ final class UrpProgramWriter {
     motion = new MotionElements(out, elements, tree.waypoints(), installation);
     String file = installationName(tree.installation());
     out.open(
-        ProgramReader.ROOT,
+        UrpProgramReader.ROOT,
         "name",
         name,
         "installation",
@@ -151,7 +151,7 @@ final class UrpProgramWriter {
     out.close();
     if (ownHeader) {
       ProgramTree header = new ProgramTree(tree.installation(), ownPlaces, List.of(), 1);
-      out.open(ProgramReader.OWN_PROGRAM).text("text", ProgramText.write(header)).close();
+      out.open(UrpProgramReader.OWN_PROGRAM).text("text", ProgramText.write(header)).close();
     }
     out.close();
     return "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"no\"?>\n" + out;
@@ -179,7 +179,7 @@ final class UrpProgramWriter {
   private boolean openSection(Section part) {
     switch (part) {
       case Section.InitialValues values -> {
-        out.open(ProgramReader.INITIAL_VALUES);
+        out.open(UrpProgramReader.INITIAL_VALUES);
         out.open("variables");
         values.values().forEach(this::initialValue);
         out.close();
@@ -191,7 +191,7 @@ final class UrpProgramWriter {
                 .anyMatch(
                     each -> each.step() instanceof Section.InitialValues && !each.suppressed());
         out.open("MainProgram", "runOnlyOnce", Boolean.toString(!main.forever()));
-        out.attribute(ProgramReader.INITIAL_VALUES, Boolean.toString(initial));
+        out.attribute(UrpProgramReader.INITIAL_VALUES, Boolean.toString(initial));
       }
       case Section.ThreadSection thread ->
           out.open("Thread", "name", thread.name(), "loop", Boolean.toString(thread.forever()));
@@ -287,7 +287,7 @@ final class UrpProgramWriter {
 
   /** A node as text, for which no element is known; what is below it stands in it as usual. */
   private void ownNode(ProgramNode node, Within within) {
-    out.open(ProgramReader.OWN_NODE);
+    out.open(UrpProgramReader.OWN_NODE);
     out.text("text", ProgramText.writeClip(List.of(node.withChildren(List.of())), Map.of()));
     children(node, inside(node, within));
     out.close();

@@ -35,7 +35,7 @@ public final class UrpPrograms {
    */
   public static ImportedProgram read(String fileName, byte[] bytes, Installation installation)
       throws UnreadableFile {
-    return new ProgramReader(PackedXml.read(bytes, ProgramReader.ROOT), installation)
+    return new UrpProgramReader(PackedXml.read(bytes, UrpProgramReader.ROOT), installation)
         .read(fileName);
   }
 

@@ -17,7 +17,7 @@ import org.pendant.project.program.LoopRule;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
 import org.pendant.project.program.StepNames;
-import org.pendant.project.program.script.GeneratedScript.Place;
+import org.pendant.project.program.script.GeneratedScript.NodeLines;
 
 /** Scripts of programs that start in their middle. */
 final class PartialScriptTest {
@@ -51,7 +51,7 @@ final class PartialScriptTest {
         List.of(8, 8),
         part.places().stream()
             .filter(each -> each.key() == key("Wait"))
-            .map(Place::number)
+            .map(NodeLines::number)
             .toList());
   }
 

@@ -31,7 +31,7 @@ import org.pendant.project.program.LoopRule;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
-import org.pendant.project.program.script.GeneratedScript.Place;
+import org.pendant.project.program.script.GeneratedScript.NodeLines;
 import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.vm.ProgramLabel;
 
@@ -101,7 +101,7 @@ final class PlacesTest {
   void nodesBeginWithTheirOwnFirstStatement() {
     GeneratedScript script = generate(EVERYTHING);
     List<String> lines = script.text().lines().toList();
-    List<Place> places = script.places();
+    List<NodeLines> places = script.places();
     assertEquals(FIRST_LINES.size(), places.size());
     for (int i = 0; i < places.size(); i++) {
       String first = lines.get(places.get(i).first() - 1).strip();
@@ -112,7 +112,7 @@ final class PlacesTest {
   @Test
   void numbersAndKeysAreThoseOfTheTree() {
     List<ProgramNode> nodes = EVERYTHING.nodes();
-    for (Place place : generate(EVERYTHING).places()) {
+    for (NodeLines place : generate(EVERYTHING).places()) {
       assertEquals(nodes.get(place.number() - 1).key(), place.key());
     }
   }
@@ -125,7 +125,7 @@ final class PlacesTest {
     run.submit(
         new Command.Debug(
             debugger -> {
-              for (Place place : script.places()) {
+              for (NodeLines place : script.places()) {
                 OptionalInt line = debugger.set(Breakpoint.at(place.first())).statementLine();
                 if (!line.equals(OptionalInt.of(place.first()))) {
                   moved.add(place.number());
@@ -146,7 +146,7 @@ final class PlacesTest {
     List<String> lines = script.text().lines().toList();
     List<Integer> numbers = new ArrayList<>();
     for (int i = lines.indexOf("  $ 1 \"Robot Program\"") + 1; i <= lines.size(); i++) {
-      numbers.add(script.at(i).map(Place::number).orElse(0));
+      numbers.add(script.at(i).map(NodeLines::number).orElse(0));
     }
     // label, label, if, label, sleep, else, label, label, sleep, end, end
     assertEquals(List.of(0, 0, 2, 2, 3, 1, 1, 1, 5, 1, 0), numbers);
@@ -172,9 +172,9 @@ final class PlacesTest {
     ProgramNode main = tree.sections().getFirst();
     ProgramNode twice =
         main.withChildren(List.of(main.children().getFirst(), main.children().getFirst()));
-    List<Place> places =
+    List<NodeLines> places =
         generate(new ProgramTree("", tree.waypoints(), List.of(twice), tree.nextKey())).places();
-    assertEquals(List.of(1, 2, 2), places.stream().map(Place::number).toList());
+    assertEquals(List.of(1, 2, 2), places.stream().map(NodeLines::number).toList());
     assertTrue(places.get(1).first() < places.get(2).first());
   }
 }

@@ -14,7 +14,7 @@ import org.pendant.protocols.egress.HostPolicy;
  * A TCP connection to one server, made when it is needed and kept. One thread at a time uses it;
  * every other may {@link #close} it.
  */
-final class Line {
+final class RpcConnection {
   /** Most bytes of an answer. */
   static final int MAX_BYTES = 1 << 22;
 
@@ -29,7 +29,7 @@ final class Line {
   private volatile Optional<Socket> socket = Optional.empty();
   private InputStream in = InputStream.nullInputStream();
 
-  Line(HostPolicy hostPolicy, String host, int port) {
+  RpcConnection(HostPolicy hostPolicy, String host, int port) {
     this.hostPolicy = hostPolicy;
     this.host = host;
     this.port = port;

@@ -10,16 +10,16 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
 /** Work that waits for a server, in a thread of its own. */
-final class Task implements Pending {
+final class RpcTask implements Pending {
   private final FutureTask<Value> work;
-  private final Consumer<Task> afterwards;
+  private final Consumer<RpcTask> afterwards;
 
   /**
    * Work that {@link #begin} begins.
    *
    * @param afterwards told when it is over
    */
-  Task(Callable<Value> work, Consumer<Task> afterwards) {
+  RpcTask(Callable<Value> work, Consumer<RpcTask> afterwards) {
     this.work = new FutureTask<>(work);
     this.afterwards = afterwards;
   }

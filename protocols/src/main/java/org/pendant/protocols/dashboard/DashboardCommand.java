@@ -3,7 +3,7 @@ package org.pendant.protocols.dashboard;
 import java.util.List;
 
 /** What can be asked of the dashboard server. */
-enum Word {
+enum DashboardCommand {
   LOAD_INSTALLATION("load installation", Effect.ACTS, Argument.TAKEN),
   LOAD("load", Effect.ACTS, Argument.TAKEN),
   PLAY("play", Effect.ACTS, Argument.NONE),
@@ -54,7 +54,7 @@ enum Word {
   private final Effect effect;
   private final Argument argument;
 
-  Word(String words, Effect effect, Argument argument) {
+  DashboardCommand(String words, Effect effect, Argument argument) {
     this.words = words;
     this.effect = effect;
     this.argument = argument;

@@ -1,13 +1,13 @@
 package org.pendant.controller.io;
 
 /** Who writes a register: the world outside an input, programs an output. */
-public enum Direction {
+public enum RegisterDirection {
   INPUT("input"),
   OUTPUT("output");
 
   private final String text;
 
-  Direction(String text) {
+  RegisterDirection(String text) {
     this.text = text;
   }
 

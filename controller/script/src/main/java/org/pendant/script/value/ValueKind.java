@@ -1,7 +1,7 @@
 package org.pendant.script.value;
 
 /** The fundamental kinds of values (manual 3 to 5). */
-public enum Kind {
+public enum ValueKind {
   NONE("none"),
   BOOL("bool"),
   INT("int"),
@@ -15,7 +15,7 @@ public enum Kind {
 
   private final String text;
 
-  Kind(String text) {
+  ValueKind(String text) {
     this.text = text;
   }
 
@@ -38,7 +38,7 @@ public enum Kind {
   }
 
   /** Whether a variable of this kind may take a value of {@code other}: int and float are one. */
-  public boolean accepts(Kind other) {
+  public boolean accepts(ValueKind other) {
     return this == other || (isNumber() && other.isNumber());
   }
 }

@@ -1,10 +1,10 @@
 package org.pendant.controller.json;
 
 /** Where something stands in a file; lines and columns count from 1. */
-public record Place(String file, int line, int column) {
+public record FilePosition(String file, int line, int column) {
 
   /** The place that follows {@code text}, which begins the file. */
-  static Place after(String file, CharSequence text) {
+  static FilePosition after(String file, CharSequence text) {
     int line = 1;
     int column = 1;
     for (int i = 0; i < text.length(); i++) {
@@ -12,7 +12,7 @@ public record Place(String file, int line, int column) {
       line += lineEnds ? 1 : 0;
       column = lineEnds ? 1 : column + 1;
     }
-    return new Place(file, line, column);
+    return new FilePosition(file, line, column);
   }
 
   /** The complaint about what stands here. */

@@ -23,7 +23,7 @@ import org.pendant.project.program.text.Clip;
 import org.pendant.project.program.text.ProgramText;
 
 /** Makes a tree of the elements of one file. */
-final class ProgramReader {
+final class UrpProgramReader {
   static final String ROOT = "URProgram";
 
   /** Holds a node of ours, as text, for which no element is known. */
@@ -66,7 +66,7 @@ final class ProgramReader {
   /** Whether a suppressed node is read: what is not understood there is of no consequence. */
   private boolean switchedOff;
 
-  ProgramReader(XmlElement root, Installation installation) {
+  UrpProgramReader(XmlElement root, Installation installation) {
     this.root = root;
     expected = Arms.of(installation.robot());
     UrpSignals signals = new UrpSignals(installation, remarks);

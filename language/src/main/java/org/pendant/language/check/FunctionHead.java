@@ -17,13 +17,14 @@ import org.pendant.language.syntax.Statement.Definition;
  * @param positions where each parameter stands, by all its names
  * @param text the head for messages
  */
-record Head(String name, List<Parameter> parameters, Map<String, Integer> positions, String text) {
+record FunctionHead(
+    String name, List<Parameter> parameters, Map<String, Integer> positions, String text) {
 
-  static Head of(Signature signature) {
+  static FunctionHead of(Signature signature) {
     return of(signature.name(), signature.parameters(), signature.head());
   }
 
-  static Head of(Definition definition) {
+  static FunctionHead of(Definition definition) {
     List<Parameter> parameters = new ArrayList<>();
     for (ParameterDeclaration declared : definition.parameters()) {
       boolean required = declared.defaultValue().isEmpty();
@@ -32,7 +33,7 @@ record Head(String name, List<Parameter> parameters, Map<String, Integer> positi
     return of(definition.name(), parameters, definition.head());
   }
 
-  private static Head of(String name, List<Parameter> parameters, String text) {
+  private static FunctionHead of(String name, List<Parameter> parameters, String text) {
     Map<String, Integer> positions = new HashMap<>();
     for (int i = 0; i < parameters.size(); i++) {
       positions.putIfAbsent(parameters.get(i).name(), i);
@@ -40,6 +41,6 @@ record Head(String name, List<Parameter> parameters, Map<String, Integer> positi
         positions.putIfAbsent(alias, i);
       }
     }
-    return new Head(name, List.copyOf(parameters), positions, text);
+    return new FunctionHead(name, List.copyOf(parameters), positions, text);
   }
 }

@@ -6,7 +6,7 @@ import org.pendant.motion.FrameTime;
  * Follows a travel that may be running already or change suddenly: within a limited acceleration
  * the gap is closed as fast as possible, and from then on there is none.
  */
-final class Follower {
+final class CatchUp {
   private static final double FRAME_S = FrameTime.FRAME_S;
 
   private double goal;

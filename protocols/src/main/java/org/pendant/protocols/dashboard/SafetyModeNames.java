@@ -4,8 +4,8 @@ import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.RobotBits;
 
 /** How the dashboard server calls the safety modes. */
-final class Names {
-  private Names() {}
+final class SafetyModeNames {
+  private SafetyModeNames() {}
 
   /** With all differences. */
   static String status(SafetyMode mode) {
