@@ -10,8 +10,10 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noFields;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noMethods;
 import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
@@ -20,6 +22,10 @@ import com.tngtech.archunit.library.dependencies.SliceAssignment;
 import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import java.awt.event.ActionListener;
 import java.nio.channels.FileChannel;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import javax.swing.Timer;
 
 /** The shape that docs/architecture.md describes, held by the build. */
@@ -183,6 +189,23 @@ final class ArchitectureTest {
   @ArchTest
   static final ArchRule namesSayWhatAClassIs =
       noClasses().should().haveNameMatching(".*(Utils?|Helper|Manager|Impl|Singleton)");
+
+  /** Classes inside others are told apart by these. */
+  @ArchTest
+  static void oneSimpleNameIsOneClass(JavaClasses all) {
+    Map<String, Set<String>> classesByName = new TreeMap<>();
+    for (JavaClass each : all) {
+      if (each.isTopLevelClass()
+          && !each.getSimpleName().equals("package-info")
+          && !each.getPackageName().startsWith("org.pendant.gui")) {
+        classesByName
+            .computeIfAbsent(each.getSimpleName(), name -> new TreeSet<>())
+            .add(each.getName());
+      }
+    }
+    classesByName.values().removeIf(classes -> classes.size() == 1);
+    assertEquals(Map.of(), classesByName);
+  }
 
   @ArchTest
   static final ArchRule everyClassHasAPackageOfOneModule =
