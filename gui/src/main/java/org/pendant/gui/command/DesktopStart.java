@@ -1,20 +1,20 @@
 package org.pendant.gui.command;
 
-import java.awt.AWTError;
-import java.awt.GraphicsEnvironment;
-import java.awt.HeadlessException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.gui.ports.PortWishes;
-import org.pendant.gui.session.StartInstallation;
-import org.pendant.gui.shell.Desktop;
+import org.pendant.gui.command.service.DesktopLauncher;
+import org.pendant.gui.command.service.DesktopUnavailable;
+import org.pendant.gui.command.service.PortWishes;
+import org.pendant.gui.command.service.StartInstallation;
 
-/** Opens the desktop. Nothing else of the command line loads a class of the desktop. */
+/** Start of the desktop from the command line. */
 final class DesktopStart {
+  private final DesktopServices services;
   private final Console console;
 
-  DesktopStart(Console console) {
+  DesktopStart(DesktopServices services, Console console) {
+    this.services = services;
     this.console = console;
   }
 
@@ -27,15 +27,14 @@ final class DesktopStart {
    */
   ExitCode run(
       List<Path> files, Optional<PortWishes> ports, Optional<StartInstallation> installation) {
+    Optional<DesktopLauncher> launcher = services.launcher().get();
+    if (launcher.isEmpty()) {
+      return refused("it is not on the class path");
+    }
     try {
-      if (GraphicsEnvironment.isHeadless()) {
-        return refused("there is no display");
-      }
-      // Says at once whether the display can be used.
-      GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
-      Desktop.open(files, ports, installation).awaitClosed();
+      launcher.get().open(files, ports, installation);
       return ExitCode.DONE;
-    } catch (AWTError | HeadlessException | UnsatisfiedLinkError e) {
+    } catch (DesktopUnavailable e) {
       return refused(e.getMessage());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

@@ -2,36 +2,34 @@ package org.pendant.gui.command;
 
 import java.util.Optional;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.gui.scene.Trace;
-import org.pendant.gui.scene.TraceRing;
+import org.pendant.gui.command.service.PictureRenderer;
 
-/** Keeps the frame that a picture is wanted of, and the way of the tool until then. */
+/** Keeps the frame that a picture is wanted of, and tells the renderer the way until then. */
 final class Exposure implements FrameWatcher {
-  /** Half a minute of steady motion at millimetres a frame. */
-  private static final int MAX_POINTS = 20_000;
-
   /** Frames are 2 ms apart; times are sums of that. */
   private static final double TOLERANCE_S = 1e-6;
 
   private final Optional<Double> atS;
-  private final TraceRing ring = new TraceRing(MAX_POINTS);
+  private final PictureRenderer renderer;
   private ControllerState kept;
 
   /**
    * @param first what there is before the first frame
    * @param atS robot time of the picture, s; without one the last frame is kept
+   * @param renderer draws the trace of the tool centre point
    */
-  Exposure(ControllerState first, Optional<Double> atS) {
+  Exposure(ControllerState first, Optional<Double> atS, PictureRenderer renderer) {
     this.atS = atS;
+    this.renderer = renderer;
     kept = first;
-    ring.add(first.arm(), first.timeS());
+    renderer.trace(first.arm(), first.timeS());
   }
 
   @Override
   public void see(ControllerState state) {
     if (atS.isEmpty() || state.timeS() <= atS.get() + TOLERANCE_S) {
       kept = state;
-      ring.add(state.arm(), state.timeS());
+      renderer.trace(state.arm(), state.timeS());
     }
   }
 
@@ -48,10 +46,5 @@ final class Exposure implements FrameWatcher {
   /** The frame of the picture. */
   ControllerState state() {
     return kept;
-  }
-
-  /** Where the tool centre point has been until then. */
-  Trace trace() {
-    return ring.trace();
   }
 }

@@ -8,8 +8,8 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.pendant.controller.installation.Installation;
-import org.pendant.gui.ports.PortWishes;
-import org.pendant.gui.session.StartInstallation;
+import org.pendant.gui.command.service.PortWishes;
+import org.pendant.gui.command.service.StartInstallation;
 
 /** {@code pendant open FILE...}: opens the desktop with programs. */
 final class OpenCommand implements Subcommand {
@@ -18,6 +18,12 @@ final class OpenCommand implements Subcommand {
 
   private static final List<Option> OPTIONS =
       Stream.concat(Stream.of(InstallationOption.OPTION, PORTS), PortOptions.ALL.stream()).toList();
+
+  private final DesktopServices services;
+
+  OpenCommand(DesktopServices services) {
+    this.services = services;
+  }
 
   /** Whether {@code word} is one of its options: then {@code open} may be left out. */
   static boolean understands(String word) {
@@ -62,7 +68,7 @@ final class OpenCommand implements Subcommand {
     }
     Optional<StartInstallation> installation = installation(arguments);
     InstallationOption.tell(arguments, console);
-    return new DesktopStart(console).run(files, ports(arguments), installation);
+    return new DesktopStart(services, console).run(files, ports(arguments), installation);
   }
 
   private static Optional<StartInstallation> installation(Arguments arguments)

@@ -16,17 +16,23 @@ public final class Pendant {
   private static final Option VERSION = new Option("--version", "", "print the version");
 
   private final Console console;
+  private final DesktopServices services;
   private final List<Subcommand> subcommands;
 
   Pendant(Console console) {
+    this(console, DesktopServices.ofClassPath());
+  }
+
+  Pendant(Console console, DesktopServices services) {
     this.console = console;
+    this.services = services;
     subcommands =
         List.of(
-            new OpenCommand(),
+            new OpenCommand(services),
             new RunCommand(),
             new CheckCommand(),
             new ConvertCommand(),
-            new RenderCommand(),
+            new RenderCommand(services),
             new ServeCommand(),
             new FunctionsCommand(StandardBuiltins::create),
             new RobotsCommand());
@@ -60,7 +66,8 @@ public final class Pendant {
   private ExitCode choose(List<String> words) {
     String first = words.isEmpty() ? "" : words.getFirst();
     return switch (first) {
-      case "" -> new DesktopStart(console).run(List.of(), Optional.empty(), Optional.empty());
+      case "" ->
+          new DesktopStart(services, console).run(List.of(), Optional.empty(), Optional.empty());
       case "--help", "-h", "help" -> {
         usage().forEach(console::print);
         yield ExitCode.DONE;
@@ -71,7 +78,7 @@ public final class Pendant {
       }
       default ->
           OpenCommand.understands(first) || OpenCommand.isRecording(first)
-              ? run(new OpenCommand(), words)
+              ? run(new OpenCommand(services), words)
               : subcommand(first, words.subList(1, words.size()));
     };
   }

@@ -10,7 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import org.pendant.gui.ports.PortWishes;
+import org.pendant.gui.command.service.PortWishes;
 import org.pendant.protocols.modbus.ModbusServer;
 import org.pendant.protocols.robotapi.RobotApiServer;
 import org.pendant.protocols.server.PortNumbers;

@@ -1,19 +1,12 @@
 package org.pendant.gui.command;
 
-import java.awt.image.BufferedImage;
 import java.util.List;
-import javax.imageio.ImageIO;
+import java.util.Optional;
 import org.pendant.controller.Controller;
-import org.pendant.controller.state.ArmState;
-import org.pendant.controller.world.Scene;
-import org.pendant.gui.scene.Camera;
-import org.pendant.gui.scene.Outline;
-import org.pendant.gui.scene.SceneModel;
-import org.pendant.gui.scene.Touching;
-import org.pendant.gui.scene.gl.OffscreenScene;
-import org.pendant.gui.scene.gl.SceneUnavailable;
+import org.pendant.gui.command.service.GraphicsUnavailable;
+import org.pendant.gui.command.service.Picture;
+import org.pendant.gui.command.service.PictureRenderer;
 import org.pendant.language.source.Source;
-import org.pendant.models.arm.ArmLibrary;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.externalcontrol.NoScript;
 import org.pendant.script.vm.LoadResult;
@@ -21,6 +14,11 @@ import org.pendant.script.vm.Program;
 
 /** {@code pendant render FILE}: runs a program and draws the arm at one moment. */
 final class RenderCommand implements Subcommand {
+  private final DesktopServices services;
+
+  RenderCommand(DesktopServices services) {
+    this.services = services;
+  }
 
   @Override
   public String name() {
@@ -61,7 +59,7 @@ final class RenderCommand implements Subcommand {
     }
   }
 
-  private static ExitCode run(
+  private ExitCode run(
       RunnableFile file, Controller controller, RenderOptions options, Console console)
       throws UsageException {
     if (file.source().isEmpty()) {
@@ -75,11 +73,16 @@ final class RenderCommand implements Subcommand {
       return ExitCode.DOES_NOT_COMPILE;
     }
     // Before the program runs: without graphics there is no use in that.
-    try (OffscreenScene scene = OffscreenScene.open();
+    Optional<PictureRenderer.Factory> renderers = services.renderers().get();
+    if (renderers.isEmpty()) {
+      console.complain("pendant render: cannot draw: the desktop is not on the class path");
+      return ExitCode.UNAVAILABLE;
+    }
+    try (PictureRenderer renderer = renderers.get().start();
         Interruption interruption = Interruption.listen("the run");
         WallLimit wall = WallLimit.begin(options.run().wallTimeoutS(), file.file())) {
       interruption.hold();
-      Exposure exposure = new Exposure(controller.state(), options.atS());
+      Exposure exposure = new Exposure(controller.state(), options.atS(), renderer);
       Program program = loadResult.program().get();
       ExitCode code =
           new HeadlessRun(file, controller, options.run(), interruption, wall, console, exposure)
@@ -87,40 +90,31 @@ final class RenderCommand implements Subcommand {
       if (exposure.tooEarly() && code == ExitCode.DONE) {
         console.complain(Report.note(source, "ended before --at; the picture shows its end"));
       }
-      code = code.or(write(picture(scene, exposure, options), options, console));
+      code = code.or(write(renderer, picture(exposure, options), options, console));
       // Before the interruption is closed: after that the process may be gone at any moment.
       console.flush();
       return code;
-    } catch (SceneUnavailable e) {
+    } catch (GraphicsUnavailable e) {
       console.complain("pendant render: " + e.getMessage());
       return ExitCode.UNAVAILABLE;
     }
   }
 
-  private static BufferedImage picture(
-      OffscreenScene scene, Exposure exposure, RenderOptions options) {
-    ArmState arm = exposure.state().arm();
-    Scene world = options.run().controller().scene();
-    SceneModel model =
-        SceneModel.of(
-                ArmLibrary.load(options.run().controller().robotId()), arm.actualPositionRad())
-            .at(arm)
-            .withWorld(
-                world,
-                new Touching(world)
-                    .names(arm.kinematics(), arm.actualPositionRad(), arm.tool().inFlange()))
-            .withTrace(exposure.trace())
-            .withTheme(options.theme());
-    double aspect = (double) options.widthPx() / options.heightPx();
-    Camera camera = Camera.of(options.view(), Outline.of(model), aspect);
-    return scene.render(model, camera, options.widthPx(), options.heightPx());
+  private static Picture picture(Exposure exposure, RenderOptions options) {
+    return new Picture(
+        options.run().controller().robotId(),
+        exposure.state().arm(),
+        options.run().controller().scene(),
+        options.view(),
+        options.dark(),
+        options.widthPx(),
+        options.heightPx());
   }
 
-  private static ExitCode write(BufferedImage picture, RenderOptions options, Console console) {
-    // A picture in the making needs no file besides its own.
-    ImageIO.setUseCache(false);
+  private static ExitCode write(
+      PictureRenderer renderer, Picture picture, RenderOptions options, Console console) {
     try {
-      options.out().write(out -> ImageIO.write(picture, "png", out));
+      options.out().write(out -> renderer.write(picture, out));
       return ExitCode.DONE;
     } catch (UsageException e) {
       console.complain("pendant render: " + e.getMessage());

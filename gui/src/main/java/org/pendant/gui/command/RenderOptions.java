@@ -6,8 +6,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.pendant.controller.installation.Installation;
-import org.pendant.gui.scene.StandardView;
-import org.pendant.gui.scene.Theme;
+import org.pendant.gui.command.service.StandardView;
 
 /**
  * What {@code pendant render} was asked for.
@@ -18,7 +17,7 @@ import org.pendant.gui.scene.Theme;
  * @param widthPx width of the picture
  * @param heightPx height of the picture
  * @param view from where the robot is seen
- * @param theme colours
+ * @param dark whether the colours are those of the dark theme
  */
 record RenderOptions(
     RunOptions run,
@@ -27,7 +26,7 @@ record RenderOptions(
     int widthPx,
     int heightPx,
     StandardView view,
-    Theme theme) {
+    boolean dark) {
   private static final Option OUT = Option.output("--out", "FILE.png", "the picture to write");
   private static final Option AT =
       new Option("--at", "S", "robot time of the picture, default the program's end");
@@ -66,7 +65,7 @@ record RenderOptions(
         Integer.parseInt(size.group(1)),
         Integer.parseInt(size.group(2)),
         view(arguments.value(VIEW).orElse("iso")),
-        theme(arguments.value(THEME).orElse("light")));
+        dark(arguments.value(THEME).orElse("light")));
   }
 
   private static OutputFile out(Arguments arguments) throws UsageException {
@@ -117,11 +116,11 @@ record RenderOptions(
     return view.get();
   }
 
-  private static Theme theme(String word) throws UsageException {
-    Optional<Theme> theme = Theme.named(word);
-    if (theme.isEmpty()) {
-      throw new UsageException("--theme is " + word + ", must be light or dark");
-    }
-    return theme.get();
+  private static boolean dark(String theme) throws UsageException {
+    return switch (theme) {
+      case "light" -> false;
+      case "dark" -> true;
+      default -> throw new UsageException("--theme is " + theme + ", must be light or dark");
+    };
   }
 }

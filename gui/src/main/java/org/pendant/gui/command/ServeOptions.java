@@ -12,7 +12,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.PowerTimes;
-import org.pendant.gui.ports.StateFolder;
+import org.pendant.gui.command.service.StateFolder;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.RemoteControl;

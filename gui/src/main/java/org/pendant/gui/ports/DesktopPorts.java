@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.locks.ReentrantLock;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.gui.command.service.PortWishes;
 import org.pendant.gui.ports.PortsState.Trouble;
 import org.pendant.gui.session.Session;
 import org.pendant.gui.session.SwitchListener;

@@ -1,5 +1,7 @@
 package org.pendant.gui.ports;
 
+import org.pendant.gui.command.service.PortWishes;
+
 /** What people type to say where the ports are. */
 enum PortField {
   HOST("host", "Address", "Where to listen: 127.0.0.1 for this computer only"),

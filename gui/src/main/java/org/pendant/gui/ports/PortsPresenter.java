@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.pendant.gui.command.service.PortWishes;
 import org.pendant.gui.ports.PortsState.Trouble;
 import org.pendant.gui.workbench.Settings;
 import org.pendant.protocols.net.Connection;

@@ -20,6 +20,7 @@ import javax.swing.JTextField;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.command.service.PortWishes;
 import org.pendant.gui.layout.Card;
 import org.pendant.gui.layout.Typed;
 import org.pendant.gui.ports.PortsState.Trouble;

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.joml.Matrix4f;
 import org.joml.Vector3d;
 import org.pendant.controller.world.Vector3;
+import org.pendant.gui.command.service.StandardView;
 
 /**
  * Where the scene is seen from: an eye that looks at a point and keeps z upright. Every change

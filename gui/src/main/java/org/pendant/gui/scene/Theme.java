@@ -1,8 +1,5 @@
 package org.pendant.gui.scene;
 
-import java.util.Arrays;
-import java.util.Locale;
-import java.util.Optional;
 import org.pendant.gui.scene.mesh.Finish;
 
 /** Colours of the scene, as 0xRRGGBB. */
@@ -74,16 +71,6 @@ public enum Theme {
   /** The edges of boxes. */
   public int edgeRgb() {
     return edge;
-  }
-
-  /** Its name in commands: {@code light} or {@code dark}. */
-  public String word() {
-    return name().toLowerCase(Locale.ROOT);
-  }
-
-  /** The theme of this name. */
-  public static Optional<Theme> named(String word) {
-    return Arrays.stream(values()).filter(theme -> theme.word().equals(word)).findFirst();
   }
 
   private static int common(Finish finish) {

@@ -6,13 +6,17 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 final class OpenCommandTest {
+  private static final DesktopServices NO_DESKTOP =
+      new DesktopServices(Optional::empty, Optional::empty);
 
   private static String refusal(String... words) {
-    OpenCommand command = new OpenCommand();
+    OpenCommand command = new OpenCommand(NO_DESKTOP);
     Console console = new Console(new ByteArrayOutputStream(), new ByteArrayOutputStream());
     return assertThrows(
             UsageException.class,
@@ -45,5 +49,22 @@ final class OpenCommandTest {
     assertTrue(OpenCommand.understands("--host=127.0.0.1"));
     assertFalse(OpenCommand.understands("--robot"));
     assertFalse(OpenCommand.understands("open"));
+  }
+
+  @Test
+  void saysThatThereIsNoDesktop() {
+    ByteArrayOutputStream errors = new ByteArrayOutputStream();
+
+    ExitCode code =
+        new Pendant(new Console(new ByteArrayOutputStream(), errors), NO_DESKTOP)
+            .run(List.of("open", "a.script"));
+
+    assertEquals(ExitCode.WRONG_USAGE, code);
+    assertEquals(
+        """
+        pendant: the desktop cannot be opened: it is not on the class path
+        Programs run without a display too: pendant run FILE...; pendant --help lists more
+        """,
+        errors.toString(StandardCharsets.UTF_8));
   }
 }

@@ -25,6 +25,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.gui.command.service.PortWishes;
 import org.pendant.gui.session.Session;
 import org.pendant.script.vm.ProgramState;
 

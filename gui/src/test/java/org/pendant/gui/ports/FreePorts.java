@@ -8,6 +8,7 @@ import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Assumptions;
+import org.pendant.gui.command.service.PortWishes;
 
 /** A place for the ports of a control box that no other process of tests uses. */
 final class FreePorts {

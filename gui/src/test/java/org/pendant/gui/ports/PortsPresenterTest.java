@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.gui.command.service.PortWishes;
 import org.pendant.gui.preview.PreviewWorkbench;
 import org.pendant.gui.session.Session;
 import org.pendant.gui.workbench.Settings;

@@ -9,6 +9,7 @@ import java.util.Random;
 import org.joml.Vector4f;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.world.Vector3;
+import org.pendant.gui.command.service.StandardView;
 import org.pendant.models.arm.ArmLibrary;
 
 final class CameraTest {

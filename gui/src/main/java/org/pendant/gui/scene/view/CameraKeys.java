@@ -5,8 +5,8 @@ import java.util.function.UnaryOperator;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
+import org.pendant.gui.command.service.StandardView;
 import org.pendant.gui.scene.Camera;
-import org.pendant.gui.scene.StandardView;
 
 /**
  * The keyboard on the view: arrows turn, with shift they move, plus and minus go near and far,

@@ -1,4 +1,4 @@
-package org.pendant.gui.session;
+package org.pendant.gui.command.service;
 
 import java.nio.file.Path;
 import org.pendant.controller.installation.Installation;

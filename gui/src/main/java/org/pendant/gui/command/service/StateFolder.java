@@ -1,4 +1,4 @@
-package org.pendant.gui.ports;
+package org.pendant.gui.command.service;
 
 import java.nio.file.Path;
 import java.util.Map;

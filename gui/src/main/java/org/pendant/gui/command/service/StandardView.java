@@ -1,4 +1,4 @@
-package org.pendant.gui.scene;
+package org.pendant.gui.command.service;
 
 import java.util.Arrays;
 import java.util.List;

@@ -1,4 +1,4 @@
-package org.pendant.gui.ports;
+package org.pendant.gui.command.service;
 
 import java.nio.file.Path;
 import java.util.OptionalInt;
@@ -26,7 +26,7 @@ public record PortWishes(
   public static final int MAX_OFFSET = MAX_PORT - ToolSerialServer.STANDARD_PORT;
 
   /** The same, with another choice between remote and local control. */
-  PortWishes withRemote(boolean allowed) {
+  public PortWishes withRemote(boolean allowed) {
     return new PortWishes(host, offset, modbus, programs, allowed);
   }
 
