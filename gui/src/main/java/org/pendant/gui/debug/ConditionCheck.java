@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.pendant.gui.editor.text.Background;
+import org.pendant.gui.editor.text.WorkQueue;
 import org.pendant.language.service.CharacterOffsets;
 import org.pendant.language.service.Completion;
 import org.pendant.language.service.GuestExpression;
@@ -23,7 +23,7 @@ public final class ConditionCheck {
   /** Texts up to this length are read while somebody waits: a few dozen milliseconds. */
   private static final int SHORT = 300_000;
 
-  private final Background background;
+  private final WorkQueue background;
   private final Executor dispatch;
   private final Catalogue catalogue;
   private final Supplier<Source> program;
@@ -43,7 +43,7 @@ public final class ConditionCheck {
    * @param program the text with the breakpoints, as it is now
    */
   public ConditionCheck(
-      Background background, Executor dispatch, Catalogue catalogue, Supplier<Source> program) {
+      WorkQueue background, Executor dispatch, Catalogue catalogue, Supplier<Source> program) {
     this.background = background;
     this.dispatch = dispatch;
     this.catalogue = catalogue;

@@ -16,10 +16,10 @@ import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.gui.editor.text.AnalysedText;
 import org.pendant.gui.editor.text.AnalysisSchedule;
-import org.pendant.gui.editor.text.Background;
 import org.pendant.gui.editor.text.Insertion;
 import org.pendant.gui.editor.text.RichText;
 import org.pendant.gui.editor.text.Span;
+import org.pendant.gui.editor.text.WorkQueue;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.language.service.Completion;
 import org.pendant.language.source.ByteText;
@@ -34,7 +34,7 @@ final class CompletionPopup {
 
   private final ScriptArea area;
   private final AnalysisSchedule schedule;
-  private final Background background;
+  private final WorkQueue background;
   private final JList<Completion> list = new JList<>();
   private final JLabel about = new JLabel();
   private final JPanel content = new JPanel(new MigLayout("insets 0, gap 0", "[330!][360!]"));
@@ -49,7 +49,7 @@ final class CompletionPopup {
    * @param inserted told when something was put into the text
    */
   CompletionPopup(
-      ScriptArea area, AnalysisSchedule schedule, Background background, Runnable inserted) {
+      ScriptArea area, AnalysisSchedule schedule, WorkQueue background, Runnable inserted) {
     this.area = area;
     this.schedule = schedule;
     this.background = background;

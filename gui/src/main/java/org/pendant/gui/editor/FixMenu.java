@@ -9,9 +9,9 @@ import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 import org.pendant.gui.editor.text.AnalysedText;
 import org.pendant.gui.editor.text.AnalysisSchedule;
-import org.pendant.gui.editor.text.Background;
 import org.pendant.gui.editor.text.Edit;
 import org.pendant.gui.editor.text.Problem;
+import org.pendant.gui.editor.text.WorkQueue;
 import org.pendant.language.service.QuickFix;
 import org.pendant.language.source.ByteText;
 
@@ -19,7 +19,7 @@ import org.pendant.language.source.ByteText;
 final class FixMenu {
   private final ScriptArea area;
   private final AnalysisSchedule schedule;
-  private final Background background;
+  private final WorkQueue background;
   private final GutterMarks marks;
   private final EditorHost editorHost;
   private int bulbFor = -1;
@@ -27,7 +27,7 @@ final class FixMenu {
   FixMenu(
       ScriptArea area,
       AnalysisSchedule schedule,
-      Background background,
+      WorkQueue background,
       GutterMarks marks,
       EditorHost editorHost) {
     this.area = area;

@@ -5,11 +5,11 @@ import java.util.List;
 import org.pendant.gui.editor.text.AnalysedText;
 import org.pendant.gui.editor.text.AnalysisSchedule;
 import org.pendant.gui.editor.text.AutoIndent;
-import org.pendant.gui.editor.text.Background;
 import org.pendant.gui.editor.text.CommentToggle;
 import org.pendant.gui.editor.text.Edit;
 import org.pendant.gui.editor.text.LineMoves;
 import org.pendant.gui.editor.text.Span;
+import org.pendant.gui.editor.text.WorkQueue;
 import org.pendant.language.service.FormatOptions;
 import org.pendant.language.service.FormatResult;
 import org.pendant.language.source.ByteText;
@@ -19,14 +19,14 @@ final class LayoutCommands {
   private final ProgramEditor editor;
   private final ScriptArea area;
   private final AnalysisSchedule schedule;
-  private final Background background;
+  private final WorkQueue background;
   private final DocumentLink link;
   private final EditorHost editorHost;
 
   LayoutCommands(
       ProgramEditor editor,
       AnalysisSchedule schedule,
-      Background background,
+      WorkQueue background,
       DocumentLink link,
       EditorHost editorHost) {
     this.editor = editor;

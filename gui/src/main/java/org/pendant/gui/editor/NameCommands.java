@@ -7,9 +7,9 @@ import java.util.List;
 import javax.swing.SwingUtilities;
 import org.pendant.gui.editor.text.AnalysedText;
 import org.pendant.gui.editor.text.AnalysisSchedule;
-import org.pendant.gui.editor.text.Background;
 import org.pendant.gui.editor.text.Place;
 import org.pendant.gui.editor.text.Span;
+import org.pendant.gui.editor.text.WorkQueue;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.language.service.RenameResult;
 import org.pendant.language.source.ByteText;
@@ -19,7 +19,7 @@ final class NameCommands {
   private final ScriptArea area;
   private final ProgramDocument program;
   private final AnalysisSchedule schedule;
-  private final Background background;
+  private final WorkQueue background;
   private final EditorHost editorHost;
   private final Runnable leaving;
 
@@ -32,7 +32,7 @@ final class NameCommands {
       ScriptArea area,
       ProgramDocument program,
       AnalysisSchedule schedule,
-      Background background,
+      WorkQueue background,
       EditorHost editorHost,
       Runnable leaving) {
     this.area = area;

@@ -10,8 +10,8 @@ import javax.swing.text.Highlighter;
 import org.fife.ui.rtextarea.SmartHighlightPainter;
 import org.pendant.gui.editor.text.AnalysedText;
 import org.pendant.gui.editor.text.AnalysisSchedule;
-import org.pendant.gui.editor.text.Background;
 import org.pendant.gui.editor.text.Span;
+import org.pendant.gui.editor.text.WorkQueue;
 
 /** Marks every place that means the same as the name at the caret, after a moment of rest. */
 final class Occurrences {
@@ -20,13 +20,13 @@ final class Occurrences {
 
   private final ScriptArea area;
   private final AnalysisSchedule schedule;
-  private final Background background;
+  private final WorkQueue background;
   private final SmartHighlightPainter painter = new SmartHighlightPainter(Color.LIGHT_GRAY);
   private final List<Object> marks = new ArrayList<>();
   private List<Span> marked = List.of();
   private int version;
 
-  Occurrences(ScriptArea area, AnalysisSchedule schedule, Background background) {
+  Occurrences(ScriptArea area, AnalysisSchedule schedule, WorkQueue background) {
     this.area = area;
     this.schedule = schedule;
     this.background = background;

@@ -17,10 +17,10 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.gui.editor.text.Background;
 import org.pendant.gui.editor.text.FileSearch;
 import org.pendant.gui.editor.text.Place;
 import org.pendant.gui.editor.text.SearchQuery;
+import org.pendant.gui.editor.text.WorkQueue;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.Palette;
 import org.pendant.gui.workbench.View;
@@ -37,7 +37,7 @@ public final class PlacesView implements View {
 
   private final Workbench workbench;
   private final ScriptEditor editor;
-  private final Background worker = new WorkerThread("find-in-files");
+  private final WorkQueue worker = new WorkerThread("find-in-files");
   private final JTextField words = field("search-words", "Find in files");
   private final JTextField folder = field("search-folder", "Folder to look in");
   private final JCheckBox matchCase = box("Match case");

@@ -19,11 +19,11 @@ import org.fife.ui.rsyntaxtextarea.parser.ParserNotice;
 import org.fife.ui.rtextarea.RTextScrollPane;
 import org.pendant.gui.editor.text.AnalysedText;
 import org.pendant.gui.editor.text.AnalysisSchedule;
-import org.pendant.gui.editor.text.Background;
 import org.pendant.gui.editor.text.LineColours;
 import org.pendant.gui.editor.text.Problem;
 import org.pendant.gui.editor.text.RichText;
 import org.pendant.gui.editor.text.Span;
+import org.pendant.gui.editor.text.WorkQueue;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.language.signature.Catalogue;
 
@@ -52,7 +52,7 @@ final class ProgramEditor extends JPanel {
   ProgramEditor(
       ProgramDocument program,
       Catalogue catalogue,
-      Background background,
+      WorkQueue background,
       EditorHost editorHost,
       Predicate<KeyStroke> takenKeys) {
     super(new BorderLayout());

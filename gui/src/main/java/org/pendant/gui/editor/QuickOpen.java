@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.pendant.gui.editor.text.AnalysedText;
-import org.pendant.gui.editor.text.Background;
 import org.pendant.gui.editor.text.ScriptFolder;
 import org.pendant.gui.editor.text.Span;
+import org.pendant.gui.editor.text.WorkQueue;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.Programs;
 import org.pendant.language.service.OutlineItem;
@@ -23,9 +23,9 @@ final class QuickOpen {
 
   private final ScriptEditor editor;
   private final Programs programs;
-  private final Background worker;
+  private final WorkQueue worker;
 
-  QuickOpen(ScriptEditor editor, Programs programs, Background worker) {
+  QuickOpen(ScriptEditor editor, Programs programs, WorkQueue worker) {
     this.editor = editor;
     this.programs = programs;
     this.worker = worker;

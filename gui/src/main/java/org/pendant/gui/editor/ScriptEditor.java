@@ -16,9 +16,9 @@ import java.util.function.IntUnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
-import org.pendant.gui.editor.text.Background;
 import org.pendant.gui.editor.text.Place;
 import org.pendant.gui.editor.text.Span;
+import org.pendant.gui.editor.text.WorkQueue;
 import org.pendant.gui.session.ProgramDocument;
 import org.pendant.gui.session.ProgramFile;
 import org.pendant.gui.session.Programs;
@@ -34,7 +34,7 @@ public final class ScriptEditor implements View {
 
   private final Workbench workbench;
   private final Programs programs;
-  private final Background worker = new WorkerThread("script-editor");
+  private final WorkQueue worker = new WorkerThread("script-editor");
   private final JPanel content = new JPanel(new BorderLayout());
   private final List<EditorListener> listeners = new ArrayList<>();
   private final List<BreakpointListener> breakpointListeners = new ArrayList<>();

@@ -3,11 +3,11 @@ package org.pendant.gui.editor;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
-import org.pendant.gui.editor.text.Background;
+import org.pendant.gui.editor.text.WorkQueue;
 import org.pendant.gui.fault.Faults;
 
 /** One thread that does what would hold up the window. It does not keep the program alive. */
-public final class WorkerThread implements Background {
+public final class WorkerThread implements WorkQueue {
   private final ScheduledExecutorService executor;
 
   /** A thread of this name, waiting for work. */

@@ -9,12 +9,13 @@ import org.pendant.gui.fault.Faults;
  * Does what is slow outside of the dispatch thread and hands the result to it. Every task is
  * followed by either its result or a reason, whatever it throws.
  */
-final class Background {
+public final class Background {
   private Background() {}
 
   /** Something slow. */
   @FunctionalInterface
-  interface Task<T> {
+  public interface Task<T> {
+    /** Does it; off the dispatch thread. */
     T run() throws IOException;
   }
 
@@ -25,7 +26,7 @@ final class Background {
    * @param failed takes the reason if it fails, on the dispatch thread: what the task says, or that
    *     it was a fault of ours, which is reported besides
    */
-  static <T> void run(Task<T> task, Consumer<T> then, Consumer<IOException> failed) {
+  public static <T> void run(Task<T> task, Consumer<T> then, Consumer<IOException> failed) {
     Thread.ofVirtual()
         .name("background")
         .start(

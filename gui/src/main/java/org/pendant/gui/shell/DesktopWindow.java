@@ -189,7 +189,7 @@ final class DesktopWindow {
 
   private Rail rail() {
     Rail rail = new Rail(actions, docks::show, docks::moveMenu);
-    for (View view : docks.views()) {
+    for (View view : views.all()) {
       if (views.screens().containsKey(view.id())) {
         rail.add(view, views.screens().get(view.id()));
       }
@@ -226,7 +226,7 @@ final class DesktopWindow {
 
   /** Views that are not in front are not reached by a change of the look. */
   private void updateHiddenViews() {
-    for (View view : docks.views()) {
+    for (View view : views.all()) {
       if (SwingUtilities.getWindowAncestor(view.component()) == null) {
         SwingUtilities.updateComponentTreeUI(view.component());
       }
@@ -291,7 +291,7 @@ final class DesktopWindow {
     Faults.guard(() -> stopNotice.refresh(state));
     Faults.guard(() -> views.follow(state));
     Faults.guard(() -> startPanel.refresh(state));
-    for (View view : docks.views()) {
+    for (View view : views.all()) {
       if (view.component().isShowing()) {
         Faults.guard(() -> view.refresh(views.past().shown(view, state)));
       }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import org.pendant.gui.shell.dock.DockFrame;
+import org.pendant.gui.shell.dock.Dockable;
 import org.pendant.gui.shell.dock.Side;
 import org.pendant.gui.shell.find.CommandPalette;
 import org.pendant.gui.shell.find.KeyEditor;
@@ -12,7 +13,6 @@ import org.pendant.gui.shell.theme.Theme;
 import org.pendant.gui.timeline.TimelineView;
 import org.pendant.gui.workbench.Action;
 import org.pendant.gui.workbench.ActionTable;
-import org.pendant.gui.workbench.View;
 
 /** The actions for views, docks, the look, and finding actions. */
 final class WindowActions {
@@ -24,7 +24,7 @@ final class WindowActions {
 
   /** Showing a screen with alt and a digit, and the other views. */
   void addViews(DockFrame docks, List<String> screens) {
-    for (View view : docks.views()) {
+    for (Dockable view : docks.views()) {
       int number = screens.indexOf(view.id()) + 1;
       String keys = number >= 1 && number <= 9 ? "alt " + number : keysOf(view);
       actions.add(
@@ -33,7 +33,7 @@ final class WindowActions {
     }
   }
 
-  private static String keysOf(View panel) {
+  private static String keysOf(Dockable panel) {
     return panel.id().equals(TimelineView.ID) ? "control alt T" : "";
   }
 
@@ -55,7 +55,7 @@ final class WindowActions {
     }
     actions.add(
         Action.of("dock.reset", "Put all panels where they belong at first", "", docks::reset));
-    for (View view : docks.views()) {
+    for (Dockable view : docks.views()) {
       for (Side side : Side.values()) {
         actions.add(
             new Action(

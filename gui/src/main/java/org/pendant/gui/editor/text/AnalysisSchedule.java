@@ -33,7 +33,7 @@ public final class AnalysisSchedule {
 
   private static final long NS_PER_MS = 1_000_000;
 
-  private final Background background;
+  private final WorkQueue background;
   private final Executor dispatch;
   private final Catalogue catalogue;
   private final String name;
@@ -56,7 +56,7 @@ public final class AnalysisSchedule {
    * @param clockNs any clock that goes on, ns
    */
   public AnalysisSchedule(
-      Background background,
+      WorkQueue background,
       Executor dispatch,
       Catalogue catalogue,
       String name,

@@ -13,7 +13,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import org.pendant.gui.editor.text.Background;
+import org.pendant.gui.editor.text.WorkQueue;
 
 /** Files of this machine. */
 final class DesktopFiles implements FormFiles {
@@ -21,7 +21,7 @@ final class DesktopFiles implements FormFiles {
   private static final long MAX_BYTES = 4_000_000;
 
   private final Component owner;
-  private final Background background;
+  private final WorkQueue background;
   private final FormHost host;
 
   /**
@@ -29,7 +29,7 @@ final class DesktopFiles implements FormFiles {
    *
    * @param host says where to begin
    */
-  DesktopFiles(Component owner, Background background, FormHost host) {
+  DesktopFiles(Component owner, WorkQueue background, FormHost host) {
     this.owner = owner;
     this.background = background;
     this.host = host;

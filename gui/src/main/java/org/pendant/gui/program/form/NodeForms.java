@@ -18,7 +18,7 @@ import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
 import org.pendant.gui.debug.ConditionCheck;
 import org.pendant.gui.editor.WorkerThread;
-import org.pendant.gui.editor.text.Background;
+import org.pendant.gui.editor.text.WorkQueue;
 import org.pendant.gui.layout.Card;
 import org.pendant.gui.workbench.Workbench;
 import org.pendant.language.signature.Catalogue;
@@ -51,7 +51,7 @@ public final class NodeForms {
   /** Forms of the program of {@code host}; nothing is selected. */
   public NodeForms(Workbench workbench, FormHost host) {
     assert EventQueue.isDispatchThread();
-    Background background = new WorkerThread("program-forms");
+    WorkQueue background = new WorkerThread("program-forms");
     presenter = new FormPresenter(host, new DesktopFiles(scroll, background, host));
     catalogue = workbench.session().controller().builtins();
     checks =

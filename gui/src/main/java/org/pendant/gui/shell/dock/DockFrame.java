@@ -20,12 +20,11 @@ import javax.swing.JPopupMenu;
 import javax.swing.SwingUtilities;
 import javax.swing.plaf.LayerUI;
 import org.pendant.gui.workbench.Palette;
-import org.pendant.gui.workbench.View;
 
 /** The views: one in the main area, the others as tabs in docks on three sides of it. */
 public final class DockFrame {
   private final DockPlan plan;
-  private final Map<String, View> views = new LinkedHashMap<>();
+  private final Map<String, Dockable> views = new LinkedHashMap<>();
   private final Map<String, Side> home;
   private final Map<Side, DockPane> panes = new EnumMap<>(Side.class);
   private final Map<Side, Divider> dividers = new EnumMap<>(Side.class);
@@ -42,7 +41,7 @@ public final class DockFrame {
    *
    * @param home where each view belongs at first
    */
-  public DockFrame(DockPlan plan, List<View> all, Map<String, Side> home) {
+  public DockFrame(DockPlan plan, List<? extends Dockable> all, Map<String, Side> home) {
     this.plan = plan;
     this.home = new LinkedHashMap<>(home);
     all.forEach(view -> views.put(view.id(), view));
@@ -70,7 +69,7 @@ public final class DockFrame {
   }
 
   /** Every view. */
-  public List<View> views() {
+  public List<Dockable> views() {
     return List.copyOf(views.values());
   }
 
@@ -81,7 +80,7 @@ public final class DockFrame {
   }
 
   private void give(String id) {
-    View view = views.get(id);
+    Dockable view = views.get(id);
     if (view != null) {
       // A tab is not visible, and takes no focus, before it is laid out.
       area.validate();

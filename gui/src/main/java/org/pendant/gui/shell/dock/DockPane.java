@@ -12,14 +12,13 @@ import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import org.pendant.gui.shell.theme.Glyph;
 import org.pendant.gui.shell.theme.GlyphIcon;
-import org.pendant.gui.workbench.View;
 
 /** One dock: its views as tabs, or only the tabs while it is collapsed. */
 @SuppressWarnings("serial") // never written to a stream
 final class DockPane extends JPanel {
   private final Side side;
   private final transient DockPlan plan;
-  private final transient Function<String, View> viewOf;
+  private final transient Function<String, Dockable> viewOf;
   private final transient DockFrame frame;
   private final transient TabDrag drag;
   private JTabbedPane tabs = new JTabbedPane();
@@ -29,7 +28,7 @@ final class DockPane extends JPanel {
   /** What was filled in last. */
   private record Shown(List<String> views, boolean collapsed) {}
 
-  DockPane(Side side, DockPlan plan, Function<String, View> viewOf, DockFrame frame) {
+  DockPane(Side side, DockPlan plan, Function<String, Dockable> viewOf, DockFrame frame) {
     super(new BorderLayout());
     this.side = side;
     this.plan = plan;
@@ -76,7 +75,7 @@ final class DockPane extends JPanel {
   private void fillTabs() {
     List<String> ids = plan.views(side);
     for (String id : ids) {
-      View view = viewOf.apply(id);
+      Dockable view = viewOf.apply(id);
       tabs.addTab(view.title(), null, view.component(), "Drag to another side, or right click");
     }
     plan.selected(side).ifPresent(id -> tabs.setSelectedIndex(ids.indexOf(id)));

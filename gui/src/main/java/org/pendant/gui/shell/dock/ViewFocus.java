@@ -13,16 +13,15 @@ import javax.swing.JTable;
 import javax.swing.JTree;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
-import org.pendant.gui.workbench.View;
 
 /**
  * Where keys go in a view that comes to the front: where they went last, at first to its text,
  * table, tree or list. Never to a button that nobody has chosen: a space would press it.
  */
 final class ViewFocus {
-  private final Map<View, Component> last = new HashMap<>();
+  private final Map<Dockable, Component> last = new HashMap<>();
 
-  ViewFocus(Collection<View> views) {
+  ViewFocus(Collection<Dockable> views) {
     KeyboardFocusManager.getCurrentKeyboardFocusManager()
         .addPropertyChangeListener(
             "permanentFocusOwner",
@@ -36,7 +35,7 @@ final class ViewFocus {
   }
 
   /** Gives the focus to a view. */
-  void give(View view) {
+  void give(Dockable view) {
     JComponent whole = view.component();
     Component there = last.get(view);
     if (there != null && there.isShowing() && SwingUtilities.isDescendingFrom(there, whole)) {
