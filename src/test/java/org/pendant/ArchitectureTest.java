@@ -2,6 +2,7 @@ package org.pendant;
 
 import static com.tngtech.archunit.base.DescribedPredicate.not;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.belongToAnyOf;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
@@ -56,27 +57,39 @@ final class ArchitectureTest {
           .definedBy("org.pendant.project..")
           .layer("protocols")
           .definedBy("org.pendant.protocols..")
-          .layer("gui")
-          .definedBy("org.pendant.gui..")
-          .whereLayer("gui")
+          .layer("kit")
+          .definedBy("org.pendant.kit..")
+          .layer("command")
+          .definedBy("org.pendant.command..")
+          .layer("desktop")
+          .definedBy("org.pendant.desktop..")
+          .whereLayer("desktop")
           .mayNotBeAccessedByAnyLayer()
+          .whereLayer("kit")
+          .mayOnlyBeAccessedByLayers("desktop")
+          .whereLayer("command")
+          .mayOnlyBeAccessedByLayers("desktop")
           .whereLayer("protocols")
-          .mayOnlyBeAccessedByLayers("gui")
+          .mayOnlyBeAccessedByLayers("command", "desktop")
           .whereLayer("recording")
-          .mayOnlyBeAccessedByLayers("gui")
+          .mayOnlyBeAccessedByLayers("command", "desktop")
           .whereLayer("project")
-          .mayOnlyBeAccessedByLayers("protocols", "gui")
+          .mayOnlyBeAccessedByLayers("protocols", "command", "desktop")
           .whereLayer("core")
-          .mayOnlyBeAccessedByLayers("recording", "project", "protocols", "gui")
+          .mayOnlyBeAccessedByLayers(
+              "recording", "project", "protocols", "command", "kit", "desktop")
           .whereLayer("script")
-          .mayOnlyBeAccessedByLayers("core", "recording", "project", "protocols", "gui")
+          .mayOnlyBeAccessedByLayers(
+              "core", "recording", "project", "protocols", "command", "desktop")
           .whereLayer("motion")
-          .mayOnlyBeAccessedByLayers("core", "recording", "project", "protocols", "gui")
+          .mayOnlyBeAccessedByLayers(
+              "core", "recording", "project", "protocols", "command", "desktop")
           .whereLayer("language")
-          .mayOnlyBeAccessedByLayers("script", "core", "recording", "project", "protocols", "gui")
+          .mayOnlyBeAccessedByLayers(
+              "script", "core", "recording", "project", "protocols", "command", "desktop")
           .whereLayer("models")
           .mayOnlyBeAccessedByLayers(
-              "script", "motion", "core", "recording", "project", "protocols", "gui")
+              "script", "motion", "core", "recording", "project", "protocols", "command", "desktop")
           .ensureAllClassesAreContainedInArchitecture();
 
   /** What docs/glossary.md has better words for. */
@@ -102,7 +115,7 @@ final class ArchitectureTest {
   static final ArchRule onlyTheCommandLineEndsTheProcess =
       noClasses()
           .that()
-          .resideOutsideOfPackage("org.pendant.gui.command..")
+          .resideOutsideOfPackage("org.pendant.command..")
           .should()
           .callMethod(System.class, "exit", int.class)
           .orShould()
@@ -114,7 +127,7 @@ final class ArchitectureTest {
   static final ArchRule onlyTheCommandLineUsesTheProcessStreams =
       noClasses()
           .that()
-          .resideOutsideOfPackage("org.pendant.gui.command..")
+          .resideOutsideOfPackage("org.pendant.command..")
           .should()
           .accessField(System.class, "out")
           .orShould()
@@ -125,36 +138,58 @@ final class ArchitectureTest {
           .callMethod(Throwable.class, "printStackTrace");
 
   @ArchTest
-  static final ArchRule onlyTheGuiHasAMain =
+  static final ArchRule theKitKnowsNoRobot =
+      noClasses()
+          .that()
+          .resideInAPackage("org.pendant.kit..")
+          .should()
+          .dependOnClassesThat(
+              resideInAPackage("org.pendant..")
+                  .and(
+                      not(resideInAnyPackage("org.pendant.kit..", "org.pendant.controller.disk"))));
+
+  @ArchTest
+  static final ArchRule onlyTheCommandLineHasAMain =
       noMethods()
           .that()
           .areDeclaredInClassesThat()
-          .resideOutsideOfPackage("org.pendant.gui..")
+          .resideOutsideOfPackage("org.pendant.command..")
           .should()
           .haveName("main")
           .andShould()
           .haveRawParameterTypes(String[].class);
 
   @ArchTest
-  static final ArchRule onlyTheGuiKnowsAScreen =
+  static final ArchRule onlyKitAndDesktopKnowAScreen =
       noClasses()
           .that()
-          .resideOutsideOfPackage("org.pendant.gui..")
+          .resideOutsideOfPackages("org.pendant.kit..", "org.pendant.desktop..")
           .should()
           .dependOnClassesThat()
-          .resideInAnyPackage("java.awt..", "javax.swing..");
+          .resideInAnyPackage(
+              "java.awt..",
+              "java.applet..",
+              "java.beans..",
+              "javax.accessibility..",
+              "javax.imageio..",
+              "javax.print..",
+              "javax.sound..",
+              "javax.swing..",
+              "com.formdev..",
+              "org.joml..",
+              "org.lwjgl..");
 
   @ArchTest
   static final ArchRule timersGoOnAfterAFault =
       noClasses()
           .that()
-          .resideOutsideOfPackage("org.pendant.gui.fault..")
+          .resideOutsideOfPackage("org.pendant.kit.fault..")
           .should()
           .callConstructor(Timer.class, int.class, ActionListener.class)
           .because("Swing never fires a timer again whose listener has thrown");
 
   @ArchTest
-  static final ArchRule onlyProtocolsAndGuiKnowSockets =
+  static final ArchRule onlyProtocolsCommandAndDesktopKnowSockets =
       noClasses()
           .that()
           .resideInAnyPackage(
@@ -164,7 +199,8 @@ final class ArchitectureTest {
               "org.pendant.motion..",
               "org.pendant.controller..",
               "org.pendant.recording..",
-              "org.pendant.project..")
+              "org.pendant.project..",
+              "org.pendant.kit..")
           .should()
           .dependOnClassesThat(
               resideInAnyPackage("java.net..", "java.nio.channels..")
@@ -197,7 +233,7 @@ final class ArchitectureTest {
     for (JavaClass each : all) {
       if (each.isTopLevelClass()
           && !each.getSimpleName().equals("package-info")
-          && !each.getPackageName().startsWith("org.pendant.gui")) {
+          && !each.getPackageName().matches("org\\.pendant\\.(kit|command|desktop)\\b.*")) {
         classesByName
             .computeIfAbsent(each.getSimpleName(), name -> new TreeSet<>())
             .add(each.getName());

@@ -28,7 +28,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JFileChooser;
 import javax.swing.JList;
 import javax.swing.JScrollPane;
-import org.pendant.gui.shell.Desktop;
+import org.pendant.desktop.shell.Desktop;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.program.ActionStep;

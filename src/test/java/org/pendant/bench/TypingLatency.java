@@ -18,7 +18,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import javax.swing.text.JTextComponent;
-import org.pendant.gui.shell.Desktop;
+import org.pendant.desktop.shell.Desktop;
 
 /**
  * How long the desktop takes for a key that is typed in the middle of a long program: from the key

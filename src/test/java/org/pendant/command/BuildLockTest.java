@@ -32,8 +32,8 @@ final class BuildLockTest {
     Files.createDirectories(folder.resolve("maven"));
     program(
         "maven/mvn",
-        "echo built >>builds; mkdir -p gui/target/lib; touch gui/target/lib/stamp"
-            + " gui/target/pendant.jar");
+        "echo built >>builds; mkdir -p gui/desktop/target/lib; touch gui/desktop/target/lib/stamp"
+            + " gui/desktop/target/pendant.jar");
     Files.writeString(folder.resolve("pom.xml"), "");
   }
 
@@ -43,7 +43,7 @@ final class BuildLockTest {
   }
 
   private Path lock() throws IOException {
-    return Files.createDirectories(folder.resolve("gui/target/build.lock"));
+    return Files.createDirectories(folder.resolve("gui/desktop/target/build.lock"));
   }
 
   private Process start() throws IOException {
@@ -65,7 +65,7 @@ final class BuildLockTest {
       assertEquals(0, process.exitValue(), said);
       assertTrue(said.endsWith("ran\n"), said);
       assertTrue(Files.exists(folder.resolve("builds")), said);
-      assertFalse(Files.exists(folder.resolve("gui/target/build.lock")), said);
+      assertFalse(Files.exists(folder.resolve("gui/desktop/target/build.lock")), said);
     } finally {
       process.destroyForcibly();
     }
@@ -81,7 +81,8 @@ final class BuildLockTest {
     program("maven/java", "echo older");
     program(
         "maven/mvn",
-        "java >builds; mkdir -p gui/target/lib; touch gui/target/lib/stamp gui/target/pendant.jar");
+        "java >builds; mkdir -p gui/desktop/target/lib; touch gui/desktop/target/lib/stamp"
+            + " gui/desktop/target/pendant.jar");
     assertBuilds();
     assertEquals("ran\n", Files.readString(folder.resolve("builds")));
   }
@@ -118,14 +119,14 @@ final class BuildLockTest {
         "maven/mvn",
         "read go <"
             + folder.resolve("go")
-            + "; mkdir -p gui/target/lib; touch gui/target/lib/stamp gui/target/pendant.jar; echo"
-            + " built >>builds");
+            + "; mkdir -p gui/desktop/target/lib; touch gui/desktop/target/lib/stamp"
+            + " gui/desktop/target/pendant.jar; echo built >>builds");
     assertEquals(
         0, new ProcessBuilder("mkfifo", folder.resolve("go").toString()).start().waitFor());
     Process builder = start();
     Process waiting = null;
     try {
-      Path owner = folder.resolve("gui/target/build.lock/owner");
+      Path owner = folder.resolve("gui/desktop/target/build.lock/owner");
       builder.inputReader().readLine(); // it says that it builds, and so has the lock
       assertTrue(Files.readString(owner).startsWith(builder.pid() + "\n"));
       waiting = start();

@@ -20,7 +20,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JTabbedPane;
 import javax.swing.RepaintManager;
-import org.pendant.gui.shell.Desktop;
+import org.pendant.desktop.shell.Desktop;
 
 /**
  * The process that a window is in: opens the desktop, then does what each line of standard input

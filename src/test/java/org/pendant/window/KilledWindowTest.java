@@ -14,7 +14,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.gui.session.RecoveryFolder;
+import org.pendant.desktop.session.RecoveryFolder;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.text.ProgramText;

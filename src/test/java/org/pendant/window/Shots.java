@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import org.pendant.gui.scene.gl.SceneUnavailable;
+import org.pendant.desktop.scene.gl.SceneUnavailable;
 
 /**
  * Writes pictures of every screen for the documentation, and to look at: in both themes, at three

@@ -1,0 +1,98 @@
+package org.pendant.command;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.pendant.language.check.Nearest;
+
+/**
+ * The words after a subcommand, sorted into options and operands. Understands {@code --name value},
+ * {@code --name=value}, and {@code --} before operands that begin with a dash.
+ */
+final class Arguments {
+  private final Map<String, List<String>> values = new HashMap<>();
+  private final List<String> operands = new ArrayList<>();
+  private final SourceFiles files = new SourceFiles();
+
+  private Arguments() {}
+
+  /**
+   * @param options what the subcommand understands
+   * @throws UsageException for an unknown option, a missing value, or one that is not wanted
+   */
+  static Arguments parse(List<Option> options, List<String> words) throws UsageException {
+    Arguments arguments = new Arguments();
+    for (int i = 0; i < words.size(); i++) {
+      String word = words.get(i);
+      if (word.equals("--")) {
+        arguments.operands.addAll(words.subList(i + 1, words.size()));
+        break;
+      }
+      if (!word.startsWith("-") || word.equals("-")) {
+        arguments.operands.add(word);
+        continue;
+      }
+      int equals = word.indexOf('=');
+      String name = equals < 0 ? word : word.substring(0, equals);
+      Option option = find(options, name);
+      String value = "";
+      if (option.takesValue() && equals >= 0) {
+        value = word.substring(equals + 1);
+      } else if (option.takesValue()) {
+        i++;
+        if (i == words.size()) {
+          throw new UsageException(name + " needs a value: " + option.usage());
+        }
+        value = words.get(i);
+      } else if (equals >= 0) {
+        throw new UsageException(name + " takes no value, it was given " + word);
+      }
+      arguments.values.computeIfAbsent(name, key -> new ArrayList<>()).add(value);
+    }
+    return arguments;
+  }
+
+  private static Option find(List<Option> options, String name) throws UsageException {
+    for (Option option : options) {
+      if (option.name().equals(name)) {
+        return option;
+      }
+    }
+    List<String> names = options.stream().map(Option::name).toList();
+    String hint =
+        new Nearest().to(name, () -> names).map(near -> ", did you mean " + near + "?").orElse("");
+    throw new UsageException("unknown option " + name + hint);
+  }
+
+  /** Whether {@code option} was given. */
+  boolean has(Option option) {
+    return values.containsKey(option.name());
+  }
+
+  /** The value of {@code option}, empty when it was not given. */
+  Optional<String> value(Option option) throws UsageException {
+    List<String> given = values(option);
+    if (given.size() > 1) {
+      throw new UsageException(
+          option.name() + " is given " + given.size() + " times, expected once");
+    }
+    return given.stream().findFirst();
+  }
+
+  /** All values of an option that may be repeated, in their order. */
+  List<String> values(Option option) {
+    return values.getOrDefault(option.name(), List.of());
+  }
+
+  /** By which everything is read that they name. */
+  SourceFiles files() {
+    return files;
+  }
+
+  /** The words that are no options. */
+  List<String> operands() {
+    return List.copyOf(operands);
+  }
+}

@@ -1,0 +1,63 @@
+package org.pendant.command;
+
+import java.util.List;
+import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.language.source.Diagnostic;
+import org.pendant.language.source.Source;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramLoader;
+
+/** {@code pendant check FILE...}: finds mistakes without running anything. */
+final class CheckCommand implements Subcommand {
+
+  @Override
+  public String name() {
+    return "check";
+  }
+
+  @Override
+  public String operands() {
+    return "FILE...";
+  }
+
+  @Override
+  public String summary() {
+    return "look for mistakes in programs without running them";
+  }
+
+  @Override
+  public List<Option> options() {
+    return List.of(InstallationOption.OPTION);
+  }
+
+  @Override
+  public ExitCode run(Arguments arguments, Console console) throws UsageException {
+    if (arguments.operands().isEmpty()) {
+      throw new UsageException("no file given");
+    }
+    List<RunnableFile> files = RunnableFile.read(arguments);
+    InstallationOption.tell(arguments, console);
+    Builtins<?> builtins = StandardBuiltins.create();
+    ExitCode code = ExitCode.DONE;
+    for (RunnableFile file : files) {
+      file.tell(console);
+      if (file.source().isEmpty() || !compiles(file, builtins, console)) {
+        code = code.or(ExitCode.DOES_NOT_COMPILE);
+      }
+    }
+    return code;
+  }
+
+  private static boolean compiles(RunnableFile file, Builtins<?> builtins, Console console) {
+    if (file.waits()) {
+      // what shows of it without the part that a driver sends has been told
+      return true;
+    }
+    Source source = file.source().orElseThrow();
+    LoadResult loadResult = ProgramLoader.load(source, builtins);
+    Report.diagnostics(source, loadResult.mistakes()).forEach(console::complainInLines);
+    loadResult.library().ifPresent(found -> console.complain(Report.note(source, found.message())));
+    return loadResult.mistakes().stream().noneMatch(Diagnostic::isError);
+  }
+}

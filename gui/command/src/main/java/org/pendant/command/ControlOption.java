@@ -1,0 +1,26 @@
+package org.pendant.command;
+
+import java.util.Optional;
+import org.pendant.controller.installation.ControlHost;
+import org.pendant.protocols.externalcontrol.Drivers;
+
+/** {@code --external-control}: whom External Control nodes ask for their script. */
+final class ControlOption {
+  static final Option OPTION =
+      new Option(
+          "--external-control",
+          "HOST[:PORT]",
+          "the driver that External Control nodes ask, default that of the installation");
+
+  private ControlOption() {}
+
+  /** The drivers that may be asked, {@link HostsOption} considered. */
+  static Drivers of(Arguments arguments) throws UsageException {
+    Optional<String> host = arguments.value(OPTION);
+    try {
+      return new Drivers(HostsOption.of(arguments), host.map(ControlHost::parse));
+    } catch (IllegalArgumentException e) {
+      throw new UsageException(OPTION.name() + ": " + e.getMessage());
+    }
+  }
+}

@@ -1,0 +1,51 @@
+package org.pendant.command;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.command.service.DesktopLauncher;
+import org.pendant.command.service.DesktopUnavailable;
+import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.StartInstallation;
+
+/** Start of the desktop from the command line. */
+final class DesktopStart {
+  private final DesktopServices services;
+  private final Console console;
+
+  DesktopStart(DesktopServices services, Console console) {
+    this.services = services;
+    this.console = console;
+  }
+
+  /**
+   * Opens the window and waits until it is closed.
+   *
+   * @param files programs to open in it
+   * @param ports where others reach the controller from the start; empty for nowhere
+   * @param installation how the controller is set up from the start; empty for not at all
+   */
+  ExitCode run(
+      List<Path> files, Optional<PortWishes> ports, Optional<StartInstallation> installation) {
+    Optional<DesktopLauncher> launcher = services.launcher().get();
+    if (launcher.isEmpty()) {
+      return refused("it is not on the class path");
+    }
+    try {
+      launcher.get().open(files, ports, installation);
+      return ExitCode.DONE;
+    } catch (DesktopUnavailable e) {
+      return refused(e.getMessage());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return ExitCode.DONE;
+    }
+  }
+
+  private ExitCode refused(String why) {
+    console.complain("pendant: the desktop cannot be opened: " + why);
+    console.complain(
+        "Programs run without a display too: pendant run FILE...; pendant --help lists more");
+    return ExitCode.WRONG_USAGE;
+  }
+}

@@ -1,0 +1,71 @@
+package org.pendant.command;
+
+import java.util.List;
+import java.util.function.Supplier;
+import org.pendant.language.check.Nearest;
+import org.pendant.language.signature.Catalogue;
+
+/** {@code pendant functions [NAME]}: the function reference in the terminal. */
+final class FunctionsCommand implements Subcommand {
+  private static final Option MARKDOWN =
+      new Option("--markdown", "", "print the whole reference as docs/functions.md has it");
+
+  private final Supplier<? extends Catalogue> catalogue;
+
+  FunctionsCommand(Supplier<? extends Catalogue> catalogue) {
+    this.catalogue = catalogue;
+  }
+
+  @Override
+  public String name() {
+    return "functions";
+  }
+
+  @Override
+  public String operands() {
+    return "[NAME]";
+  }
+
+  @Override
+  public String summary() {
+    return "list the functions a script may call, or explain one";
+  }
+
+  @Override
+  public List<Option> options() {
+    return List.of(MARKDOWN);
+  }
+
+  @Override
+  public ExitCode run(Arguments arguments, Console console) throws UsageException {
+    List<String> names = arguments.operands();
+    if (names.size() > 1 || (arguments.has(MARKDOWN) && !names.isEmpty())) {
+      throw new UsageException("unexpected " + names.getLast());
+    }
+    FunctionReference reference = new FunctionReference(catalogue.get());
+    if (arguments.has(MARKDOWN)) {
+      console.print(reference.markdown().stripTrailing());
+    } else if (names.isEmpty()) {
+      reference.table().forEach(console::print);
+    } else {
+      explain(names.getFirst(), reference, console);
+    }
+    return ExitCode.DONE;
+  }
+
+  private static void explain(String word, FunctionReference reference, Console console)
+      throws UsageException {
+    // People copy the name from a call.
+    String name = word.endsWith("()") ? word.substring(0, word.length() - 2) : word;
+    List<String> lines = reference.entries(name);
+    if (lines.isEmpty()) {
+      String hint =
+          new Nearest()
+              .to(name, reference::names)
+              .map(near -> ", did you mean " + near + "?")
+              .orElse("; pendant functions lists all");
+      throw new UsageException("no function " + name + hint);
+    }
+    lines.forEach(console::print);
+  }
+}

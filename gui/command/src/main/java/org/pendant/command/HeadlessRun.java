@@ -1,0 +1,278 @@
+package org.pendant.command;
+
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.pendant.controller.Clock;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.Reply;
+import org.pendant.controller.VirtualClock;
+import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.Popup;
+import org.pendant.controller.safety.SafetyStop;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.StopPlace;
+import org.pendant.language.source.ByteText;
+import org.pendant.language.source.Source;
+import org.pendant.motion.MotionFailure;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
+
+/** One program on one controller, from its start until the arm is at rest after its end. */
+final class HeadlessRun {
+  /** How often a run at full speed hands over what it has printed, ns. */
+  private static final long FLUSH_NS = TimeUnit.MILLISECONDS.toNanos(100);
+
+  /** Frames between two looks at the time; a look costs a few per cent of an idle frame. */
+  private static final int FRAMES_PER_LOOK = 16;
+
+  /** An arm that is not at rest by then never will be. */
+  private static final int MAX_FRAMES_TO_REST = 5_000;
+
+  private final RunnableFile file;
+  private final Source source;
+  private final Controller controller;
+  private final RunOptions options;
+  private final Interruption interruption;
+  private final WallLimit wall;
+  private final Console console;
+  private final FrameWatcher watcher;
+  private Clock clock;
+  private long flushedNs = System.nanoTime();
+  private boolean pendingOutput;
+  private Optional<SafetyStop> heldBy = Optional.empty();
+  private int lastLine;
+  private long toldLostNs;
+
+  HeadlessRun(
+      RunnableFile file,
+      Controller controller,
+      RunOptions options,
+      Interruption interruption,
+      WallLimit wall,
+      Console console,
+      FrameWatcher watcher) {
+    this.file = file;
+    source = file.source().orElseThrow();
+    this.controller = controller;
+    this.options = options;
+    this.interruption = interruption;
+    this.wall = wall;
+    this.console = console;
+    this.watcher = watcher;
+    clock = options.clock();
+  }
+
+  ExitCode run(Program program) {
+    // what the log says of switching on
+    controller.state().newEntries().forEach(this::print);
+    Optional<ProgramsFolder> folder = Optional.of(ProgramsFolder.of(file.file()));
+    if (program.secondary()) {
+      return runSecondary(new Command.RunSecondary(program, folder));
+    }
+    double endS = options.timeoutS().orElse(Double.POSITIVE_INFINITY);
+    if (ask(new Command.StartProgram(program, folder)) instanceof Reply.Refused refused) {
+      console.complain(Report.error(source, refused.reason()));
+      return ExitCode.PROGRAM_FAILED;
+    }
+    Optional<String> timedOut = Optional.empty();
+    while (controller.state().program().state() != ProgramState.STOPPED) {
+      timedOut = timedOut(endS);
+      if (timedOut.isPresent()
+          || interruption.requested()
+          || console.outputClosed()
+          || watcher.enough()) {
+        stop();
+      } else if (controller.state().program().state() == ProgramState.PAUSED) {
+        goOnOrStop();
+      } else {
+        advance();
+      }
+    }
+    comeToRest();
+    return timedOut.isPresent() ? tellTimedOut(timedOut.get()) : ended();
+  }
+
+  /** Which time limit is over. */
+  private Optional<String> timedOut(double endS) {
+    if (controller.state().timeS() >= endS) {
+      return Optional.of(endS + " s, its time limit");
+    }
+    return wall.over()
+        ? Optional.of(wall.limitS().orElseThrow() + " s on the wall, its time limit there")
+        : Optional.empty();
+  }
+
+  private ExitCode runSecondary(Command.RunSecondary program) {
+    Reply reply = ask(program);
+    if (reply instanceof Reply.Refused refused) {
+      console.complain(Report.error(source, refused.reason()));
+    }
+    // why it failed is in the log, which is printed with everything else
+    return reply instanceof Reply.Done ? ExitCode.DONE : ExitCode.PROGRAM_FAILED;
+  }
+
+  private void stop() {
+    if (ask(new Command.StopProgram()) instanceof Reply.Refused refused) {
+      throw new IllegalStateException("a running program cannot be stopped: " + refused.reason());
+    }
+  }
+
+  /** Nobody is here to end a safety stop: the program ends with it. */
+  private void goOnOrStop() {
+    if (safetyStop().isEmpty()) {
+      resume();
+      return;
+    }
+    heldBy = safetyStop();
+    stop();
+  }
+
+  private Optional<SafetyStop> safetyStop() {
+    return controller.state().safety().stop();
+  }
+
+  private void resume() {
+    console.complain(
+        Report.note(
+            source,
+            "paused in line "
+                + controller.state().program().line()
+                + "; goes on at once, as nobody is here to resume it"));
+    if (ask(new Command.ResumeProgram()) instanceof Reply.Refused refused) {
+      throw new IllegalStateException("a paused program cannot be resumed: " + refused.reason());
+    }
+  }
+
+  /** Has the controller carry out a command in the next frame. */
+  private Reply ask(Command command) {
+    CompletableFuture<Reply> reply = controller.submit(command);
+    advance();
+    return reply.join();
+  }
+
+  /** As fast as possible: nobody wants to wait for a run that is over. */
+  private void comeToRest() {
+    clock = new VirtualClock();
+    for (int i = 0; i < MAX_FRAMES_TO_REST && controller.state().arm().moving(); i++) {
+      advance();
+    }
+  }
+
+  private ExitCode tellTimedOut(String limit) {
+    console.complain(Report.error(source, "stopped after " + limit));
+    return ExitCode.TIMED_OUT;
+  }
+
+  private ExitCode ended() {
+    Ending ending = controller.state().program().ending().orElseThrow();
+    return switch (ending) {
+      case Ending.Finished finished -> ExitCode.DONE;
+      case Ending.Halted halted -> ExitCode.DONE;
+      case Ending.Failed failed -> {
+        Report.failure(source, failed.failure()).forEach(console::complainInLines);
+        file.nodeAt(failed.failure().line())
+            .ifPresent(
+                node -> console.complain(node + ByteText.decoded(failed.failure().message())));
+        if (failed.failure().code().equals("no-answer")) {
+          console.complain(Report.note(source, "--answer \"TEXT=VALUE\" prepares an answer"));
+        }
+        yield failed.failure().code().equals("internal-error")
+            ? ExitCode.INTERNAL_ERROR
+            : ExitCode.PROGRAM_FAILED;
+      }
+      case Ending.Stopped stopped -> {
+        Optional<String> why =
+            heldBy
+                .or(this::safetyStop)
+                .map(SafetyStop::message)
+                .or(() -> controller.state().arm().fault().map(MotionFailure::message));
+        int line = stoppedInLine();
+        why.ifPresent(
+            reason ->
+                console.complain(Report.error(source, "stopped in line " + line + ": " + reason)));
+        if (why.isPresent()) {
+          file.nodeAt(line).ifPresent(node -> console.complain(node + "stopped here"));
+        }
+        yield why.isPresent() ? ExitCode.PROGRAM_FAILED : ExitCode.DONE;
+      }
+    };
+  }
+
+  /** The line of the program that a safety stop met, or the last one that it reached. */
+  private int stoppedInLine() {
+    return controller
+        .state()
+        .safety()
+        .stopPlace()
+        .map(StopPlace::line)
+        .filter(line -> line > 0)
+        .orElse(lastLine);
+  }
+
+  /** One frame, and what it brought to print and record. */
+  private void advance() {
+    try {
+      clock.awaitFrame(controller::waitsForOutside);
+    } catch (InterruptedException e) {
+      throw new IllegalStateException("nobody interrupts the thread that runs the frames", e);
+    }
+    tellLost();
+    controller.advance();
+    show(controller.state());
+  }
+
+  private void tellLost() {
+    if (clock.lostNs() != toldLostNs) {
+      toldLostNs = clock.lostNs();
+      var _ = controller.submit(new Command.NoteLostTime(toldLostNs * 1e-9));
+    }
+  }
+
+  /** What a frame has brought. */
+  private void show(ControllerState state) {
+    if (state.program().line() > 0) {
+      lastLine = state.program().line();
+    }
+    for (LogEntry entry : state.newEntries()) {
+      print(entry);
+    }
+    for (Popup popup : state.newPopups()) {
+      console.complain(Report.popup(popup));
+    }
+    watcher.see(state);
+    flush(state.frame());
+  }
+
+  private void print(LogEntry entry) {
+    switch (entry.origin()) {
+      case SCRIPT -> {
+        console.printBytes(entry.text());
+        pendingOutput = true;
+      }
+      case CONTROLLER, SAFETY, PROTOCOL -> console.complain(Report.logEntry(source, entry));
+      case ENDING -> {
+        // Said with its place and call stack when the program has ended.
+      }
+    }
+  }
+
+  /** On the wall clock each line goes out at once; at full speed now and then. */
+  private void flush(long frame) {
+    if (!pendingOutput) {
+      return;
+    }
+    boolean due = options.speedFactor().isPresent();
+    if (!due && frame % FRAMES_PER_LOOK == 0) {
+      due = System.nanoTime() - flushedNs > FLUSH_NS;
+    }
+    if (due) {
+      console.flush();
+      flushedNs = System.nanoTime();
+      pendingOutput = false;
+    }
+  }
+}

@@ -1,0 +1,124 @@
+package org.pendant.command;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.InstallationCheck;
+import org.pendant.controller.installation.InstallationProblem;
+import org.pendant.models.arm.ArmLibrary;
+import org.pendant.project.installation.file.InstallationFile;
+import org.pendant.project.installation.file.InstallationTrouble;
+import org.pendant.project.installation.file.LoadedInstallation;
+
+/** {@code --installation FILE}: how the robot is set up. */
+final class InstallationOption {
+  static final Option OPTION =
+      Option.input("--installation", "FILE", "how the robot is set up: TCPs, signals, safety, ...");
+
+  private InstallationOption() {}
+
+  /** The installation that the command line names; empty if it names none. */
+  static Optional<Installation> of(Arguments arguments) throws UsageException {
+    Optional<String> name = arguments.value(OPTION);
+    return name.isPresent()
+        ? Optional.of(read(name.get(), arguments.files()).installation())
+        : Optional.empty();
+  }
+
+  /** Says what of the installation that the command line names was not understood. */
+  static void tell(Arguments arguments, Console console) throws UsageException {
+    Optional<String> name = arguments.value(OPTION);
+    if (name.isPresent()) {
+      notes(name.get(), read(name.get(), arguments.files())).forEach(console::complain);
+    }
+  }
+
+  private static List<String> notes(String name, LoadedInstallation read) {
+    return read.remarks().stream().map(each -> name + ": note: " + each).toList();
+  }
+
+  /** Reads an installation from a file, and the values of its variables from the one beside it. */
+  private static LoadedInstallation read(String name, SourceFiles files) throws UsageException {
+    try {
+      Optional<String> variables =
+          InstallationFile.variablesOf(name).filter(file -> Files.isRegularFile(Path.of(file)));
+      Optional<byte[]> values =
+          variables.isPresent()
+              ? Optional.of(bytes(files.path("the file of variables", variables.get())))
+              : Optional.empty();
+      return InstallationFile.read(name, bytes(files.path("the installation", name)), values);
+    } catch (InstallationTrouble e) {
+      throw new UsageException(e.getMessage());
+    } catch (NoSuchFileException e) {
+      throw new UsageException(name + ": no such file");
+    } catch (AccessDeniedException e) {
+      throw new UsageException(name + ": no permission to read it");
+    } catch (InvalidPathException e) {
+      throw new UsageException(name + ": not a file name, " + e.getReason());
+    } catch (IOException e) {
+      throw new UsageException(name + ": cannot be read, " + e.getMessage());
+    }
+  }
+
+  /**
+   * The installation that a program names, if its file stands beside the program.
+   *
+   * @param program file name of the program
+   * @param installation name of the installation, with an ending or without; empty for none
+   * @param notes takes what of it was not understood
+   */
+  static Optional<Installation> beside(
+      String program, String installation, SourceFiles files, List<String> notes)
+      throws UsageException {
+    if (installation.isEmpty()) {
+      return Optional.empty();
+    }
+    for (String each : InstallationFile.namesOf(installation)) {
+      try {
+        Path file = Path.of(program).resolveSibling(each);
+        if (Files.isRegularFile(file)) {
+          LoadedInstallation read = read(file.toString(), files);
+          notes.addAll(notes(file.toString(), read));
+          return Optional.of(read.installation());
+        }
+      } catch (InvalidPathException e) {
+        throw new UsageException(
+            program + " names the installation " + installation + ", which is no name of a file");
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static byte[] bytes(Path path) throws IOException, UsageException {
+    try (InputStream in = Files.newInputStream(path)) {
+      byte[] bytes = in.readNBytes(InstallationFile.MAX_BYTES + 1);
+      if (bytes.length > InstallationFile.MAX_BYTES) {
+        throw new UsageException(path + " has more than " + InstallationFile.MAX_BYTES + " bytes");
+      }
+      return bytes;
+    }
+  }
+
+  /**
+   * {@code options} set up as an installation says.
+   *
+   * @throws UsageException if the arm of the options cannot be set up so
+   */
+  static ControllerOptions in(ControllerOptions options, Installation installation)
+      throws UsageException {
+    Optional<InstallationProblem> refusal =
+        InstallationCheck.refusal(installation, ArmLibrary.load(options.robotId()));
+    if (refusal.isPresent()) {
+      throw new UsageException("the installation cannot be used: " + refusal.get());
+    }
+    return options.withInstallation(installation);
+  }
+}

@@ -1,0 +1,103 @@
+package org.pendant.command;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.pendant.controller.disk.AtomicFile;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.controller.disk.WritePlace;
+
+/**
+ * A file that a command line wants written. It is looked at before anything runs: nobody wants to
+ * wait for a refusal.
+ *
+ * @param name as people call it, with the option if there is one, for messages
+ * @param path where it is
+ * @param force whether one that is there may be replaced
+ */
+record OutputFile(String name, Path path, boolean force) {
+  static final Option FORCE =
+      new Option("--force", "", "replace the file to be written, if there is one already");
+
+  /**
+   * The file that an option names.
+   *
+   * @param arguments by which everything has been read that the command reads
+   * @throws UsageException when it is one of the files that are read, is there and may not be
+   *     replaced, or cannot be written
+   */
+  static Optional<OutputFile> of(Option option, Arguments arguments) throws UsageException {
+    Optional<String> name = arguments.value(option);
+    return name.isPresent()
+        ? Optional.of(at(option.name() + " " + name.get(), name.get(), arguments))
+        : Optional.empty();
+  }
+
+  /** As {@link #of}, for one that is named without an option. */
+  static OutputFile at(String name, Arguments arguments) throws UsageException {
+    return at(name, name, arguments);
+  }
+
+  private static OutputFile at(String shown, String name, Arguments arguments)
+      throws UsageException {
+    try {
+      OutputFile file = new OutputFile(shown, Path.of(name).toAbsolutePath(), arguments.has(FORCE));
+      file.check(name, arguments.files());
+      return file;
+    } catch (InvalidPathException e) {
+      throw new UsageException(shown + ": not a file name, " + e.getReason());
+    } catch (IOException e) {
+      throw new UsageException(shown + ": cannot be written, " + FileTrouble.reason(e));
+    }
+  }
+
+  private void check(String plainName, SourceFiles read) throws IOException, UsageException {
+    WritePlace place = WritePlace.of(path);
+    if (name.isBlank() || plainName.isBlank()) {
+      throw new UsageException(name + ": the name of the file is missing");
+    }
+    if (Files.isDirectory(place.path())) {
+      throw new UsageException(name + " is a directory, expected a file");
+    }
+    Optional<SourceFiles.SourceFile> source =
+        place.occupied() ? read.same(place.path()) : Optional.empty();
+    if (source.isPresent()) {
+      String same = source.get().name().equals(plainName) ? "" : " " + source.get().name();
+      throw new UsageException(
+          name
+              + " is "
+              + source.get().role()
+              + same
+              + ", which this command reads and never overwrites"
+              + (force ? ", not even with --force" : "")
+              + "; choose another name");
+    }
+    if (place.occupied() && !force) {
+      throw new UsageException(name + " exists already, --force replaces it");
+    }
+    place.check();
+    if (!place.special() && !Files.isDirectory(place.folder())) {
+      throw new UsageException(name + ": cannot be written, there is no folder " + place.folder());
+    }
+  }
+
+  /** Whether there is one that is going to be replaced. */
+  boolean replaces() throws IOException {
+    return force && WritePlace.of(path).occupied();
+  }
+
+  /** Writes it as a whole, or leaves everything as it was. */
+  void write(AtomicFile.Content content) throws UsageException {
+    try {
+      if (force || WritePlace.of(path).special()) {
+        AtomicFile.write(path, content);
+      } else {
+        AtomicFile.create(path, content);
+      }
+    } catch (IOException e) {
+      throw new UsageException(name + ": cannot be written, " + FileTrouble.reason(e));
+    }
+  }
+}

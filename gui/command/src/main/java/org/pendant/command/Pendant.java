@@ -1,0 +1,168 @@
+package org.pendant.command;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.language.check.Nearest;
+import org.pendant.project.program.file.TreeFile;
+
+/**
+ * The {@code pendant} command: finds the subcommand, and turns whatever happens into an exit code
+ * (docs/command-line.md).
+ */
+public final class Pendant {
+  private static final Option VERSION = new Option("--version", "", "print the version");
+
+  private final Console console;
+  private final DesktopServices services;
+  private final List<Subcommand> subcommands;
+
+  Pendant(Console console) {
+    this(console, DesktopServices.ofClassPath());
+  }
+
+  Pendant(Console console, DesktopServices services) {
+    this.console = console;
+    this.services = services;
+    subcommands =
+        List.of(
+            new OpenCommand(services),
+            new RunCommand(),
+            new CheckCommand(),
+            new ConvertCommand(),
+            new RenderCommand(services),
+            new ServeCommand(),
+            new FunctionsCommand(StandardBuiltins::create),
+            new RobotsCommand());
+  }
+
+  /** Runs the command line {@code words} and ends the process. */
+  public static void main(String[] words) {
+    Console console = Console.ofProcess();
+    ExitCode code = new Pendant(console).run(List.of(words));
+    System.exit(code.number());
+  }
+
+  /** All that there are. */
+  List<Subcommand> subcommands() {
+    return subcommands;
+  }
+
+  /** Runs the command line {@code words}; everything is written out when it returns. */
+  ExitCode run(List<String> words) {
+    ExitCode code;
+    try {
+      code = choose(words);
+    } catch (Throwable fault) {
+      // Nothing may pass unseen, an exhausted stack or memory included.
+      code = internalError(fault);
+    }
+    console.flush();
+    return code == ExitCode.DONE && console.outputClosed() ? ExitCode.OUTPUT_CLOSED : code;
+  }
+
+  private ExitCode choose(List<String> words) {
+    String first = words.isEmpty() ? "" : words.getFirst();
+    return switch (first) {
+      case "" ->
+          new DesktopStart(services, console).run(List.of(), Optional.empty(), Optional.empty());
+      case "--help", "-h", "help" -> {
+        usage().forEach(console::print);
+        yield ExitCode.DONE;
+      }
+      case "--version" -> {
+        console.print(version());
+        yield ExitCode.DONE;
+      }
+      default ->
+          OpenCommand.understands(first) || OpenCommand.isRecording(first)
+              ? run(new OpenCommand(services), words)
+              : subcommand(first, words.subList(1, words.size()));
+    };
+  }
+
+  private ExitCode subcommand(String name, List<String> words) {
+    Optional<Subcommand> chosen =
+        subcommands.stream().filter(s -> s.name().equals(name)).findFirst();
+    if (chosen.isPresent()) {
+      return run(chosen.get(), words);
+    }
+    console.complain("pendant: " + unknown(name));
+    console.complain("pendant --help lists what there is");
+    return ExitCode.WRONG_USAGE;
+  }
+
+  private ExitCode run(Subcommand subcommand, List<String> words) {
+    if (words.contains(Subcommand.HELP.name()) || words.contains("-h")) {
+      usage(subcommand).forEach(console::print);
+      return ExitCode.DONE;
+    }
+    try {
+      return subcommand.run(Arguments.parse(subcommand.options(), words), console);
+    } catch (UsageException e) {
+      console.complain("pendant " + subcommand.name() + ": " + e.getMessage());
+      console.complain("pendant " + subcommand.name() + " --help explains the usage");
+      return ExitCode.WRONG_USAGE;
+    }
+  }
+
+  private String unknown(String word) {
+    if (word.startsWith("-")) {
+      return "unknown option " + word;
+    }
+    List<String> names = subcommands.stream().map(Subcommand::name).toList();
+    String hint =
+        word.endsWith(".script") || TreeFile.hasEnding(word)
+            ? ", did you mean pendant run " + word + " or pendant open " + word + "?"
+            : new Nearest().to(word, () -> names).map(n -> ", did you mean " + n + "?").orElse("");
+    return "unknown command " + word + hint;
+  }
+
+  private List<String> usage() {
+    Lines lines = new Lines();
+    lines.add("Pendant runs URScript programs on an embedded robot controller.");
+    lines.add("");
+    lines.add("Usage: pendant COMMAND [options] ...");
+    lines.add("       pendant    (opens the desktop)");
+    lines.add("");
+    for (Subcommand subcommand : subcommands) {
+      lines.row(subcommand.name() + " " + subcommand.operands(), subcommand.summary());
+    }
+    lines.add("");
+    lines.row(Subcommand.HELP.usage(), "show this text; after a command, explain that");
+    lines.row(VERSION.usage(), VERSION.description());
+    return lines.all();
+  }
+
+  private static List<String> usage(Subcommand subcommand) {
+    Lines lines = new Lines();
+    lines.add("Usage: pendant " + subcommand.name() + " [options] " + subcommand.operands());
+    lines.add("");
+    lines.add("pendant " + subcommand.name() + ": " + subcommand.summary());
+    lines.add("");
+    subcommand.options().forEach(option -> lines.row(option.usage(), option.description()));
+    lines.row(Subcommand.HELP.usage(), Subcommand.HELP.description());
+    return lines.all();
+  }
+
+  private static String version() {
+    // The jar's manifest knows; classes that were just compiled have none.
+    String version =
+        Optional.ofNullable(Pendant.class.getPackage().getImplementationVersion())
+            .orElse("(development build)");
+    return "pendant " + version + ", URScript as of PolyScope 5.24.1";
+  }
+
+  private ExitCode internalError(Throwable fault) {
+    StringWriter details = new StringWriter();
+    fault.printStackTrace(new PrintWriter(details, true));
+    console.complain("pendant: internal error: " + fault);
+    console.complain(
+        "This is a fault in Pendant. Please report it with the program and the lines below, as"
+            + " CONTRIBUTING.md describes.");
+    console.complainInLines(details.toString().stripTrailing());
+    return ExitCode.INTERNAL_ERROR;
+  }
+}

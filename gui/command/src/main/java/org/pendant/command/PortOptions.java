@@ -1,0 +1,124 @@
+package org.pendant.command;
+
+import java.math.BigInteger;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.pendant.command.service.PortWishes;
+import org.pendant.protocols.modbus.ModbusServer;
+import org.pendant.protocols.robotapi.RobotApiServer;
+import org.pendant.protocols.server.PortNumbers;
+
+/** The options that say where servers listen. */
+final class PortOptions {
+  /** Where Modbus servers listen everywhere. */
+  static final int MODBUS = ModbusServer.STANDARD_PORT;
+
+  static final Option HOST = new Option("--host", "ADDRESS", "where to listen, default 127.0.0.1");
+  static final Option OFFSET = new Option("--port-offset", "N", "add N to every port, default 0");
+  static final Option MODBUS_PORT =
+      new Option("--modbus-port", "P", "port of Modbus, default 502, or 1502 without the right");
+  static final Option ROBOT_API =
+      new Option("--robot-api", "P", "open the Robot API of PolyScope X at this port");
+  static final Option PROGRAMS =
+      new Option("--programs", "DIR", "folder of the programs, default the present one");
+
+  /** All of them, for the usage text. */
+  static final List<Option> ALL = List.of(HOST, OFFSET, MODBUS_PORT, PROGRAMS);
+
+  private PortOptions() {}
+
+  /** Where the servers listen; Modbus and the Robot API apart only when that was chosen. */
+  static PortNumbers numbers(Arguments arguments) throws UsageException {
+    PortNumbers numbers = new PortNumbers(host(arguments), offset(arguments), false);
+    OptionalInt modbus = number(arguments, MODBUS_PORT, 1, PortWishes.MAX_PORT);
+    PortNumbers known = modbus.isPresent() ? numbers.with(MODBUS, modbus.getAsInt()) : numbers;
+    OptionalInt api = number(arguments, ROBOT_API, 1, PortWishes.MAX_PORT);
+    return api.isPresent() ? known.with(RobotApiServer.STANDARD_PORT, api.getAsInt()) : known;
+  }
+
+  /** The same for the desktop, where people may change it. */
+  static PortWishes wishes(Arguments arguments) throws UsageException {
+    return new PortWishes(
+        host(arguments).getHostAddress(),
+        offset(arguments),
+        number(arguments, MODBUS_PORT, 1, PortWishes.MAX_PORT),
+        programs(arguments),
+        true);
+  }
+
+  /** The folder of the programs. */
+  static Path programs(Arguments arguments) throws UsageException {
+    Path folder = path(PROGRAMS, arguments.value(PROGRAMS).orElse("."));
+    if (!Files.isDirectory(folder)) {
+      throw new UsageException("--programs is " + folder + ", must be a folder");
+    }
+    return folder;
+  }
+
+  /** The folder that is called {@code name}. */
+  static Path path(Option option, String name) throws UsageException {
+    try {
+      return Path.of(name).toAbsolutePath().normalize();
+    } catch (InvalidPathException e) {
+      throw new UsageException(option.name() + " is " + name + ", which is no name of a folder");
+    }
+  }
+
+  private static InetAddress host(Arguments arguments) throws UsageException {
+    String name = arguments.value(HOST).orElse(PortWishes.STANDARD_HOST);
+    if (name.isBlank()) {
+      // for Java that would be the loopback address
+      throw new UsageException("--host is empty, must be an address of this machine");
+    }
+    try {
+      return InetAddress.getByName(name);
+    } catch (UnknownHostException e) {
+      throw new UsageException("--host is " + name + ", must be an address of this machine");
+    }
+  }
+
+  /** The address that follows {@code first} after {@code steps}. */
+  static InetAddress following(InetAddress first, int steps) throws UsageException {
+    byte[] bytes = first.getAddress();
+    BigInteger following = new BigInteger(1, bytes).add(BigInteger.valueOf(steps));
+    if (first.isAnyLocalAddress() || following.bitLength() > Byte.SIZE * bytes.length) {
+      throw new UsageException(
+          "--host is " + first.getHostAddress() + ", must be the first of a row of addresses");
+    }
+    byte[] digits = following.toByteArray();
+    Arrays.fill(bytes, (byte) 0);
+    int length = Math.min(digits.length, bytes.length);
+    System.arraycopy(digits, digits.length - length, bytes, bytes.length - length, length);
+    try {
+      return InetAddress.getByAddress(bytes);
+    } catch (UnknownHostException e) {
+      throw new IllegalStateException("the address has as many bytes as the first", e);
+    }
+  }
+
+  private static int offset(Arguments arguments) throws UsageException {
+    return number(arguments, OFFSET, 0, PortWishes.MAX_OFFSET).orElse(0);
+  }
+
+  /** A whole number from {@code least} to {@code most}; empty when it is not given. */
+  static OptionalInt number(Arguments arguments, Option option, int least, int most)
+      throws UsageException {
+    Optional<String> text = arguments.value(option);
+    if (text.isEmpty()) {
+      return OptionalInt.empty();
+    }
+    OptionalInt number = PortWishes.number(text.get(), least, most);
+    if (number.isEmpty()) {
+      throw new UsageException(
+          option.name() + " is " + text.get() + ", must be a number from " + least + " to " + most);
+    }
+    return number;
+  }
+}

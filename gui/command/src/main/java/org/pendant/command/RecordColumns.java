@@ -1,0 +1,89 @@
+package org.pendant.command;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.Command;
+import org.pendant.language.check.Nearest;
+import org.pendant.script.variables.VariablePath;
+import org.pendant.script.variables.VariableTracer;
+import org.pendant.script.vm.Program;
+
+/**
+ * The script variables that a record gets columns for.
+ *
+ * @param variables in the order of their columns
+ */
+record RecordColumns(List<VariablePath> variables) {
+  static final Option OPTION =
+      new Option(
+          "--column", "var:NAME", "also record a variable, e.g. var:count, var:p[2]; repeatable");
+
+  private static final String PREFIX = "var:";
+  private static final String OWNER = "record";
+
+  RecordColumns {
+    variables = List.copyOf(variables);
+  }
+
+  /**
+   * The columns that were asked for.
+   *
+   * @throws UsageException for what is no variable, for too many, and without a record
+   */
+  static RecordColumns of(Arguments arguments, Optional<String> record) throws UsageException {
+    List<VariablePath> paths = new ArrayList<>();
+    for (String text : arguments.values(OPTION)) {
+      VariablePath path = path(text);
+      if (!paths.contains(path)) {
+        paths.add(path);
+      }
+    }
+    if (!paths.isEmpty() && record.isEmpty()) {
+      throw new UsageException("--column goes with --record, which is missing");
+    }
+    if (paths.size() > VariableTracer.MOST) {
+      throw new UsageException(
+          "--column is given " + paths.size() + " times, at most " + VariableTracer.MOST);
+    }
+    return new RecordColumns(paths);
+  }
+
+  private static VariablePath path(String text) throws UsageException {
+    if (!text.startsWith(PREFIX)) {
+      throw new UsageException("--column is " + text + ", must be var:NAME");
+    }
+    try {
+      return VariablePath.of(text.substring(PREFIX.length()));
+    } catch (IllegalArgumentException e) {
+      throw new UsageException("--column " + text + ": " + e.getMessage());
+    }
+  }
+
+  /** Refuses variables that {@code program} does not have. */
+  void check(Program program) throws UsageException {
+    List<String> known = program.variables();
+    for (VariablePath path : variables) {
+      if (!known.contains(path.name())) {
+        String hint =
+            new Nearest()
+                .to(path.name(), () -> known)
+                .map(near -> ", did you mean " + near + "?")
+                .orElse("");
+        throw new UsageException(
+            "--column var:"
+                + path.text()
+                + ": "
+                + program.name()
+                + " has no variable "
+                + path.name()
+                + hint);
+      }
+    }
+  }
+
+  /** Has the controller read them in every frame. */
+  Command.TraceVariables command() {
+    return new Command.TraceVariables(OWNER, variables);
+  }
+}

@@ -1,0 +1,31 @@
+package org.pendant.command;
+
+import java.util.List;
+
+/** All arms, one line each. */
+final class RobotList {
+  private RobotList() {}
+
+  static List<String> lines(List<Robot> robots) {
+    Table table =
+        new Table()
+            .left("id")
+            .left("name")
+            .left("series")
+            .right("payload")
+            .right("reach")
+            .left("joint speeds, deg/s")
+            .left("assumed or estimated");
+    for (Robot robot : robots) {
+      table.row(
+          robot.arm().id(),
+          robot.arm().displayName(),
+          robot.arm().series().displayName(),
+          robot.payloadKg() + " kg",
+          robot.reachMm() + " mm",
+          robot.speedsDegPerS(),
+          robot.uncertain());
+    }
+    return table.aligned();
+  }
+}

@@ -1,0 +1,42 @@
+package org.pendant.command;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.pendant.language.check.Nearest;
+import org.pendant.models.arm.ArmLibrary;
+
+/** The arm that a word of the command line means. */
+final class RobotName {
+  private RobotName() {}
+
+  /**
+   * The id of the arm called {@code word}.
+   *
+   * @param what the option or operand, for the message
+   * @throws UsageException if there is no such arm; the message names all, and the likely one
+   */
+  static String idOf(String what, String word) throws UsageException {
+    Optional<String> id = ArmLibrary.find(word);
+    if (id.isPresent()) {
+      return id.get();
+    }
+    throw new UsageException(
+        what
+            + " is "
+            + word
+            + ", must be one of "
+            + String.join(", ", ArmLibrary.ids())
+            + likely(word.toLowerCase(Locale.ROOT))
+                .map(n -> "; did you mean " + n + "?")
+                .orElse(""));
+  }
+
+  /** The only id that goes on where the word ends ({@code ur16}), or else the nearest. */
+  private static Optional<String> likely(String word) {
+    List<String> longer = ArmLibrary.ids().stream().filter(id -> id.startsWith(word)).toList();
+    return longer.size() == 1
+        ? Optional.of(longer.getFirst())
+        : new Nearest().to(word, ArmLibrary::ids);
+  }
+}

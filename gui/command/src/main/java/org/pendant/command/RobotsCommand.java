@@ -1,0 +1,46 @@
+package org.pendant.command;
+
+import java.util.List;
+
+/** {@code pendant robots [NAME]}: the arms there are, and what is known of one. */
+final class RobotsCommand implements Subcommand {
+  private static final Option MARKDOWN =
+      new Option("--markdown", "", "print the page that docs/robots.md has");
+
+  @Override
+  public String name() {
+    return "robots";
+  }
+
+  @Override
+  public String operands() {
+    return "[NAME]";
+  }
+
+  @Override
+  public String summary() {
+    return "list the arms, or describe one";
+  }
+
+  @Override
+  public List<Option> options() {
+    return List.of(MARKDOWN);
+  }
+
+  @Override
+  public ExitCode run(Arguments arguments, Console console) throws UsageException {
+    // A display name may have a blank, and few people quote it.
+    String name = String.join(" ", arguments.operands());
+    if (arguments.has(MARKDOWN)) {
+      if (!name.isEmpty()) {
+        throw new UsageException("unexpected " + name + ", the page has all arms");
+      }
+      console.print(new RobotPage(Robot.all()).markdown().stripTrailing());
+    } else if (arguments.operands().isEmpty()) {
+      RobotList.lines(Robot.all()).forEach(console::print);
+    } else {
+      new RobotSheet(Robot.load(RobotName.idOf("the name", name))).lines().forEach(console::print);
+    }
+    return ExitCode.DONE;
+  }
+}

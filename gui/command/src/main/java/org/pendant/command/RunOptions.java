@@ -1,0 +1,324 @@
+package org.pendant.command;
+
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.pendant.controller.Clock;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.VirtualClock;
+import org.pendant.controller.WallClock;
+import org.pendant.controller.encoder.Encoder;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.io.SignalText;
+import org.pendant.controller.io.SignalWrite;
+import org.pendant.controller.io.UnknownSignal;
+import org.pendant.controller.message.Operator;
+import org.pendant.controller.message.PreparedAnswer;
+import org.pendant.controller.safety.SafetyInput;
+import org.pendant.language.source.ByteText;
+import org.pendant.protocols.egress.AllowedHosts;
+import org.pendant.protocols.externalcontrol.Drivers;
+
+/**
+ * What {@code pendant run} was asked for.
+ *
+ * @param controller how each controller is switched on
+ * @param hosts where programs may connect to
+ * @param drivers who can be asked for the script of External Control nodes
+ * @param speedFactor how fast time goes against the wall clock; empty for as fast as possible
+ * @param record the file to record to, by name
+ * @param timeoutS robot time after which a program is stopped, s
+ * @param wallTimeoutS time on the wall after which a program is stopped, s
+ * @param toolDevice the serial device at the tool connector
+ */
+record RunOptions(
+    ControllerOptions controller,
+    AllowedHosts hosts,
+    Drivers drivers,
+    Optional<Double> speedFactor,
+    Optional<String> record,
+    Optional<Double> timeoutS,
+    Optional<Double> wallTimeoutS,
+    Optional<String> toolDevice) {
+
+  private static final Option ROBOT =
+      new Option("--robot", "NAME", "the arm, default ur5e; pendant robots lists them");
+  private static final Option SPEED =
+      new Option("--speed", "max|1|N", "as fast as possible, real time, or N times that");
+  private static final Option INPUT =
+      new Option(
+          "--input",
+          "NAME=LEVEL",
+          "an input, e.g. digital_in[0]=true, analog_in[0]=5V; repeatable");
+  private static final Option ENCODER =
+      new Option(
+          "--encoder", "N=RATE", "a belt turns encoder 0 or 1, RATE ticks a second; repeatable");
+  private static final Option ANSWER =
+      new Option(
+          "--answer",
+          "TEXT=VALUE",
+          "answer to the question TEXT, without TEXT to whichever is next; repeatable");
+  static final Option RECORD =
+      Option.output(
+          "--record",
+          "FILE",
+          "write what happens: FILE.csv a table, FILE.rec a recording of it all");
+  private static final Option TIMEOUT =
+      new Option("--timeout", "S", "stop after S seconds of robot time");
+  private static final Option SEED = new Option("--seed", "N", "start of random(), default 0");
+
+  private static final List<String> SAFETY_INPUTS =
+      Arrays.stream(SafetyInput.values()).map(SafetyInput::word).toList();
+
+  /** What says how a program runs, whatever is made of the run. */
+  static final List<Option> OF_PROGRAM =
+      Stream.concat(
+              Stream.of(
+                  ROBOT,
+                  InstallationOption.OPTION,
+                  INPUT,
+                  ENCODER,
+                  ANSWER,
+                  TIMEOUT,
+                  WallLimit.OPTION,
+                  SEED,
+                  MemoryOption.OPTION,
+                  HostsOption.OPTION,
+                  ControlOption.OPTION),
+              Surroundings.ALL.stream())
+          .toList();
+
+  /** What says what a controller is and what surrounds it, whatever it is to do. */
+  static final List<Option> OF_CONTROLLER =
+      Stream.concat(
+              Stream.of(
+                  ROBOT,
+                  InstallationOption.OPTION,
+                  INPUT,
+                  ENCODER,
+                  SEED,
+                  MemoryOption.OPTION,
+                  HostsOption.OPTION,
+                  ControlOption.OPTION),
+              Surroundings.ALL.stream())
+          .toList();
+
+  /** For the usage text. */
+  static final List<Option> ALL =
+      Stream.concat(
+              Stream.of(
+                  ROBOT,
+                  InstallationOption.OPTION,
+                  SPEED,
+                  INPUT,
+                  ENCODER,
+                  ANSWER,
+                  RECORD,
+                  OutputFile.FORCE,
+                  RecordColumns.OPTION,
+                  TIMEOUT,
+                  WallLimit.OPTION,
+                  SEED,
+                  MemoryOption.OPTION,
+                  HostsOption.OPTION,
+                  ControlOption.OPTION,
+                  ToolSerialOption.OPTION),
+              Surroundings.ALL.stream())
+          .toList();
+
+  static RunOptions of(Arguments arguments) throws UsageException {
+    return of(arguments, Optional.empty(), Optional.empty());
+  }
+
+  /**
+   * With the installation and arm of a program, unless the command line names others.
+   *
+   * @param armOfProgram id of the arm that it was made on
+   */
+  static RunOptions of(
+      Arguments arguments, Optional<Installation> ofProgram, Optional<String> armOfProgram)
+      throws UsageException {
+    ControllerOptions controller =
+        controller(arguments, ofProgram, armOfProgram)
+            .withOperator(Operator.headless(answers(arguments)));
+    Optional<Double> speedFactor = speedFactor(arguments);
+    if (speedFactor.isPresent()) {
+      // Nobody expects the same result twice from a run on the wall clock, but the right date.
+      controller = controller.withSystemTime(InstantSource.system());
+    }
+    return new RunOptions(
+        controller,
+        HostsOption.of(arguments),
+        ControlOption.of(arguments),
+        speedFactor,
+        arguments.value(RECORD),
+        seconds(arguments, TIMEOUT),
+        seconds(arguments, WallLimit.OPTION),
+        ToolSerialOption.of(arguments));
+  }
+
+  /** What {@link #OF_CONTROLLER} say. */
+  static ControllerOptions controller(Arguments arguments) throws UsageException {
+    return controller(arguments, Optional.empty(), Optional.empty());
+  }
+
+  private static ControllerOptions controller(
+      Arguments arguments, Optional<Installation> ofProgram, Optional<String> armOfProgram)
+      throws UsageException {
+    Optional<Installation> installation = InstallationOption.of(arguments).or(() -> ofProgram);
+    ControllerOptions controller =
+        ControllerOptions.headless()
+            .withRobot(robot(arguments, installation, armOfProgram))
+            .withSeed(seed(arguments))
+            .withInputs(safetyInputs(arguments))
+            .withSignals(signals(arguments))
+            .withEncoders(encoders(arguments))
+            .withMemory(MemoryOption.of(arguments));
+    ControllerOptions placed = Surroundings.in(controller, arguments);
+    return installation.isPresent() ? InstallationOption.in(placed, installation.get()) : placed;
+  }
+
+  /** A clock for one run. */
+  Clock clock() {
+    return speedFactor.isPresent() ? new WallClock(speedFactor.get()) : new VirtualClock();
+  }
+
+  /** What the command line says, or else the installation, or else the program. */
+  private static String robot(
+      Arguments arguments, Optional<Installation> installation, Optional<String> armOfProgram)
+      throws UsageException {
+    Optional<String> name = arguments.value(ROBOT);
+    if (name.isPresent()) {
+      return RobotName.idOf(ROBOT.name(), name.get());
+    }
+    Optional<String> installed =
+        installation.map(Installation::robot).filter(robot -> !robot.isEmpty());
+    return installed.isPresent()
+        ? RobotName.idOf("robot of the installation", installed.get())
+        : armOfProgram.orElse(ControllerOptions.DEFAULT_ROBOT);
+  }
+
+  private static long seed(Arguments arguments) throws UsageException {
+    String text = arguments.value(SEED).orElse("0");
+    try {
+      return Long.parseLong(text);
+    } catch (NumberFormatException e) {
+      throw new UsageException("--seed is " + text + ", must be a whole number");
+    }
+  }
+
+  private static Optional<Double> speedFactor(Arguments arguments) throws UsageException {
+    String text = arguments.value(SPEED).orElse("max");
+    if (text.equals("max")) {
+      return Optional.empty();
+    }
+    double factor = number(text, "--speed", "max or a number above 0, at most 1000");
+    if (!(factor > 0 && factor <= 1000)) {
+      throw new UsageException("--speed is " + text + ", must be above 0 and at most 1000");
+    }
+    return Optional.of(factor);
+  }
+
+  private static Optional<Double> seconds(Arguments arguments, Option option)
+      throws UsageException {
+    Optional<String> text = arguments.value(option);
+    if (text.isEmpty()) {
+      return Optional.empty();
+    }
+    double seconds = number(text.get(), option.name(), "a number of seconds above 0");
+    if (!(seconds > 0)) {
+      throw new UsageException(option.name() + " is " + text.get() + ", must be above 0 seconds");
+    }
+    return Optional.of(seconds);
+  }
+
+  static double number(String text, String option, String expected) throws UsageException {
+    try {
+      return Double.parseDouble(text);
+    } catch (NumberFormatException e) {
+      throw new UsageException(option + " is " + text + ", must be " + expected);
+    }
+  }
+
+  private static Map<String, Boolean> safetyInputs(Arguments arguments) throws UsageException {
+    Map<String, Boolean> inputs = new HashMap<>();
+    for (String text : arguments.values(INPUT)) {
+      int equals = separator(INPUT, text);
+      String name = text.substring(0, equals);
+      if (SAFETY_INPUTS.contains(name)) {
+        try {
+          inputs.put(name, SignalText.level(text.substring(equals + 1)));
+        } catch (IllegalArgumentException e) {
+          throw new UsageException("--input " + text + ": " + e.getMessage());
+        }
+      }
+    }
+    return inputs;
+  }
+
+  private static List<SignalWrite> signals(Arguments arguments) throws UsageException {
+    List<SignalWrite> writes = new ArrayList<>();
+    for (String text : arguments.values(INPUT)) {
+      int equals = separator(INPUT, text);
+      String name = text.substring(0, equals);
+      if (!SAFETY_INPUTS.contains(name)) {
+        try {
+          writes.addAll(SignalText.input(name, text.substring(equals + 1)));
+        } catch (UnknownSignal e) {
+          throw new UsageException(
+              "--input "
+                  + text
+                  + ": "
+                  + e.getMessage()
+                  + ", or "
+                  + String.join(", ", SAFETY_INPUTS));
+        } catch (IllegalArgumentException e) {
+          throw new UsageException("--input " + text + ": " + e.getMessage());
+        }
+      }
+    }
+    return writes;
+  }
+
+  private static Map<Integer, Double> encoders(Arguments arguments) throws UsageException {
+    Map<Integer, Double> belts = new HashMap<>();
+    for (String text : arguments.values(ENCODER)) {
+      int equals = separator(ENCODER, text);
+      String index = text.substring(0, equals);
+      if (!index.equals("0") && !index.equals("1")) {
+        throw new UsageException(
+            "--encoder " + text + ": encoder is " + index + ", must be 0 or 1");
+      }
+      String rate = text.substring(equals + 1);
+      double ticksPerS = number(rate, "--encoder " + index, "a number of ticks a second");
+      if (!(Math.abs(ticksPerS) <= Encoder.MAX_TICKS_PER_S)) {
+        throw new UsageException(
+            "--encoder " + index + " is " + rate + ", must be -1000000 to 1000000 ticks a second");
+      }
+      belts.put(Integer.parseInt(index), ticksPerS);
+    }
+    return belts;
+  }
+
+  private static List<PreparedAnswer> answers(Arguments arguments) throws UsageException {
+    List<PreparedAnswer> answers = new ArrayList<>();
+    for (String text : arguments.values(ANSWER)) {
+      separator(ANSWER, text);
+      answers.add(new PreparedAnswer(ByteText.asBytes(text)));
+    }
+    return answers;
+  }
+
+  private static int separator(Option option, String text) throws UsageException {
+    int equals = text.indexOf('=');
+    if (equals < 0) {
+      throw new UsageException(option.name() + " is " + text + ", must be " + option.value());
+    }
+    return equals;
+  }
+}

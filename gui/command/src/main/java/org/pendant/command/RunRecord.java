@@ -1,0 +1,170 @@
+package org.pendant.command;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.Locale;
+import java.util.Optional;
+import org.pendant.controller.Controller;
+import org.pendant.controller.disk.FileDraft;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.controller.disk.GrowingFile;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.recording.RecordedProgram;
+import org.pendant.recording.Recorder;
+import org.pendant.recording.RecordingWriter;
+
+/**
+ * The file that a run is recorded to, if one is wanted. Its name says what it is: {@code .rec} a
+ * recording of everything, all others a table.
+ *
+ * <p>It has its name from the start and grows by whole blocks, so that it can be read whenever the
+ * process is killed. One that replaces another grows beside that and takes its place in the end.
+ * When it cannot be written any more it complains once, and the run goes on.
+ */
+final class RunRecord implements FrameWatcher, AutoCloseable {
+  private static final String RECORDING = ".rec";
+
+  private final Optional<Output> output;
+  private final Optional<FileDraft> draft;
+  private final Console console;
+  private boolean failed;
+
+  /** A file of either kind. */
+  private interface Output extends Closeable {
+    void write(ControllerState state) throws IOException;
+  }
+
+  private record Table(Recorder recorder) implements Output {
+    @Override
+    public void write(ControllerState state) throws IOException {
+      recorder.write(state);
+    }
+
+    @Override
+    public void close() throws IOException {
+      recorder.close();
+    }
+  }
+
+  private record Everything(RecordingWriter writer, Controller controller) implements Output {
+    @Override
+    public void write(ControllerState state) throws IOException {
+      writer.write(state);
+      Optional<RecordedProgram> text = RecordedProgram.startedIn(state, controller::programSource);
+      if (text.isPresent()) {
+        writer.note(text.get());
+      }
+    }
+
+    @Override
+    public void close() throws IOException {
+      writer.close();
+    }
+  }
+
+  private RunRecord(Optional<Output> output, Optional<FileDraft> draft, Console console) {
+    this.output = output;
+    this.draft = draft;
+    this.console = console;
+  }
+
+  /**
+   * Opens the file.
+   *
+   * @param file empty for no record
+   * @param columns variables that it has besides
+   * @param controller that is recorded; no frame has gone by
+   * @throws UsageException when it cannot be created
+   */
+  static RunRecord open(
+      Optional<OutputFile> file, RecordColumns columns, Controller controller, Console console)
+      throws UsageException {
+    if (file.isEmpty()) {
+      return new RunRecord(Optional.empty(), Optional.empty(), console);
+    }
+    OutputFile wanted = file.get();
+    try {
+      if (!wanted.replaces()) {
+        Output output = begin(wanted, GrowingFile.create(wanted.path()), columns, controller);
+        return new RunRecord(Optional.of(output), Optional.empty(), console);
+      }
+      FileDraft draft = FileDraft.replacing(wanted.path());
+      try {
+        Output output = begin(wanted, draft.out(), columns, controller);
+        console.complain(
+            "pendant run: note: "
+                + wanted.name()
+                + " is replaced when the run has ended; until then the record is "
+                + draft.beside());
+        return new RunRecord(Optional.of(output), Optional.of(draft), console);
+      } catch (IOException e) {
+        draft.close();
+        throw e;
+      }
+    } catch (IOException e) {
+      throw new UsageException(wanted.name() + ": cannot be written, " + FileTrouble.reason(e));
+    }
+  }
+
+  private static Output begin(
+      OutputFile file, OutputStream out, RecordColumns columns, Controller controller)
+      throws IOException {
+    try {
+      return file.path().toString().toLowerCase(Locale.ROOT).endsWith(RECORDING)
+          ? new Everything(new RecordingWriter(out, controller.state()), controller)
+          : new Table(Recorder.to(out, columns.variables()));
+    } catch (IOException e) {
+      out.close();
+      throw e;
+    }
+  }
+
+  /** Appends one frame. */
+  @Override
+  public void see(ControllerState state) {
+    if (output.isEmpty() || failed) {
+      return;
+    }
+    try {
+      output.get().write(state);
+    } catch (IOException e) {
+      fail(e);
+    }
+  }
+
+  @Override
+  public boolean enough() {
+    return false;
+  }
+
+  /** Whether frames were lost. */
+  boolean failed() {
+    return failed;
+  }
+
+  private void fail(IOException cause) {
+    if (!failed) {
+      console.complain(
+          "pendant run: the record cannot be written, "
+              + FileTrouble.reason(cause)
+              + (draft.isPresent() ? "; the file that was there stays" : "; it ends here"));
+    }
+    failed = true;
+  }
+
+  @Override
+  public void close() {
+    if (output.isEmpty()) {
+      return;
+    }
+    try (Closeable _ = draft.isPresent() ? draft.get() : () -> {}) {
+      output.get().close();
+      if (draft.isPresent() && !failed) {
+        draft.get().commit();
+      }
+    } catch (IOException e) {
+      fail(e);
+    }
+  }
+}

@@ -1,0 +1,189 @@
+package org.pendant.command;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.FrameLoop;
+import org.pendant.controller.WallClock;
+import org.pendant.protocols.BoxPorts;
+import org.pendant.protocols.ScriptConnectors;
+import org.pendant.protocols.dashboard.DashboardServer;
+import org.pendant.protocols.net.PeerLog;
+import org.pendant.protocols.net.StateBroadcaster;
+import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.primary.PrimaryServer;
+import org.pendant.protocols.realtime.RealtimeServer;
+import org.pendant.protocols.rtde.RtdeServer;
+import org.pendant.protocols.server.MissingPort;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.PrivilegedPort;
+import org.pendant.protocols.server.ServerContext;
+import org.pendant.protocols.teachpendant.RemotePendant;
+import org.pendant.protocols.teachpendant.StartWatch;
+import org.pendant.protocols.toolserial.ToolSerialLine;
+
+/** One controller in real time with all its ports. */
+final class ServedRobot implements AutoCloseable {
+  /** The ports that most clients need. */
+  private static final Set<Integer> NEEDED =
+      Set.of(
+          DashboardServer.STANDARD_PORT,
+          PrimaryServer.PRIMARY,
+          PrimaryServer.SECONDARY,
+          RealtimeServer.REALTIME,
+          RtdeServer.STANDARD_PORT);
+
+  private final ServeOptions options;
+  private final Console console;
+  private final ToolSerialLine tool;
+  private final ScriptConnectors scriptConnectors;
+  private final Controller controller;
+  private final FrameLoop loop;
+  private final StateBroadcaster frames;
+  private final RemotePendant remotePendant;
+  private final BoxPorts ports;
+  private final String prefix;
+  private Optional<LogPrinter> printer = Optional.empty();
+
+  /**
+   * Opens the ports and begins with the frames.
+   *
+   * @param prefix stands before each line that it prints
+   */
+  ServedRobot(ServeOptions options, Console console, String prefix) {
+    this.options = options;
+    this.console = console;
+    this.prefix = prefix;
+    tool = ToolSerialOption.line(options.toolDevice());
+    scriptConnectors = new ScriptConnectors(options.hosts());
+    controller =
+        new Controller(
+            options.controller().withOutside(scriptConnectors.connectors().withToolSerial(tool)));
+    PeerLog log = ServerLog.of(controller);
+    loop = FrameLoop.start(controller, new WallClock());
+    frames = new StateBroadcaster(controller.feed(), log);
+    ServerContext serverContext = new ServerContext(controller, frames, log, options.remote());
+    remotePendant = new RemotePendant(controller, options.panel());
+    ports = BoxPorts.open(serverContext, numbers(), remotePendant, tool);
+  }
+
+  /** Says which ports cannot be had; answers whether it is worth while to serve without them. */
+  boolean complete() {
+    List<MissingPort> missing = ports.missing();
+    Optional<MissingPort> needed = missing.stream().filter(this::needed).findFirst();
+    if (needed.isPresent()) {
+      int others = missing.size() - 1;
+      console.complain(
+          "pendant serve: "
+              + needed.get().why()
+              + (others > 0 ? " (and " + others + " other ports)" : ""));
+      return false;
+    }
+    missing.forEach(each -> console.complain("pendant serve: warning: " + each.why()));
+    return true;
+  }
+
+  private boolean needed(MissingPort port) {
+    return NEEDED.contains(port.standardPort())
+        || (options.modbusChosen() && port.standardPort() == PortOptions.MODBUS);
+  }
+
+  private PortNumbers numbers() {
+    PortNumbers numbers = options.numbers();
+    if (!numbers.host().isLoopbackAddress()) {
+      console.complain(
+          "pendant serve: warning: whoever reaches "
+              + numbers.host().getHostAddress()
+              + " can move this robot; nobody is asked for a password");
+    }
+    if (options.modbusChosen() || !PrivilegedPort.forbidden(numbers, PortOptions.MODBUS)) {
+      return numbers;
+    }
+    int instead = 1000 + PortOptions.MODBUS + numbers.offset();
+    console.complain(
+        "pendant serve: note: this process may not use port "
+            + (PortOptions.MODBUS + numbers.offset())
+            + ": Modbus listens at "
+            + instead
+            + "; --modbus-port chooses another one");
+    return numbers.with(PortOptions.MODBUS, instead);
+  }
+
+  /** Says where its ports are. */
+  void announce() {
+    String host = options.numbers().host().getHostAddress();
+    for (TcpPort each : ports.ports()) {
+      console.print(
+          each.name() + " " + (host.contains(":") ? "[" + host + "]" : host) + ":" + each.number());
+    }
+  }
+
+  /** Loads the program that its installation names, if any. */
+  void load() {
+    remotePendant.loadAtStart();
+  }
+
+  /** Prints from now on what it says. */
+  void printLog() {
+    LogPrinter log =
+        new LogPrinter(
+            controller,
+            console,
+            prefix,
+            place -> remotePendant.receivedAt(place.source(), place.line()));
+    printer = Optional.of(log);
+    frames.add(log::look);
+    frames.add(new StartWatch(controller, remotePendant)::look);
+  }
+
+  /** Whether nothing more comes of it. */
+  boolean over() {
+    return controller.state().safety().shutDown() || loop.failure().isPresent();
+  }
+
+  /** What ended it although nobody wanted that. */
+  Optional<Throwable> failure() {
+    return loop.failure();
+  }
+
+  /** Asks its program to end. */
+  Future<?> stop() {
+    return controller.submit(new Command.StopProgram());
+  }
+
+  /**
+   * Waits until the program has ended and the arm has stopped on its path.
+   *
+   * @param stopped what {@link #stop} answered
+   * @param untilNs by {@link System#nanoTime}
+   */
+  void awaitRest(Future<?> stopped, long untilNs) throws InterruptedException {
+    try {
+      stopped.get(Math.max(0, untilNs - System.nanoTime()), TimeUnit.NANOSECONDS);
+      while (controller.state().arm().moving() && !over() && System.nanoTime() < untilNs) {
+        TimeUnit.MILLISECONDS.sleep(2);
+      }
+    } catch (ExecutionException | TimeoutException e) {
+      // the loop has failed: that is what will be told
+      return;
+    }
+  }
+
+  @Override
+  public void close() {
+    // tool and doors last: what a program has sent before its end still goes out
+    try (tool;
+        scriptConnectors;
+        loop;
+        frames;
+        ports) {
+      printer.ifPresent(LogPrinter::close);
+    }
+  }
+}

@@ -1,0 +1,96 @@
+package org.pendant.command;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+
+/** Controllers in real time with all their ports, from their start to their end. */
+final class Service {
+  /** How often the main thread looks whether it should end, ms. */
+  private static final long LOOK_MS = 50;
+
+  /** An arm that is not at rest by then never will be. */
+  private static final long REST_NS = TimeUnit.SECONDS.toNanos(3);
+
+  private final List<ServeOptions> options;
+  private final Interruption interruption;
+  private final Console console;
+  private final List<ServedRobot> robots = new ArrayList<>();
+
+  /**
+   * @param options of each robot
+   */
+  Service(List<ServeOptions> options, Interruption interruption, Console console) {
+    this.options = options;
+    this.interruption = interruption;
+    this.console = console;
+  }
+
+  /** Serves until somebody ends it. */
+  ExitCode run() {
+    try {
+      return serve();
+    } finally {
+      robots.forEach(ServedRobot::close);
+    }
+  }
+
+  private ExitCode serve() {
+    for (ServeOptions one : options) {
+      String prefix = options.size() > 1 ? one.numbers().host().getHostAddress() + ": " : "";
+      ServedRobot robot = new ServedRobot(one, console, prefix);
+      robots.add(robot);
+      if (!robot.complete()) {
+        return ExitCode.UNAVAILABLE;
+      }
+    }
+    robots.forEach(ServedRobot::load);
+    robots.forEach(ServedRobot::announce);
+    console.print("ready");
+    console.flush();
+    robots.forEach(ServedRobot::printLog);
+    awaitEnd();
+    comeToRest();
+    return failures().findFirst().map(this::failed).orElse(ExitCode.DONE);
+  }
+
+  /** Until somebody wants it, all are shut down or one has failed. */
+  private void awaitEnd() {
+    while (!interruption.awaitRequest(LOOK_MS)
+        && !robots.stream().allMatch(ServedRobot::over)
+        && failures().findAny().isEmpty()) {
+      // nothing to do: everything happens in other threads
+    }
+  }
+
+  private Stream<Throwable> failures() {
+    return robots.stream().map(ServedRobot::failure).flatMap(Optional::stream);
+  }
+
+  /** Ends the programs and lets the arms stop on their paths. */
+  private void comeToRest() {
+    long untilNs = System.nanoTime() + REST_NS;
+    List<Future<?>> stopped = new ArrayList<>();
+    robots.forEach(robot -> stopped.add(robot.stop()));
+    try {
+      for (int i = 0; i < robots.size(); i++) {
+        robots.get(i).awaitRest(stopped.get(i), untilNs);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private ExitCode failed(Throwable fault) {
+    StringWriter details = new StringWriter();
+    fault.printStackTrace(new PrintWriter(details, true));
+    console.complain("pendant serve: internal error: " + fault);
+    console.complainInLines(details.toString().stripTrailing());
+    return ExitCode.INTERNAL_ERROR;
+  }
+}

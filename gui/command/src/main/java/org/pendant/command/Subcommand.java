@@ -1,0 +1,29 @@
+package org.pendant.command;
+
+import java.util.List;
+
+/** One thing that {@code pendant} can do, chosen by the first word after it. */
+interface Subcommand {
+
+  /** Every subcommand understands this. */
+  Option HELP = new Option("--help", "", "show this text");
+
+  /** The word that chooses it. */
+  String name();
+
+  /** What follows the options in the usage line, e.g. {@code FILE...}. */
+  String operands();
+
+  /** One line for the list of subcommands. */
+  String summary();
+
+  /** Its options besides {@link #HELP}. */
+  List<Option> options();
+
+  /**
+   * Does it.
+   *
+   * @throws UsageException when the arguments make no sense; the caller explains and exits with 2
+   */
+  ExitCode run(Arguments arguments, Console console) throws UsageException;
+}

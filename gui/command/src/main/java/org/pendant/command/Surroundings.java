@@ -1,0 +1,100 @@
+package org.pendant.command;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.box.ArmChoice;
+import org.pendant.controller.json.JsonException;
+import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.safety.SafetyConfigurationReader;
+import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneReader;
+import org.pendant.models.arm.ArmLibrary;
+
+/** The options that say which arm simulation is used, what is around it and what limits it. */
+final class Surroundings {
+  private static final Option SCENE =
+      Option.input("--scene", "FILE.json", "what the arm can touch and carries");
+  private static final Option SAFETY =
+      Option.input(
+          "--safety", "FILE.json", "safety limits and planes instead of the standard ones");
+  private static final Option ARM =
+      new Option("--arm", "dynamic|ideal", "with masses and drives, or always exactly on target");
+  private static final Option NOISE =
+      new Option("--encoder-noise", "RAD", "standard deviation of joint readings, default 0");
+
+  /** For the usage text. */
+  static final List<Option> ALL = List.of(SCENE, SAFETY, ARM, NOISE);
+
+  private static final double MAX_NOISE_RAD = 0.01;
+
+  private Surroundings() {}
+
+  /** {@code options} with what the command line says about the arm's surroundings. */
+  static ControllerOptions in(ControllerOptions options, Arguments arguments)
+      throws UsageException {
+    ControllerOptions chosen = options.withArm(arm(arguments)).withEncoderNoise(noise(arguments));
+    Optional<String> scene = arguments.value(SCENE);
+    if (scene.isPresent()) {
+      chosen = chosen.withScene(scene(scene.get(), arguments.files()));
+    }
+    Optional<String> safety = arguments.value(SAFETY);
+    if (safety.isPresent()) {
+      chosen = chosen.withSafety(safety(safety.get(), options.robotId(), arguments.files()));
+    }
+    return chosen;
+  }
+
+  private static ArmChoice arm(Arguments arguments) throws UsageException {
+    String word = arguments.value(ARM).orElse("dynamic");
+    return switch (word) {
+      case "dynamic" -> ArmChoice.DYNAMIC;
+      case "ideal" -> ArmChoice.IDEAL;
+      default -> throw new UsageException("--arm is " + word + ", must be dynamic or ideal");
+    };
+  }
+
+  private static double noise(Arguments arguments) throws UsageException {
+    String text = arguments.value(NOISE).orElse("0");
+    double noise = RunOptions.number(text, NOISE.name(), "a number of rad");
+    if (!(noise >= 0 && noise <= MAX_NOISE_RAD)) {
+      throw new UsageException(
+          "--encoder-noise is " + text + ", must be 0 to " + MAX_NOISE_RAD + " rad");
+    }
+    return noise;
+  }
+
+  private static Scene scene(String name, SourceFiles files) throws UsageException {
+    try (InputStream in = Files.newInputStream(files.path("the scene", name))) {
+      return SceneReader.read(name, in);
+    } catch (JsonException e) {
+      throw new UsageException(e.getMessage());
+    } catch (IOException e) {
+      throw unreadable(name, e);
+    }
+  }
+
+  private static SafetyConfiguration safety(String name, String robotId, SourceFiles files)
+      throws UsageException {
+    try (InputStream in = Files.newInputStream(files.path("the safety file", name))) {
+      return SafetyConfigurationReader.read(name, in, ArmLibrary.load(robotId));
+    } catch (JsonException e) {
+      throw new UsageException(e.getMessage());
+    } catch (IOException e) {
+      throw unreadable(name, e);
+    }
+  }
+
+  private static UsageException unreadable(String name, IOException e) {
+    return switch (e) {
+      case NoSuchFileException none -> new UsageException(name + ": no such file");
+      case AccessDeniedException denied -> new UsageException(name + ": no permission to read it");
+      default -> new UsageException(name + ": cannot be read, " + e.getMessage());
+    };
+  }
+}

@@ -1,0 +1,29 @@
+package org.pendant.command;
+
+import java.util.Optional;
+import org.pendant.protocols.toolserial.ToolSerialLine;
+
+/** {@code --tool-serial}: what the serial line of the tool connector leads to. */
+final class ToolSerialOption {
+  static final Option OPTION =
+      new Option(
+          "--tool-serial",
+          "DEVICE",
+          "serial device that is the tool's, such as /dev/ttyUSB0; also at port 54321");
+
+  private ToolSerialOption() {}
+
+  /** The device's name, if one is given. */
+  static Optional<String> of(Arguments arguments) throws UsageException {
+    Optional<String> device = arguments.value(OPTION);
+    if (device.isPresent() && device.get().isBlank()) {
+      throw new UsageException(OPTION.name() + " is empty, must be the name of a serial device");
+    }
+    return device;
+  }
+
+  /** The line to a device, or without one. */
+  static ToolSerialLine line(Optional<String> device) {
+    return device.map(ToolSerialLine::to).orElseGet(ToolSerialLine::new);
+  }
+}

@@ -1,0 +1,13 @@
+package org.pendant.command;
+
+/** The command line asks for something that cannot be; carries no stack trace, it is no fault. */
+final class UsageException extends Exception {
+  private static final long serialVersionUID = 1L;
+
+  /**
+   * @param message what was given and what was expected
+   */
+  UsageException(String message) {
+    super(message, null, false, false);
+  }
+}

@@ -1,0 +1,21 @@
+package org.pendant.command.service;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** Desktop launcher: the service that opens the window for {@code pendant open}. */
+public interface DesktopLauncher {
+
+  /**
+   * Opens the window and waits until it is closed.
+   *
+   * @param files programs and recordings to open in it
+   * @param ports where others reach the controller from the start; empty for nowhere
+   * @param installation how the controller is set up from the start; empty for not at all
+   * @throws DesktopUnavailable if there is no display, or it cannot be used
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  void open(List<Path> files, Optional<PortWishes> ports, Optional<StartInstallation> installation)
+      throws DesktopUnavailable, InterruptedException;
+}

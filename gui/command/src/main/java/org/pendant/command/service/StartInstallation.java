@@ -1,0 +1,12 @@
+package org.pendant.command.service;
+
+import java.nio.file.Path;
+import org.pendant.controller.installation.Installation;
+
+/**
+ * The installation that a desktop begins with.
+ *
+ * @param file where it was read
+ * @param installation what it says
+ */
+public record StartInstallation(Path file, Installation installation) {}

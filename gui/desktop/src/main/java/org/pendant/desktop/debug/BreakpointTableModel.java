@@ -1,0 +1,116 @@
+package org.pendant.desktop.debug;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import javax.swing.table.AbstractTableModel;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.BreakpointState;
+
+/** The breakpoints of the program in front as a table. */
+@SuppressWarnings("serial") // never written to a stream
+final class BreakpointTableModel extends AbstractTableModel {
+  static final int ENABLED = 0;
+  static final int LINE = 1;
+  static final int CONDITION = 2;
+  static final int FROM_HIT = 3;
+  static final int HITS = 4;
+  private static final List<String> TITLES = List.of("On", "Line", "Condition", "From hit", "Hits");
+
+  private final OpenBreakpoints openBreakpoints;
+  private List<Breakpoint> rows = List.of();
+
+  BreakpointTableModel(OpenBreakpoints openBreakpoints) {
+    this.openBreakpoints = openBreakpoints;
+  }
+
+  /** Shows the open breakpoints. */
+  void show() {
+    List<Breakpoint> wanted = openBreakpoints.all();
+    boolean sameRows = wanted.size() == rows.size();
+    rows = wanted;
+    if (sameRows) {
+      if (!rows.isEmpty()) {
+        fireTableRowsUpdated(0, rows.size() - 1);
+      }
+    } else {
+      fireTableDataChanged();
+    }
+  }
+
+  Breakpoint row(int index) {
+    return rows.get(index);
+  }
+
+  @Override
+  public int getRowCount() {
+    return rows.size();
+  }
+
+  @Override
+  public int getColumnCount() {
+    return TITLES.size();
+  }
+
+  @Override
+  public String getColumnName(int column) {
+    return TITLES.get(column);
+  }
+
+  @Override
+  public Class<?> getColumnClass(int column) {
+    return column == ENABLED ? Boolean.class : String.class;
+  }
+
+  @Override
+  public Object getValueAt(int index, int column) {
+    Breakpoint row = rows.get(index);
+    Optional<BreakpointState> state = openBreakpoints.state(row);
+    return switch (column) {
+      case ENABLED -> row.enabled();
+      case LINE -> place(row, state);
+      case CONDITION -> row.condition();
+      case FROM_HIT -> Integer.toString(row.fromHit());
+      default -> state.map(each -> Long.toString(each.hits())).orElse("");
+    };
+  }
+
+  private static String place(Breakpoint row, Optional<BreakpointState> state) {
+    OptionalInt stops = state.map(BreakpointState::statementLine).orElse(OptionalInt.empty());
+    return stops.isPresent() && stops.getAsInt() != row.line()
+        ? row.line() + " (stops on " + stops.getAsInt() + ")"
+        : Integer.toString(row.line());
+  }
+
+  @Override
+  public boolean isCellEditable(int row, int column) {
+    return column == ENABLED || column == CONDITION || column == FROM_HIT;
+  }
+
+  /** Why {@code typed} is no number of a hit; empty if it is one. */
+  static String hitRefusal(String typed) {
+    return typed.strip().matches("[1-9]\\d{0,8}")
+        ? ""
+        : "From hit is '" + typed.strip() + "', must be a whole number, at least 1";
+  }
+
+  @Override
+  public void setValueAt(Object typed, int index, int column) {
+    if (index >= rows.size()) {
+      return;
+    }
+    Breakpoint row = rows.get(index);
+    switch (column) {
+      case ENABLED ->
+          openBreakpoints.change(
+              new Breakpoint(row.line(), (Boolean) typed, row.condition(), row.fromHit()));
+      case CONDITION -> openBreakpoints.change(row.when(typed.toString()));
+      case FROM_HIT -> {
+        if (hitRefusal(typed.toString()).isEmpty()) {
+          openBreakpoints.change(row.fromHit(Integer.parseInt(typed.toString().strip())));
+        }
+      }
+      default -> throw new IllegalArgumentException("column is " + column + ", must be editable");
+    }
+  }
+}

@@ -1,0 +1,47 @@
+package org.pendant.desktop.debug;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntUnaryOperator;
+import org.pendant.script.vm.ThreadSnapshot;
+
+/**
+ * A line of the list of threads and calls.
+ *
+ * @param depth 1 for the outermost call, 0 for the thread itself
+ * @param name of thread or function
+ * @param place such as {@code line 12}, or what the thread waits for
+ */
+record CallRow(int thread, int depth, String name, String place) {
+
+  boolean isThread() {
+    return depth == 0;
+  }
+
+  /**
+   * Each thread with its calls below, innermost first.
+   *
+   * @param now the present line of a line of the running text
+   */
+  static List<CallRow> of(List<ThreadSnapshot> threads, IntUnaryOperator now) {
+    List<CallRow> rows = new ArrayList<>();
+    for (ThreadSnapshot each : threads) {
+      String number = each.id() == 0 ? "Main thread" : "Thread " + each.id();
+      String waits = each.waitsFor().isEmpty() ? "ready" : "waits in " + each.waitsFor();
+      String at = ", " + where(each.stack().getFirst(), now);
+      rows.add(new CallRow(each.id(), 0, number + ": " + each.name(), waits + at));
+      int depth = each.stack().size();
+      for (ThreadSnapshot.Level level : each.stack()) {
+        rows.add(new CallRow(each.id(), depth, level.function(), where(level, now)));
+        depth--;
+      }
+    }
+    return rows;
+  }
+
+  private static String where(ThreadSnapshot.Level level, IntUnaryOperator now) {
+    return level.source().equals("interpreter")
+        ? "interpreter, line " + level.line()
+        : "line " + now.applyAsInt(level.line());
+  }
+}

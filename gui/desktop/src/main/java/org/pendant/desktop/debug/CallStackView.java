@@ -1,0 +1,260 @@
+package org.pendant.desktop.debug;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.EventQueue;
+import java.awt.Font;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import javax.swing.table.AbstractTableModel;
+import javax.swing.table.DefaultTableCellRenderer;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.KeyText;
+import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.Palette;
+
+/** All script threads of a program that is held, and their calls. */
+public final class CallStackView implements View {
+  /** Its name in settings and commands. */
+  public static final String ID = "call-stack";
+
+  private static final String NOTE =
+      "No program runs. The threads of one that runs appear here, and when it is held, by a"
+          + " breakpoint (F9) or on request, their calls with variables.";
+
+  private final Workbench workbench;
+  private final DebugPresenter debug;
+  private final Rows rows = new Rows();
+  private final JTable table = new JTable(rows);
+  private final DebugPanel panel;
+  private final JButton kill = new JButton("End thread");
+  private final JCheckBox onErrors = new JCheckBox("Stop at errors");
+  private final JButton hold;
+  private final JButton resume;
+  private final List<JButton> steps;
+  private boolean showing;
+
+  /** Without threads yet. */
+  public CallStackView(Workbench workbench, DebugPresenter debug) {
+    assert EventQueue.isDispatchThread();
+    this.workbench = workbench;
+    this.debug = debug;
+    hold = button("Hold all", "debug.pause", "Holds all threads, to look at them");
+    resume = button("Go on", "debug.continue", "Lets the program go on");
+    steps =
+        List.of(
+            button("Over", "debug.step-over", "Step over: to the next statement of this function"),
+            button("Into", "debug.step-into", "Step into: to the next statement, in any function"),
+            button("Out", "debug.step-out", "Step out: to the next statement of the caller"));
+    setUpTable();
+    JPanel content = new JPanel(new BorderLayout());
+    content.add(buttons(), BorderLayout.NORTH);
+    content.add(new JScrollPane(table));
+    panel = new DebugPanel("call-stack", content);
+    debug.addListener(this::show);
+    show();
+  }
+
+  private void setUpTable() {
+    table.setName("call-stack-table");
+    table.getAccessibleContext().setAccessibleName("Threads and calls");
+    table.setToolTipText("Select a call to see its variables; Del ends a thread");
+    table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    table.setShowGrid(false);
+    table.setFillsViewportHeight(true);
+    DebugPanel.alignTitles(table);
+    table.setDefaultRenderer(Object.class, new Cell());
+    table.getColumnModel().getColumn(0).setPreferredWidth(320);
+    table.getColumnModel().getColumn(1).setPreferredWidth(160);
+    table.getSelectionModel().addListSelectionListener(event -> choose());
+    table.registerKeyboardAction(
+        event -> killSelected(), KeyStroke.getKeyStroke("DELETE"), JComponent.WHEN_FOCUSED);
+    JPopupMenu menu = new JPopupMenu();
+    menu.add(VariablesView.item("End thread", "Del", this::killSelected));
+    table.setComponentPopupMenu(menu);
+  }
+
+  private JComponent buttons() {
+    JPanel row = new JPanel(new WrappingRow(8));
+    row.add(hold);
+    row.add(resume);
+    steps.forEach(row::add);
+    kill.setName("thread-end");
+    kill.putClientProperty("JButton.buttonType", "toolBarButton");
+    kill.setToolTipText("Ends the selected thread, and those that it started (Del)");
+    kill.getAccessibleContext().setAccessibleName("End thread");
+    kill.addActionListener(event -> killSelected());
+    row.add(kill);
+    onErrors.setName("call-stack-break-on-errors");
+    onErrors.setToolTipText("Holds a program that fails, so that its variables can be looked at");
+    onErrors.addActionListener(event -> debug.breakpoints().setOnErrors(onErrors.isSelected()));
+    debug.breakpoints().addListener(() -> onErrors.setSelected(debug.breakpoints().onErrors()));
+    row.add(onErrors);
+    return row;
+  }
+
+  private JButton button(String title, String action, String tip) {
+    JButton button = new JButton(title);
+    button.setName(action.replace('.', '-'));
+    String keys = KeyText.shown(workbench.actions().keysOf(action));
+    button.setToolTipText(keys.isEmpty() ? tip : tip + " (" + keys + ")");
+    button.getAccessibleContext().setAccessibleName(tip);
+    button.putClientProperty("JButton.buttonType", "toolBarButton");
+    button.addActionListener(event -> workbench.actions().run(action));
+    return button;
+  }
+
+  private Optional<CallRow> selectedRow() {
+    int row = table.getSelectedRow();
+    return row < 0 || row >= rows.calls.size()
+        ? Optional.empty()
+        : Optional.of(rows.calls.get(row));
+  }
+
+  private void choose() {
+    if (showing) {
+      return;
+    }
+    selectedRow()
+        .ifPresent(
+            row -> {
+              // A thread stands for its innermost call, which is the row below it.
+              CallRow call = row.isThread() ? rows.calls.get(table.getSelectedRow() + 1) : row;
+              debug.select(call.thread(), call.depth());
+            });
+  }
+
+  private void killSelected() {
+    if (debug.steps().canStep()) {
+      selectedRow().ifPresent(row -> debug.steps().kill(row.thread()));
+    }
+  }
+
+  private void show() {
+    hold.setEnabled(debug.steps().canPause());
+    kill.setEnabled(debug.steps().canStep());
+    steps.forEach(each -> each.setEnabled(debug.steps().canStep()));
+    resume.setEnabled(debug.held());
+    if (!debug.showsValues() && !debug.runsFree()) {
+      rows.show(List.of());
+      panel.showNote(NOTE);
+      return;
+    }
+    if (debug.held()) {
+      panel.showContent(debug.stopText());
+    } else {
+      panel.showQuietly(running());
+    }
+    if (!debug.held() && debug.threads().isEmpty()) {
+      return; // a step is over soon: what was there before stays meanwhile
+    }
+    showing = true;
+    try {
+      rows.show(CallRow.of(debug.threads(), debug::lineNow));
+      table.setRowHeight(table.getFontMetrics(table.getFont()).getHeight() + 12);
+      debug.selected().filter(scope -> debug.held()).ifPresent(this::mark);
+    } finally {
+      showing = false;
+    }
+  }
+
+  private String running() {
+    String keys = KeyText.shown(workbench.actions().keysOf("debug.pause"));
+    return "Running: where its threads were a moment ago. Hold all"
+        + (keys.isEmpty() ? "" : " (" + keys + ")")
+        + " shows their variables.";
+  }
+
+  private void mark(Scope scope) {
+    for (int i = 0; i < rows.calls.size(); i++) {
+      CallRow row = rows.calls.get(i);
+      if (row.thread() == scope.thread() && row.depth() == scope.depth()) {
+        table.setRowSelectionInterval(i, i);
+        table.scrollRectToVisible(table.getCellRect(i, 0, true));
+      }
+    }
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Call stack";
+  }
+
+  @Override
+  public JComponent component() {
+    return panel;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    debug.refresh(state);
+    debug.lookAtThreads();
+  }
+
+  /** The rows. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class Rows extends AbstractTableModel {
+    private List<CallRow> calls = List.of();
+
+    void show(List<CallRow> wanted) {
+      if (!wanted.equals(calls)) {
+        calls = wanted;
+        fireTableDataChanged();
+      }
+    }
+
+    @Override
+    public int getRowCount() {
+      return calls.size();
+    }
+
+    @Override
+    public int getColumnCount() {
+      return 2;
+    }
+
+    @Override
+    public String getColumnName(int column) {
+      return column == 0 ? "Thread or call" : "Where";
+    }
+
+    @Override
+    public Object getValueAt(int row, int column) {
+      return calls.get(row);
+    }
+  }
+
+  /** Threads in bold, their calls below them. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class Cell extends DefaultTableCellRenderer {
+    @Override
+    public Component getTableCellRendererComponent(
+        JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+      super.getTableCellRendererComponent(table, "", selected, focused, row, column);
+      CallRow call = (CallRow) value;
+      setText(column == 0 ? call.name() : call.place());
+      setIcon(column == 0 && !call.isThread() ? new DisclosureIcon(0, false, false) : null);
+      setFont(call.isThread() ? table.getFont().deriveFont(Font.BOLD) : table.getFont());
+      if (!selected) {
+        setForeground(column == 0 ? table.getForeground() : Palette.quiet());
+      }
+      return this;
+    }
+  }
+}

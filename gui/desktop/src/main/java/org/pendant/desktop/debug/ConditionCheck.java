@@ -1,0 +1,106 @@
+package org.pendant.desktop.debug;
+
+import java.util.List;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.pendant.kit.background.WorkQueue;
+import org.pendant.language.service.CharacterOffsets;
+import org.pendant.language.service.Completion;
+import org.pendant.language.service.GuestExpression;
+import org.pendant.language.signature.Catalogue;
+import org.pendant.language.source.ByteText;
+import org.pendant.language.source.Source;
+
+/**
+ * Reads conditions of breakpoints as they are typed, at the line of the program where they are to
+ * be computed. One thread uses it, the dispatch thread; the reading happens elsewhere.
+ */
+public final class ConditionCheck {
+  /** How long nobody may type before a condition is read. */
+  private static final int PAUSE_MS = 150;
+
+  /** Texts up to this length are read while somebody waits: a few dozen milliseconds. */
+  private static final int SHORT = 300_000;
+
+  private final WorkQueue background;
+  private final Executor dispatch;
+  private final Catalogue catalogue;
+  private final Supplier<Source> program;
+  private Result newest = new Result(0, "", "");
+  private int version;
+
+  /** What was found out about a condition. */
+  private record Result(int line, String text, String refusal) {
+    boolean isOf(int otherLine, String other) {
+      return line == otherLine && text.equals(other);
+    }
+  }
+
+  /**
+   * Nothing is read yet.
+   *
+   * @param program the text with the breakpoints, as it is now
+   */
+  public ConditionCheck(
+      WorkQueue background, Executor dispatch, Catalogue catalogue, Supplier<Source> program) {
+    this.background = background;
+    this.dispatch = dispatch;
+    this.catalogue = catalogue;
+    this.program = program;
+  }
+
+  /** Tells why {@code text} cannot be a condition at {@code line}; empty if it can. */
+  public void check(int line, String text, Consumer<String> refusal) {
+    int asked = ++version;
+    Source source = program.get();
+    background.run(
+        PAUSE_MS,
+        () -> {
+          Result found = new Result(line, text, refusal(source, catalogue, line, text));
+          dispatch.execute(
+              () -> {
+                if (asked == version) {
+                  newest = found;
+                  refusal.accept(found.refusal());
+                }
+              });
+        });
+  }
+
+  /** The same at once; a very long program is not read for it. */
+  public String now(int line, String text) {
+    if (!newest.isOf(line, text)) {
+      Source source = program.get();
+      if (source.text().length() > SHORT) {
+        return "";
+      }
+      newest = new Result(line, text, refusal(source, catalogue, line, text));
+    }
+    return newest.refusal();
+  }
+
+  private static String refusal(Source source, Catalogue catalogue, int line, String text) {
+    if (text.isBlank()) {
+      return "";
+    }
+    return GuestExpression.of(source, catalogue, line, ByteText.asBytes(text))
+        .problem()
+        .map(found -> ByteText.decoded(found.message()))
+        .orElse("");
+  }
+
+  /** Tells what may be typed behind the first {@code caret} characters of a condition. */
+  public void complete(int line, String text, int caret, Consumer<List<Completion>> offered) {
+    Source source = program.get();
+    int offset = CharacterOffsets.of(text).toByte(caret);
+    background.run(
+        0,
+        () -> {
+          List<Completion> found =
+              GuestExpression.of(source, catalogue, line, ByteText.asBytes(text))
+                  .completions(offset);
+          dispatch.execute(() -> offered.accept(found));
+        });
+  }
+}

@@ -1,0 +1,54 @@
+package org.pendant.desktop.debug;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.variables.VariableSample;
+import org.pendant.script.variables.VariableSamples;
+
+/** Makes groups of values out of the samples of a program that is not held. */
+final class LiveValues {
+  private LiveValues() {}
+
+  /**
+   * The variables of a program.
+   *
+   * @param running whether it has not ended yet
+   * @param unfolded how many parts are wanted of those values that are
+   */
+  static List<ValueNode.Group> of(
+      VariableSamples samples, boolean running, Map<ValueKey, Integer> unfolded) {
+    List<ValueNode.Group> groups = new ArrayList<>();
+    if (!samples.locals().isEmpty()) {
+      Scope scope = new Scope(Debugger.MAIN, Debugger.OUTERMOST + 1, samples.mainFunction());
+      groups.add(
+          new ValueNode.Group(
+              "Local in " + samples.mainFunction(),
+              scope,
+              nodes(samples.locals(), scope, unfolded)));
+    }
+    if (!samples.globals().isEmpty()) {
+      groups.add(
+          new ValueNode.Group(
+              running ? "Global" : "Global, last values of the program",
+              Scope.GLOBAL,
+              nodes(samples.globals(), Scope.GLOBAL, unfolded)));
+    }
+    return groups;
+  }
+
+  private static List<ValueNode> nodes(
+      List<VariableSample> samples, Scope scope, Map<ValueKey, Integer> unfolded) {
+    return samples.stream().map(each -> node(each, scope, unfolded)).toList();
+  }
+
+  /** A value with those of its parts that are wanted. */
+  static ValueNode node(VariableSample sample, Scope scope, Map<ValueKey, Integer> unfolded) {
+    Integer wanted = unfolded.get(new ValueKey(scope, sample.expression()));
+    if (wanted == null || sample.length() == 0) {
+      return ValueNode.of(sample.variable());
+    }
+    return new ValueNode(sample.variable(), nodes(sample.parts(wanted), scope, unfolded), "");
+  }
+}

@@ -1,0 +1,18 @@
+package org.pendant.desktop.debug;
+
+import org.pendant.language.source.Source;
+
+/**
+ * A text that is started, and what it has to do with the one that people see.
+ *
+ * @param lines of both
+ * @param turnLine a line that the main program comes to once in each of its turns, and on which
+ *     nobody sets a breakpoint; 0 if there is none
+ * @param turnsBefore how many turns begin before it comes there first
+ */
+public record RunScript(Source source, RunLines lines, int turnLine, int turnsBefore) {
+  /** A text that runs as people see it. */
+  public static RunScript whole(Source source) {
+    return new RunScript(source, RunLines.SAME, 0, 0);
+  }
+}

@@ -1,0 +1,80 @@
+package org.pendant.desktop.debug;
+
+import java.util.List;
+import java.util.Optional;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.language.source.Source;
+
+/**
+ * The program that was started last, and where its lines are in the text as it is now: people edit
+ * a program while it runs. One thread uses it, the dispatch thread.
+ */
+final class StartedProgram {
+  private Optional<ProgramDocument> document = Optional.empty();
+  private String text = "";
+  private String mapped = "";
+  private LineMap lines = LineMap.between("", "");
+  private RunScript script = RunScript.whole(Source.of("", ""));
+  private boolean stranger;
+
+  /** {@code program} is started as it stands, or a part of it. */
+  void start(ProgramDocument program, RunScript run) {
+    document = Optional.of(program);
+    script = run;
+    text = program.script().text();
+    mapped = text;
+    lines = LineMap.between(text, text);
+    stranger = false;
+  }
+
+  /** A program that is none of the open ones was started; its lines stay as they are. */
+  void startStranger() {
+    document = Optional.empty();
+    script = RunScript.whole(Source.of("", ""));
+    text = "";
+    mapped = "";
+    stranger = true;
+  }
+
+  /** Whether what was started is none of the open programs. */
+  boolean stranger() {
+    return stranger;
+  }
+
+  Optional<ProgramDocument> document() {
+    return document;
+  }
+
+  boolean is(ProgramDocument program) {
+    return document.filter(each -> each == program).isPresent();
+  }
+
+  /** Whether the text is still the one that runs. */
+  boolean unchanged() {
+    return lines().unchanged();
+  }
+
+  /** The line of the present text where line {@code run} of the running one is. */
+  int toNow(int run) {
+    return stranger ? run : lines().toNow(script.lines().toShown(run));
+  }
+
+  /** The lines of the running text that line {@code now} of the present one was. */
+  List<Integer> toRun(int now) {
+    return stranger ? List.of(now) : script.lines().toRun(lines().toOld(now));
+  }
+
+  /** What was started. */
+  RunScript script() {
+    return script;
+  }
+
+  private LineMap lines() {
+    String now = document.map(each -> each.script().text()).orElse(text);
+    if (!now.equals(mapped)) {
+      mapped = now;
+      lines = LineMap.between(text, now);
+    }
+    return lines;
+  }
+}

@@ -1,0 +1,110 @@
+package org.pendant.desktop.debug;
+
+import java.util.List;
+import java.util.function.BiConsumer;
+import javax.swing.table.AbstractTableModel;
+
+/** The rows of a {@link ValueTree} as a table: name, value, kind. */
+@SuppressWarnings("serial") // never written to a stream
+final class ValueTableModel extends AbstractTableModel {
+  static final int NAME = 0;
+  static final int VALUE = 1;
+  static final int KIND = 2;
+  static final int STAR = 3;
+  private static final List<String> TITLES = List.of("Name", "Value", "Kind", "");
+
+  private final ValueTree tree;
+  private final boolean namesEditable;
+  private final BiConsumer<ValueRow.Value, String> rename;
+  private final boolean stars;
+  private List<ValueRow> rows = List.of();
+
+  /**
+   * @param namesEditable whether the names of those that are part of nothing can be changed
+   * @param rename changes one
+   * @param stars whether there is a column for favourites
+   */
+  ValueTableModel(
+      ValueTree tree,
+      boolean namesEditable,
+      BiConsumer<ValueRow.Value, String> rename,
+      boolean stars) {
+    this.stars = stars;
+    this.tree = tree;
+    this.namesEditable = namesEditable;
+    this.rename = rename;
+  }
+
+  void show(List<ValueRow> wanted) {
+    rows = wanted;
+    fireTableDataChanged();
+  }
+
+  /** Shows other values in the same lines; whoever edits or has selected one is not disturbed. */
+  void update(List<ValueRow> wanted) {
+    List<ValueRow> before = rows;
+    rows = wanted;
+    for (int i = 0; i < rows.size(); i++) {
+      if (!rows.get(i).equals(before.get(i))) {
+        fireTableRowsUpdated(i, i);
+      }
+    }
+  }
+
+  ValueRow row(int index) {
+    return rows.get(index);
+  }
+
+  @Override
+  public int getRowCount() {
+    return rows.size();
+  }
+
+  @Override
+  public int getColumnCount() {
+    return stars ? STAR + 1 : STAR;
+  }
+
+  @Override
+  public String getColumnName(int column) {
+    return TITLES.get(column);
+  }
+
+  /** What an editor begins with. */
+  @Override
+  public Object getValueAt(int row, int column) {
+    return switch (rows.get(row)) {
+      case ValueRow.Value value ->
+          switch (column) {
+            case NAME -> value.name();
+            case VALUE -> tree.toEdit(value);
+            case KIND -> value.kind();
+            default -> value.favourite() ? "favourite" : "";
+          };
+      case ValueRow.Heading heading -> heading.title();
+      case ValueRow.More more -> more.text();
+      case ValueRow.Problem problem -> problem.text();
+    };
+  }
+
+  @Override
+  public boolean isCellEditable(int row, int column) {
+    return rows.get(row) instanceof ValueRow.Value value
+        && switch (column) {
+          case NAME -> namesEditable && value.level() == 0;
+          case VALUE -> tree.canAssign(value);
+          default -> false;
+        };
+  }
+
+  @Override
+  public void setValueAt(Object typed, int row, int column) {
+    if (row < rows.size() && rows.get(row) instanceof ValueRow.Value value) {
+      if (column == NAME) {
+        rename.accept(value, typed.toString());
+      } else {
+        tree.assign(value, typed.toString());
+      }
+    }
+  }
+}

@@ -1,0 +1,83 @@
+package org.pendant.desktop.debug;
+
+import java.util.Set;
+import java.util.function.LongSupplier;
+import org.pendant.controller.state.ControllerState;
+
+/**
+ * What the panel of variables shows: those of the call that is looked at while a program is held,
+ * otherwise samples of the program that runs or ran last, about ten times a second. It has no
+ * Swing; one thread uses it, the dispatch thread.
+ */
+final class VariablesPresenter {
+  private final ValueTree tree;
+  private final Favourites favourites;
+  private final LiveTree live;
+  private String program = "";
+  private String filter = "";
+
+  /**
+   * Nothing yet.
+   *
+   * @param tree shows the values; a debugger fills it while a program is held
+   * @param clockMs any clock that goes on, ms
+   */
+  VariablesPresenter(ValueTree tree, Favourites favourites, LongSupplier clockMs) {
+    this.tree = tree;
+    this.favourites = favourites;
+    live = new LiveTree(tree, clockMs, LiveValues::of);
+    favourites.addListener(this::order);
+    order();
+  }
+
+  /**
+   * Takes the newest snapshot.
+   *
+   * @param held whether the tree shows what a debugger found
+   */
+  void refresh(ControllerState state, boolean held) {
+    if (!state.program().name().equals(program)) {
+      program = state.program().name();
+      order();
+    }
+    live.refresh(state, held);
+  }
+
+  /** Shows only variables whose names have every word of {@code text}. */
+  void filter(String text) {
+    filter = text;
+    order();
+  }
+
+  private void order() {
+    Set<String> first = favourites.of(program);
+    tree.setOrder(new ValueOrder(filter, first::contains));
+  }
+
+  /** Has a variable come first from now on, or no longer; parts of variables cannot. */
+  void toggleFavourite(ValueRow.Value row) {
+    if (row.level() == 0) {
+      favourites.toggle(program, row.key().expression());
+    }
+  }
+
+  /** What to say in place of the table; empty while there are rows. */
+  String note() {
+    if (!tree.rows().isEmpty()) {
+      return "";
+    }
+    if (!filter.isBlank() && !live.samples().empty()) {
+      return "No variable has '" + filter.strip() + "' in its name.";
+    }
+    if (program.isEmpty()) {
+      return "No program has run yet. Run one with F5: its variables appear here.";
+    }
+    return "The program " + program + " has no variables.";
+  }
+
+  /** How many variables are not shown because there are too many; empty for none. */
+  String omission() {
+    int omitted = live.samples().omitted();
+    return omitted > 0 ? omitted + " more variables are shown only while the program is held" : "";
+  }
+}

@@ -1,0 +1,220 @@
+package org.pendant.desktop.debug;
+
+import java.awt.BorderLayout;
+import java.awt.EventQueue;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JMenuItem;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.layout.Typed;
+import org.pendant.kit.theme.Palette;
+
+/** The variables of a program: live while it runs, those of any call while it is held. */
+public final class VariablesView implements View {
+  /** Its name in settings and commands. */
+  public static final String ID = "variables";
+
+  private final Workbench workbench;
+  private final DebugPresenter debug;
+  private final VariablesPresenter presenter;
+  private final Consumer<List<String>> plot;
+  private final ValueTable table;
+  private final DebugPanel panel;
+  private final JTextField filter = new JTextField();
+  private final JLabel omission = new JLabel();
+  private final JPanel content = new JPanel(new BorderLayout());
+  private Supplier<Optional<ControllerState>> past = Optional::empty;
+  private boolean wasPast;
+
+  /**
+   * Without values yet.
+   *
+   * @param plot draws expressions over time
+   */
+  public VariablesView(
+      Workbench workbench,
+      DebugPresenter debug,
+      Favourites favourites,
+      Consumer<List<String>> plot) {
+    assert EventQueue.isDispatchThread();
+    this.workbench = workbench;
+    this.debug = debug;
+    this.plot = plot;
+    presenter =
+        new VariablesPresenter(debug.variables(), favourites, () -> System.nanoTime() / 1_000_000);
+    table =
+        new ValueTable(
+            "variables-table",
+            debug.variables(),
+            false,
+            (row, text) -> {},
+            Optional.of(presenter::toggleFavourite));
+    table.getAccessibleContext().setAccessibleName("Variables: name, value, kind and favourite");
+    table.setComponentPopupMenu(menu());
+    table.registerKeyboardAction(
+        event -> plot(), KeyStroke.getKeyStroke("P"), JComponent.WHEN_FOCUSED);
+    panel = new DebugPanel("variables", new JScrollPane(table));
+    content.add(head(), BorderLayout.NORTH);
+    content.add(panel, BorderLayout.CENTER);
+    content.add(omission, BorderLayout.SOUTH);
+    content.setName("variables-view");
+    omission.setName("variables-omission");
+    omission.setVisible(false);
+    debug.addListener(this::show);
+    debug.variables().addListener(this::show);
+    declareActions();
+    show();
+  }
+
+  /** Has the values of a moment of the past shown, while there is one. */
+  public void setPast(Supplier<Optional<ControllerState>> moment) {
+    past = moment;
+  }
+
+  private JPanel head() {
+    filter.setName("variables-filter");
+    filter.putClientProperty("JTextField.placeholderText", "Filter variables");
+    filter.putClientProperty("JTextField.showClearButton", true);
+    filter.setToolTipText("Shows only variables with this in their names; Escape shows all");
+    filter.getAccessibleContext().setAccessibleName("Filter variables");
+    filter.getDocument().addDocumentListener(new Typed(() -> filtered(filter.getText())));
+    filter.registerKeyboardAction(
+        event -> filter.setText(""), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_FOCUSED);
+    filter.registerKeyboardAction(
+        event -> goToTable(), KeyStroke.getKeyStroke("DOWN"), JComponent.WHEN_FOCUSED);
+    JPanel head = new JPanel(new MigLayout("insets 8", "[grow,fill,0::]"));
+    head.add(filter);
+    return head;
+  }
+
+  private void filtered(String text) {
+    presenter.filter(text);
+    show();
+  }
+
+  private void goToTable() {
+    if (table.getRowCount() > 0) {
+      if (table.selectedValue().isEmpty()) {
+        table.selectFirstValue();
+      }
+      table.requestFocusInWindow();
+    }
+  }
+
+  private JPopupMenu menu() {
+    JPopupMenu menu = new JPopupMenu();
+    menu.add(item("Change value", "F2, or a double click", table::editValue));
+    menu.add(item("Copy value", "Puts the value on the clipboard", table::copyValue));
+    menu.add(item("Copy expression", "What yields the value", table::copyExpression));
+    menu.addSeparator();
+    menu.add(item("Favourite on or off", "S: favourites come first", table::toggleStar));
+    menu.add(item("Add to plot", "P: draws it over time on the Plots screen", this::plot));
+    menu.add(item("Add to watches", "Shows it at every stop", this::watch));
+    return menu;
+  }
+
+  static JMenuItem item(String title, String tip, Runnable run) {
+    JMenuItem item = new JMenuItem(title);
+    item.setToolTipText(tip);
+    item.addActionListener(event -> run.run());
+    return item;
+  }
+
+  private void declareActions() {
+    var actions = workbench.actions();
+    actions.add(Action.of(ID + ".filter", "Variables: filter", "", this::goToFilter));
+    actions.add(
+        new Action(
+            ID + ".favourite",
+            "Variables: favourite on or off",
+            "",
+            this::chosen,
+            table::toggleStar));
+    actions.add(new Action(ID + ".plot", "Variables: add to plot", "", this::chosen, this::plot));
+  }
+
+  private boolean chosen() {
+    return content.isShowing() && table.selectedValue().isPresent();
+  }
+
+  private void goToFilter() {
+    workbench.show(ID);
+    filter.requestFocusInWindow();
+    filter.selectAll();
+  }
+
+  private void plot() {
+    table.selectedValue().ifPresent(value -> plot.accept(List.of(ValueTable.expression(value))));
+  }
+
+  private void watch() {
+    table
+        .selectedValue()
+        .ifPresent(
+            value -> {
+              debug.addWatch(ValueTable.expression(value));
+              workbench.show(WatchesView.ID);
+            });
+  }
+
+  private void show() {
+    String note = presenter.note();
+    if (note.isEmpty()) {
+      panel.showContent(debug.stopText());
+    } else {
+      panel.showNote(note);
+    }
+    String omitted = presenter.omission();
+    if (!omitted.equals(omission.getText())) {
+      omission.setText(omitted);
+      omission.setToolTipText(omitted);
+      omission.setForeground(Palette.quiet());
+      omission.setVisible(!omitted.isEmpty());
+    }
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Variables";
+  }
+
+  @Override
+  public JComponent component() {
+    return content;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    Optional<ControllerState> then = past.get();
+    if (then.isPresent()) {
+      presenter.refresh(then.get(), false);
+    } else {
+      debug.refresh(state);
+      if (wasPast) {
+        // What a debugger found at a stop was replaced by the past.
+        debug.selected().ifPresent(scope -> debug.select(scope.thread(), scope.depth()));
+      }
+      presenter.refresh(state, debug.showsValues());
+    }
+    wasPast = then.isPresent();
+    show();
+  }
+}

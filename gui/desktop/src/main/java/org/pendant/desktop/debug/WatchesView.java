@@ -1,0 +1,144 @@
+package org.pendant.desktop.debug;
+
+import java.awt.BorderLayout;
+import java.awt.EventQueue;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+
+/** Expressions that are computed at every stop. */
+public final class WatchesView implements View {
+  /** Its name in settings and commands. */
+  public static final String ID = "watches";
+
+  private static final String NOTE =
+      "No watches yet. Type an expression below, or drag a variable here: its value is computed"
+          + " whenever the program stops. Variables are followed while it runs, too.";
+
+  private final DebugPresenter debug;
+  private final ValueTable table;
+  private final LiveTree live;
+  private final JTextField field = new JTextField();
+  private final DebugPanel middle;
+  private final JPanel panel = new JPanel(new BorderLayout());
+
+  /** With the expressions that were watched last. */
+  public WatchesView(Workbench workbench, DebugPresenter debug) {
+    assert EventQueue.isDispatchThread();
+    this.debug = debug;
+    table =
+        new ValueTable(
+            "watches-table",
+            debug.watchTree(),
+            true,
+            (row, text) -> debug.changeWatch(ValueTable.expression(row), text),
+            Optional.empty());
+    table.getAccessibleContext().setAccessibleName("Watches: expression, value and kind");
+    table.setComponentPopupMenu(menu());
+    table.registerKeyboardAction(
+        event -> remove(), KeyStroke.getKeyStroke("DELETE"), JComponent.WHEN_FOCUSED);
+    live =
+        new LiveTree(
+            debug.watchTree(),
+            () -> System.nanoTime() / 1_000_000,
+            (samples, running, unfolded) -> Watches.live(debug.watches(), samples, unfolded));
+    middle = new DebugPanel("watches-content", new JScrollPane(table));
+    panel.setName("watches");
+    panel.add(middle);
+    panel.add(adding(), BorderLayout.SOUTH);
+    ExpressionTransfer drop = new ExpressionTransfer(Optional.of(this::add));
+    panel.setTransferHandler(drop);
+    table.setTransferHandler(drop);
+    debug.addListener(this::show);
+    debug.watchTree().addListener(this::show);
+    show();
+  }
+
+  private JPopupMenu menu() {
+    JPopupMenu menu = new JPopupMenu();
+    menu.add(
+        VariablesView.item(
+            "Change expression",
+            "Another one in its place",
+            () -> table.edit(ValueTableModel.NAME)));
+    menu.add(VariablesView.item("Change value", "F2, or a double click", table::editValue));
+    menu.add(VariablesView.item("Copy value", "Puts it on the clipboard", table::copyValue));
+    menu.addSeparator();
+    menu.add(VariablesView.item("Remove", "Del", this::remove));
+    return menu;
+  }
+
+  private JPanel adding() {
+    field.setName("watch-field");
+    field.putClientProperty("JTextField.placeholderText", "Expression to watch");
+    field.setToolTipText("An expression that is computed at every stop; Enter adds it");
+    field.getAccessibleContext().setAccessibleName("Expression to watch");
+    field.putClientProperty("FlatLaf.styleClass", "monospaced");
+    field.addActionListener(event -> addTyped());
+    JButton add = new JButton("Add");
+    add.setName("watch-add");
+    add.setToolTipText("Adds the expression to the watches");
+    add.getAccessibleContext().setAccessibleName("Add watch");
+    add.addActionListener(event -> addTyped());
+    JPanel row = new JPanel(new MigLayout("insets 8, fillx", "[grow]8[]"));
+    row.add(field, "growx, wmin 0");
+    row.add(add);
+    return row;
+  }
+
+  private void addTyped() {
+    add(field.getText());
+    field.setText("");
+  }
+
+  private void add(String expression) {
+    debug.addWatch(expression);
+    show();
+  }
+
+  private void remove() {
+    table
+        .selectedValue()
+        .filter(value -> value.level() == 0)
+        .ifPresent(value -> debug.changeWatch(ValueTable.expression(value), ""));
+    show();
+  }
+
+  private void show() {
+    if (debug.watches().isEmpty()) {
+      middle.showNote(NOTE);
+    } else {
+      middle.showContent("");
+    }
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Watches";
+  }
+
+  @Override
+  public JComponent component() {
+    return panel;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    debug.refresh(state);
+    live.refresh(state, debug.showsValues());
+  }
+}

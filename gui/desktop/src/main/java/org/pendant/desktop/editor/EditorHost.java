@@ -1,0 +1,30 @@
+package org.pendant.desktop.editor;
+
+import java.util.List;
+import java.util.SortedMap;
+import org.pendant.desktop.editor.text.Place;
+
+/** Editor host: the requests of a program's editor to the view around it. */
+interface EditorHost {
+
+  /** Says a sentence at the edge of the window. */
+  void tell(String sentence);
+
+  /** Does an action of the window. */
+  void run(String action);
+
+  /** Lists places under a title. */
+  void list(String title, List<Place> places);
+
+  /** There is a new analysis, or the caret stands elsewhere. */
+  void changed(ProgramEditor editor);
+
+  /** Other lines have breakpoints. */
+  void breakpointsChanged(ProgramEditor editor);
+
+  /** Breakpoints have moved with the text: where each line with one is now. */
+  void breakpointsMoved(ProgramEditor editor, SortedMap<Integer, Integer> moves);
+
+  /** Somebody is about to jump away from the caret's place. */
+  void leaving(ProgramEditor editor);
+}

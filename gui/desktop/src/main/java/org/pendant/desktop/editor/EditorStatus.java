@@ -1,0 +1,94 @@
+package org.pendant.desktop.editor;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.desktop.editor.text.AnalysedText;
+import org.pendant.desktop.editor.text.Problem;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.kit.theme.Palette;
+
+/** Below the text: how many problems there are, where the caret is, how the file is written. */
+@SuppressWarnings("serial") // never written to a stream
+final class EditorStatus extends JPanel {
+  private static final String FORMAT_TIP = "How the file is written: characters and ends of lines";
+  private static final String LONG = ", long";
+  private static final String LONG_TIP =
+      "A text of more than a million characters is checked after a second without typing;"
+          + " completions come when they are asked for (Ctrl+Space), long texts are not folded";
+
+  private final JButton problems = new JButton(" ");
+  private final JLabel place = new JLabel(" ");
+  private final JLabel format = new JLabel(" ");
+  private List<Problem> counted = List.of();
+
+  /**
+   * Nothing yet.
+   *
+   * @param showProblems asked when somebody wants to see the problems
+   */
+  EditorStatus(Runnable showProblems) {
+    super(new MigLayout("insets 1 8 1 12, gap 16, fillx", "[][grow, right][right]", "[center]"));
+    setName("editor-status");
+    setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Palette.line()));
+    place.setForeground(Palette.quiet());
+    format.setForeground(Palette.quiet());
+    problems.setName("editor-problems");
+    problems.putClientProperty("JButton.buttonType", "toolBarButton");
+    problems.setToolTipText("Shows the problems of this program");
+    problems.addActionListener(event -> showProblems.run());
+    place.setName("editor-place");
+    place.getAccessibleContext().setAccessibleName("Place of the caret");
+    format.setName("editor-format");
+    format.setToolTipText(FORMAT_TIP);
+    add(problems);
+    add(place, "wmin 0");
+    add(format, "wmin 0");
+  }
+
+  void show(ProgramEditor editor) {
+    place.setText(place(editor.area()));
+    format.setText(format(editor.program()) + (editor.isLong() ? LONG : ""));
+    format.setToolTipText(editor.isLong() ? LONG_TIP : FORMAT_TIP);
+    List<Problem> now = editor.analysed().map(AnalysedText::problems).orElse(counted);
+    if (!now.equals(counted) || problems.getText().isBlank()) {
+      counted = now;
+      count(now);
+    }
+  }
+
+  private void count(List<Problem> now) {
+    boolean errors = now.stream().anyMatch(Problem::isError);
+    problems.setForeground(
+        errors ? Palette.error() : now.isEmpty() ? Palette.quiet() : Palette.warning());
+    String text = now.isEmpty() ? "No problems" : ProblemsView.summary(now);
+    problems.setText(text);
+    problems.getAccessibleContext().setAccessibleName(text + "; shows them");
+  }
+
+  /** {@code Line 12, column 5}, with the length of the selection if there is one. */
+  static String place(ScriptArea area) {
+    int caret = area.getCaretPosition();
+    int line = area.lineAt(caret);
+    int selected = area.getSelectionEnd() - area.getSelectionStart();
+    return "Line "
+        + line
+        + ", column "
+        + (caret - area.line(line).start() + 1)
+        + (selected > 0 ? ", " + selected + " selected" : "");
+  }
+
+  private static String format(ProgramDocument program) {
+    return program
+        .onDisk()
+        .map(
+            file ->
+                (file.charset().equals(StandardCharsets.UTF_8) ? "UTF-8" : "Latin-1")
+                    + (file.carriageReturns() ? ", CRLF" : ", LF"))
+        .orElse("Not on disk yet");
+  }
+}

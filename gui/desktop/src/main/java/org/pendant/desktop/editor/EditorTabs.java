@@ -1,0 +1,121 @@
+package org.pendant.desktop.editor;
+
+import com.formdev.flatlaf.FlatClientProperties;
+import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.IntConsumer;
+import javax.swing.JTabbedPane;
+import javax.swing.KeyStroke;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.Programs;
+
+/** The open programs as tabs. The tab in front is the program that Run runs. */
+@SuppressWarnings("serial") // never written to a stream
+final class EditorTabs extends JTabbedPane {
+  private final Programs programs;
+  private final Function<ProgramDocument, ProgramEditor> editors;
+  private final Runnable shown;
+  private final List<ProgramEditor> open = new ArrayList<>();
+  private boolean following;
+
+  /**
+   * Tabs that follow {@code programs}.
+   *
+   * @param editors makes an editor
+   * @param closing asked when somebody wants to close a tab
+   * @param shown told when another tab is in front
+   */
+  EditorTabs(
+      Programs programs,
+      Function<ProgramDocument, ProgramEditor> editors,
+      Consumer<ProgramEditor> closing,
+      Runnable shown) {
+    this.programs = programs;
+    this.editors = editors;
+    this.shown = shown;
+    setName("script-tabs");
+    getAccessibleContext().setAccessibleName("Open programs");
+    setTabLayoutPolicy(SCROLL_TAB_LAYOUT);
+    putClientProperty(FlatClientProperties.TABBED_PANE_TAB_CLOSABLE, true);
+    putClientProperty(FlatClientProperties.TABBED_PANE_TAB_CLOSE_TOOLTIPTEXT, "Close");
+    IntConsumer close = index -> closing.accept(open.get(index));
+    putClientProperty(FlatClientProperties.TABBED_PANE_TAB_CLOSE_CALLBACK, close);
+    putClientProperty(FlatClientProperties.TABBED_PANE_HAS_FULL_BORDER, false);
+    getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+        .put(KeyStroke.getKeyStroke(KeyEvent.VK_TAB, KeyEvent.CTRL_DOWN_MASK), "none");
+    programs.addListener(this::follow);
+    addChangeListener(event -> chosen());
+    follow();
+  }
+
+  /** The editor in front. */
+  ProgramEditor current() {
+    return open.get(Math.max(0, getSelectedIndex()));
+  }
+
+  List<ProgramEditor> all() {
+    return List.copyOf(open);
+  }
+
+  private void follow() {
+    following = true;
+    List<ProgramDocument> wanted = programs.all();
+    for (int i = open.size() - 1; i >= 0; i--) {
+      if (!wanted.contains(open.get(i).program())) {
+        removeTabAt(i);
+        open.remove(i).end();
+      }
+    }
+    for (ProgramDocument program : wanted) {
+      if (open.stream().noneMatch(each -> each.program() == program)) {
+        add(program);
+      }
+    }
+    setSelectedIndex(wanted.indexOf(programs.current()));
+    following = false;
+    front();
+  }
+
+  private void add(ProgramDocument program) {
+    ProgramEditor editor = editors.apply(program);
+    open.add(editor);
+    addTab(program.name(), editor);
+    program.addListener(
+        new ProgramDocument.Listener() {
+          @Override
+          public void fileChanged() {
+            name(editor);
+          }
+        });
+    name(editor);
+  }
+
+  private void name(ProgramEditor editor) {
+    int index = open.indexOf(editor);
+    if (index < 0) {
+      return;
+    }
+    ProgramDocument program = editor.program();
+    setTitleAt(index, program.name() + (program.modified() ? " \u2022" : ""));
+    boolean runs = index == getSelectedIndex();
+    setIconAt(index, runs ? RunIcon.INSTANCE : null);
+    String place = program.file().map(Object::toString).orElse("Not on disk yet");
+    String changes = program.modified() ? "; has changes that are not saved" : "";
+    setToolTipTextAt(index, place + changes + (runs ? "; Run runs this program" : ""));
+  }
+
+  private void chosen() {
+    if (!following && getSelectedIndex() >= 0) {
+      programs.select(current().program());
+    }
+  }
+
+  private void front() {
+    open.forEach(this::name);
+    open.stream().filter(each -> each != current()).forEach(ProgramEditor::hidePopups);
+    shown.run();
+  }
+}

@@ -1,0 +1,52 @@
+package org.pendant.desktop.editor;
+
+import java.util.Map;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.theme.Palette;
+
+/** Asks something above the text of one program, without stopping anybody. */
+@SuppressWarnings("serial") // never written to a stream
+final class NoticeBar extends JPanel {
+
+  NoticeBar() {
+    super(new MigLayout("insets 6 12 6 12, gap 8"));
+    setName("editor-notice");
+    setBackground(Palette.tint(Palette.warning(), 0.14));
+    setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
+    setVisible(false);
+  }
+
+  /**
+   * Asks. Every answer takes the bar away.
+   *
+   * @param answers what the buttons say and do, in this order; the first is the usual one
+   */
+  void ask(String question, Map<String, Runnable> answers) {
+    removeAll();
+    JLabel label = new JLabel("<html>" + question.replace("<", "&lt;"));
+    add(label, "growx, pushx, wmin 0");
+    answers.forEach(
+        (title, answer) -> {
+          JButton button = new JButton(title);
+          button.setName("notice-" + title.toLowerCase(java.util.Locale.ROOT).replace(' ', '-'));
+          button.setToolTipText(title);
+          button.addActionListener(
+              event -> {
+                close();
+                answer.run();
+              });
+          add(button);
+        });
+    setVisible(true);
+    revalidate();
+    getComponent(1).requestFocusInWindow();
+  }
+
+  void close() {
+    setVisible(false);
+  }
+}

@@ -1,0 +1,126 @@
+package org.pendant.desktop.editor;
+
+import java.awt.Component;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.JComponent;
+import javax.swing.JTable;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import javax.swing.table.AbstractTableModel;
+import javax.swing.table.DefaultTableCellRenderer;
+import org.pendant.desktop.editor.text.Place;
+
+/** Places in programs, one a row; ENTER or a double click goes there. */
+@SuppressWarnings("serial") // never written to a stream
+final class PlacesTable extends JTable {
+  private final Model model = new Model();
+
+  PlacesTable(Consumer<Place> chosen) {
+    setModel(model);
+    setName("places-table");
+    getAccessibleContext().setAccessibleName("Places found");
+    setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    setFillsViewportHeight(true);
+    setShowGrid(false);
+    getColumnModel().getColumn(0).setPreferredWidth(200);
+    getColumnModel().getColumn(0).setMaxWidth(360);
+    getColumnModel().getColumn(1).setPreferredWidth(800);
+    getColumnModel().getColumn(1).setCellRenderer(new Code());
+    Runnable choose =
+        () -> {
+          if (getSelectedRow() >= 0) {
+            chosen.accept(model.places.get(getSelectedRow()));
+          }
+        };
+    registerKeyboardAction(
+        event -> choose.run(),
+        KeyStroke.getKeyStroke("ENTER"),
+        JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT);
+    addMouseListener(
+        new MouseAdapter() {
+          @Override
+          public void mouseClicked(MouseEvent event) {
+            if (event.getClickCount() == 2) {
+              choose.run();
+            }
+          }
+        });
+  }
+
+  void set(List<Place> places) {
+    model.places.clear();
+    add(places);
+    if (!places.isEmpty()) {
+      setRowSelectionInterval(0, 0);
+    }
+  }
+
+  void add(List<Place> places) {
+    model.places.addAll(places);
+    model.fireTableDataChanged();
+  }
+
+  /** The line with what was found in bold, cut where it is too long. */
+  static String marked(Place place) {
+    String line = place.text();
+    int from = Math.clamp(place.column() - 1, 0, line.length());
+    int to = Math.clamp((long) from + place.length(), from, line.length());
+    int first = Math.max(0, from - 60);
+    int last = Math.min(line.length(), to + 120);
+    return "<html><nobr>"
+        + (first > 0 ? "\u2026" : "")
+        + escaped(line.substring(first, from).stripLeading())
+        + "<b><u>"
+        + escaped(line.substring(from, to))
+        + "</u></b>"
+        + escaped(line.substring(to, last))
+        + (last < line.length() ? "\u2026" : "");
+  }
+
+  private static String escaped(String text) {
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(" ", "&nbsp;");
+  }
+
+  /** The rows. */
+  private static final class Model extends AbstractTableModel {
+    private final List<Place> places = new ArrayList<>();
+
+    @Override
+    public int getRowCount() {
+      return places.size();
+    }
+
+    @Override
+    public int getColumnCount() {
+      return 2;
+    }
+
+    @Override
+    public String getColumnName(int column) {
+      return column == 0 ? "Place" : "Line";
+    }
+
+    @Override
+    public Object getValueAt(int row, int column) {
+      Place place = places.get(row);
+      return column == 0 ? place.name() + ":" + place.line() : place;
+    }
+  }
+
+  /** A line of code. */
+  private static final class Code extends DefaultTableCellRenderer {
+    @Override
+    public Component getTableCellRendererComponent(
+        JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+      super.getTableCellRendererComponent(table, value, selected, false, row, column);
+      setFont(EditorTheme.codeFont());
+      setText(value instanceof Place place ? marked(place) : "");
+      setForeground(selected ? table.getSelectionForeground() : table.getForeground());
+      return this;
+    }
+  }
+}

@@ -1,0 +1,322 @@
+package org.pendant.desktop.editor;
+
+import java.awt.BorderLayout;
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.function.Function;
+import java.util.function.IntUnaryOperator;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import org.pendant.desktop.editor.text.Place;
+import org.pendant.desktop.editor.text.Span;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.ProgramFile;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.Actions;
+import org.pendant.kit.background.WorkQueue;
+import org.pendant.kit.background.WorkerThread;
+import org.pendant.language.signature.Catalogue;
+
+/** The screen where scripts are written: the open programs as tabs. Lines count from 1. */
+public final class ScriptEditor implements View {
+  /** Its name in settings and commands. */
+  public static final String ID = "script";
+
+  private final Workbench workbench;
+  private final Programs programs;
+  private final WorkQueue worker = new WorkerThread("script-editor");
+  private final JPanel content = new JPanel(new BorderLayout());
+  private final List<EditorListener> listeners = new ArrayList<>();
+  private final List<BreakpointListener> breakpointListeners = new ArrayList<>();
+  private final EditorTabs tabs;
+  private final FindBar find;
+  private final EditorStatus status;
+  private final ProgramCloser closer;
+  private final Navigation navigation;
+  private final QuickOpen quickOpen;
+  private Function<ProgramDocument, SortedSet<Integer>> breakpointMemory =
+      program -> Collections.emptySortedSet();
+  private PlacesSink places = (title, found) -> {};
+
+  /** Where lists of places are shown. */
+  interface PlacesSink {
+    void show(String title, List<Place> places);
+  }
+
+  /** The editor of {@code programs}; it adds its actions to the workbench. */
+  public ScriptEditor(Workbench workbench, Programs programs) {
+    assert EventQueue.isDispatchThread();
+    this.workbench = workbench;
+    this.programs = programs;
+    Catalogue catalogue = workbench.session().controller().builtins();
+    EditorHost editorHost = new Desk();
+    find = new FindBar(this::current);
+    status = new EditorStatus(() -> workbench.show(ProblemsView.ID));
+    closer = new ProgramCloser(workbench, programs, this::current);
+    navigation = new Navigation(programs, this::goTo);
+    quickOpen = new QuickOpen(this, programs, new WorkerThread("script-finder"));
+    tabs =
+        new EditorTabs(
+            programs,
+            program -> {
+              ProgramEditor made =
+                  new ProgramEditor(program, catalogue, worker, editorHost, this::isTaken);
+              made.restoreBreakpoints(breakpointMemory.apply(program));
+              return made;
+            },
+            closer::close,
+            this::tabShown);
+    JPanel south = new JPanel(new BorderLayout());
+    south.add(find, BorderLayout.NORTH);
+    south.add(status, BorderLayout.SOUTH);
+    content.setName("script-editor");
+    content.add(south, BorderLayout.SOUTH);
+    content.add(tabs);
+    addListener(() -> status.show(current()));
+    status.show(current());
+    EditorActions.addTo(workbench.actions(), this);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Script";
+  }
+
+  @Override
+  public JComponent component() {
+    return content;
+  }
+
+  /** Opens a file, or brings it to the front if it is open. */
+  public void open(Path file) {
+    openThen(file, () -> {});
+  }
+
+  /**
+   * Selects a place of the program in front, without taking the focus; columns count characters
+   * from 1.
+   */
+  public void show(int line, int column) {
+    current().show(line, column, 0);
+  }
+
+  /** Marks where a program is. The text does not scroll. */
+  public void setExecution(ProgramDocument program, Execution execution) {
+    editor(program).ifPresent(editor -> editor.setExecution(execution));
+  }
+
+  /**
+   * Shows the script that a program tree generates now.
+   *
+   * @param newLine where each line with a breakpoint is afterwards; 0 for nowhere
+   */
+  public void replaceScript(ProgramDocument program, String text, IntUnaryOperator newLine) {
+    editor(program)
+        .ifPresentOrElse(
+            editor -> editor.replace(text, newLine), () -> program.script().setText(text));
+  }
+
+  /** Shows what is known of the breakpoints of a program, by their lines. */
+  public void showBreakpoints(ProgramDocument program, Map<Integer, BreakpointMark> looks) {
+    editor(program).ifPresent(editor -> editor.showBreakpoints(looks));
+  }
+
+  /** Asks {@code memory} for the breakpoints of programs that are opened again. */
+  public void setBreakpointMemory(Function<ProgramDocument, SortedSet<Integer>> memory) {
+    breakpointMemory = memory;
+  }
+
+  /** The lines of a program that have a breakpoint. */
+  public SortedSet<Integer> breakpoints(ProgramDocument program) {
+    return editor(program).map(ProgramEditor::breakpoints).orElseGet(Collections::emptySortedSet);
+  }
+
+  /** Sets or clears a breakpoint, on the next line where the program can stop. */
+  public void toggleBreakpoint(ProgramDocument program, int line) {
+    editor(program).ifPresent(editor -> editor.toggleBreakpoint(line));
+  }
+
+  /** Tells {@code listener} of breakpoints that are set and cleared. */
+  public void addBreakpointListener(BreakpointListener listener) {
+    breakpointListeners.add(listener);
+  }
+
+  /** Closes the program in front; asks if it has changes that are not saved. */
+  public void close() {
+    closer.close(current());
+  }
+
+  /** Puts a line below the one of the caret, indented as that is. */
+  public void insertLine(String text) {
+    current().area().insertLine(text);
+  }
+
+  /** The line of the caret in the program in front, from 1. */
+  public int caretLine() {
+    ScriptArea area = current().area();
+    return area.lineAt(area.getCaretPosition());
+  }
+
+  ProgramCloser closer() {
+    return closer;
+  }
+
+  Navigation navigation() {
+    return navigation;
+  }
+
+  QuickOpen quickOpen() {
+    return quickOpen;
+  }
+
+  /** Brings the next program to the front, or the one before. */
+  void turn(int steps) {
+    List<ProgramDocument> all = programs.all();
+    int next = Math.floorMod(all.indexOf(programs.current()) + steps, all.size());
+    programs.select(all.get(next));
+    current().area().requestFocusInWindow();
+  }
+
+  private void goTo(ProgramDocument program, int offset) {
+    programs.select(program);
+    workbench.show(ID);
+    current().area().show(new Span(offset, offset));
+    current().area().requestFocusInWindow();
+  }
+
+  ProgramEditor current() {
+    return tabs.current();
+  }
+
+  FindBar find() {
+    return find;
+  }
+
+  Programs programs() {
+    return programs;
+  }
+
+  void addListener(EditorListener listener) {
+    listeners.add(listener);
+  }
+
+  void setPlaces(PlacesSink sink) {
+    places = sink;
+  }
+
+  /** Opens the program of a place and selects it. */
+  void show(Place place) {
+    navigation.left(current());
+    Runnable select =
+        () -> {
+          workbench.show(ID);
+          current().show(place.line(), place.column(), place.length());
+          current().area().requestFocusInWindow();
+        };
+    place.file().ifPresentOrElse(file -> openThen(file, select), select);
+  }
+
+  private void openThen(Path file, Runnable then) {
+    programs
+        .of(file)
+        .ifPresentOrElse(
+            program -> {
+              programs.select(program);
+              then.run();
+            },
+            () -> worker.run(0, () -> read(file, then)));
+  }
+
+  /** On the worker thread. */
+  private void read(Path file, Runnable then) {
+    try {
+      ProgramFile read = ProgramFile.read(file);
+      EventQueue.invokeLater(
+          () -> {
+            programs.select(programs.of(file).orElseGet(() -> ProgramDocument.of(read)));
+            then.run();
+          });
+    } catch (IOException e) {
+      EventQueue.invokeLater(() -> workbench.notify("Not opened: " + e.getMessage()));
+    }
+  }
+
+  private Optional<ProgramEditor> editor(ProgramDocument program) {
+    return tabs.all().stream().filter(each -> each.program() == program).findFirst();
+  }
+
+  /** Whether a key does something in the window, so that texts must leave it alone. */
+  private boolean isTaken(KeyStroke key) {
+    Actions actions = workbench.actions();
+    return actions.all().stream()
+        .anyMatch(action -> key.equals(KeyStroke.getKeyStroke(actions.keysOf(action.id()))));
+  }
+
+  private void tabShown() {
+    find.refresh();
+    tellListeners();
+  }
+
+  private void tellListeners() {
+    listeners.forEach(EditorListener::editorChanged);
+  }
+
+  /** What editors of single programs ask for. */
+  private final class Desk implements EditorHost {
+    @Override
+    public void tell(String sentence) {
+      workbench.notify(sentence);
+    }
+
+    @Override
+    public void run(String action) {
+      workbench.actions().run(action);
+    }
+
+    @Override
+    public void list(String title, List<Place> found) {
+      places.show(title, found);
+      workbench.show(PlacesView.ID);
+    }
+
+    @Override
+    public void changed(ProgramEditor editor) {
+      if (tabs != null && editor == tabs.current()) {
+        tellListeners();
+      }
+    }
+
+    @Override
+    public void leaving(ProgramEditor editor) {
+      navigation.left(editor);
+    }
+
+    @Override
+    public void breakpointsMoved(ProgramEditor editor, SortedMap<Integer, Integer> moves) {
+      breakpointListeners.forEach(each -> each.breakpointsMoved(editor.program(), moves));
+      breakpointsChanged(editor);
+    }
+
+    @Override
+    public void breakpointsChanged(ProgramEditor editor) {
+      breakpointListeners.forEach(
+          each -> each.breakpointsChanged(editor.program(), editor.breakpoints()));
+    }
+  }
+}

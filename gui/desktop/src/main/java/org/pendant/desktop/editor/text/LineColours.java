@@ -1,0 +1,77 @@
+package org.pendant.desktop.editor.text;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import org.pendant.language.service.CharacterOffsets;
+import org.pendant.language.service.HighlightToken;
+import org.pendant.language.service.HighlightToken.Style;
+import org.pendant.language.service.Highlighting;
+import org.pendant.language.signature.Catalogue;
+import org.pendant.language.source.Source;
+
+/**
+ * The colours of every line. Analyses set them all; between two of them a line that has changed is
+ * read alone, with the names that the last analysis knew, so that a key costs one line and not the
+ * text.
+ */
+public final class LineColours {
+  private final Catalogue catalogue;
+  private Map<String, Style> names = Map.of();
+  private List<StyledLine> lines = new ArrayList<>();
+
+  /** Knows no line yet. */
+  public LineColours(Catalogue catalogue) {
+    this.catalogue = catalogue;
+  }
+
+  /** Takes over what an analysis found; whether a line has other colours now. */
+  public boolean set(AnalysedText analysed) {
+    boolean other = !lines.equals(analysed.lines());
+    lines = new ArrayList<>(analysed.lines());
+    names = analysed.names();
+    return other;
+  }
+
+  /**
+   * Moves colours with their lines.
+   *
+   * @param line the first line that changed, from 0
+   * @param removed how many lines went behind it
+   * @param inserted how many came behind it
+   */
+  public void moved(int line, int removed, int inserted) {
+    int from = Math.min(line + 1, lines.size());
+    lines.subList(from, Math.min(from + removed, lines.size())).clear();
+    lines.addAll(from, Collections.nCopies(inserted, new StyledLine("", List.of())));
+  }
+
+  /** The colours of line {@code index} (from 0), which reads {@code text}. */
+  public StyledLine line(int index, CharSequence text) {
+    if (index < lines.size() && lines.get(index).isOf(text)) {
+      return lines.get(index);
+    }
+    StyledLine read = alone(text.toString());
+    while (lines.size() <= index) {
+      lines.add(new StyledLine("", List.of()));
+    }
+    lines.set(index, read);
+    return read;
+  }
+
+  private StyledLine alone(String text) {
+    CharacterOffsets offsets = CharacterOffsets.of(text);
+    StyledLine.Builder line = new StyledLine.Builder();
+    for (HighlightToken token : Highlighting.of(Source.of("line", text), catalogue)) {
+      int start = offsets.toCharacter(token.start());
+      int end = offsets.toCharacter(token.end());
+      Style style = token.style();
+      if (style == Style.UNKNOWN || style == Style.VARIABLE) {
+        style = names.getOrDefault(text.substring(start, end), style);
+      }
+      line.add(style, start, end);
+    }
+    return line.of(text);
+  }
+}

@@ -1,0 +1,110 @@
+package org.pendant.desktop.editor.text;
+
+import org.pendant.language.service.Completion;
+import org.pendant.language.service.Hover;
+import org.pendant.language.service.Quantity;
+import org.pendant.language.service.SignatureHelp;
+import org.pendant.language.signature.Parameter;
+import org.pendant.language.signature.Signature;
+import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+import org.pendant.language.source.ByteText;
+
+/** What popups say, in the HTML that labels understand. */
+public final class RichText {
+  private static final int WIDTH_PX = 250;
+
+  private static final String CODE = "<span style=\"font-family: JetBrains Mono\">";
+
+  private RichText() {}
+
+  /** What is known about a name: its head as code, and sentences. */
+  public static String of(Hover hover) {
+    StringBuilder html = new StringBuilder(code(hover.head()));
+    for (String line : hover.text().split("\n", -1)) {
+      if (!line.isEmpty()) {
+        html.append("<br>").append(escaped(line));
+      }
+    }
+    return page(html.toString());
+  }
+
+  /** Plain text, broken into lines where it is long. */
+  public static String of(String text) {
+    return page(escaped(text));
+  }
+
+  /** A number, in the units that people think in as well. */
+  public static String of(Quantity quantity) {
+    return page(CODE + escaped(QuantityText.of(quantity)) + "</span>");
+  }
+
+  /** The call that is being written, with the present parameter in bold and its unit. */
+  public static String of(SignatureHelp help) {
+    Signature signature = help.signature();
+    StringBuilder html = new StringBuilder();
+    StringBuilder head = new StringBuilder(escaped(signature.name())).append('(');
+    for (int i = 0; i < signature.parameters().size(); i++) {
+      Parameter parameter = signature.parameters().get(i);
+      String text = parameter.name() + (parameter.required() ? "" : "=" + parameter.defaultText());
+      head.append(i == 0 ? "" : ", ");
+      head.append(i == help.active() ? "<b><u>" + escaped(text) + "</u></b>" : escaped(text));
+    }
+    html.append(CODE).append(head).append(")</span>");
+    help.activeParameter()
+        .ifPresent(parameter -> html.append("<br>").append(escaped(described(parameter))));
+    String sentence = firstSentence(signature.documentation());
+    if (!sentence.isEmpty()) {
+      html.append("<br>").append(escaped(sentence));
+    }
+    return page(html.toString());
+  }
+
+  /** What stands beside a completion: head with units, and its sentence. */
+  public static String of(Completion completion) {
+    StringBuilder html = new StringBuilder(code(completion.label()));
+    if (!completion.detail().isEmpty()) {
+      html.append("<br>").append(escaped(completion.detail()));
+    }
+    if (!completion.documentation().isEmpty()) {
+      html.append("<br><br>").append(escaped(completion.documentation()));
+    }
+    return page(html.toString());
+  }
+
+  /** A problem's message. */
+  public static String of(Problem problem) {
+    String word = problem.isError() ? "Error: " : "Warning: ";
+    return page("<b>" + word + "</b>" + escaped(problem.message()));
+  }
+
+  /** {@code html} as a whole page, broken into lines where it is long. */
+  static String page(String html) {
+    String plain = html.replaceAll("<[^>]*>", "");
+    String width = plain.length() > 70 ? " style=\"width: " + WIDTH_PX + "px\"" : "";
+    return "<html><body" + width + ">" + html + "</body></html>";
+  }
+
+  static String described(Parameter parameter) {
+    return parameter.name()
+        + ": "
+        + parameter.type().text()
+        + (parameter.unit() == Unit.NONE || parameter.type() == Type.NONE
+            ? ""
+            : " in " + parameter.unit().symbol())
+        + (parameter.required() ? "" : ", default " + parameter.defaultText());
+  }
+
+  private static String firstSentence(String text) {
+    int end = text.indexOf(". ");
+    return end < 0 ? text : text.substring(0, end + 1);
+  }
+
+  private static String code(String text) {
+    return CODE + escaped(text) + "</span>";
+  }
+
+  private static String escaped(String text) {
+    return ByteText.decoded(text).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+  }
+}

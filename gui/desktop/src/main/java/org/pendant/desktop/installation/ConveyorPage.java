@@ -1,0 +1,213 @@
+package org.pendant.desktop.installation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import org.pendant.controller.encoder.Encoders;
+import org.pendant.controller.installation.ConveyorSetup;
+import org.pendant.controller.installation.Feature;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.form.Measure;
+import org.pendant.kit.layout.Card;
+
+/** Conveyors that programs can follow. */
+final class ConveyorPage implements Page {
+  private static final List<String> DECODERS =
+      List.of("Off", "Quadrature", "Rising and falling edges", "Rising edges", "Falling edges");
+
+  /** Number of configurable_in[0] for the decoder. */
+  private static final int FIRST = 8;
+
+  private static final List<List<Integer>> PAIRS =
+      List.of(List.of(8, 9), List.of(10, 11), List.of(9, 8), List.of(11, 10));
+
+  private final Card card = new Card("Conveyors", "[grow, fill]");
+  private final Items<ConveyorSetup> items;
+  private final JLabel count = new JLabel(" ");
+
+  ConveyorPage(Editing editing) {
+    items =
+        new Items<>(
+            "conveyor",
+            "Conveyors",
+            "No conveyor yet. A conveyor goes along a feature: teach a line on the page Features"
+                + " first.",
+            new Listed<>(editing, Installation::conveyors, (parts, all) -> parts.conveyors = all),
+            each -> "Conveyor " + each.number() + " along " + each.feature());
+    items.adder("Add conveyor", () -> fresh(editing.now()));
+    Form<ConveyorSetup> form = items.form();
+    form.<Integer>choice(
+            "Number",
+            now -> List.of(1, 2),
+            String::valueOf,
+            ConveyorSetup::number,
+            (c, number) -> with(c, number, c.encoder(), c.feature(), c.circular()))
+        .<Integer>choice(
+            "Encoder",
+            now -> List.of(0, 1),
+            String::valueOf,
+            ConveyorSetup::encoder,
+            (c, encoder) -> with(c, c.number(), encoder, c.feature(), c.circular()))
+        .add("Counts now", count)
+        .<String>choice(
+            "Feature",
+            now -> features(editing.now()),
+            name -> name,
+            ConveyorSetup::feature,
+            (c, feature) -> with(c, c.number(), c.encoder(), feature, c.circular()))
+        .check(
+            "Circular",
+            ConveyorSetup::circular,
+            (c, circular) -> with(c, c.number(), c.encoder(), c.feature(), circular))
+        .check(
+            "Tool turns with it",
+            ConveyorSetup::rotateTool,
+            (c, rotate) ->
+                new ConveyorSetup(
+                    c.number(),
+                    c.encoder(),
+                    c.feature(),
+                    c.circular(),
+                    c.ticksPerUnit(),
+                    rotate,
+                    c.decoder(),
+                    c.inputs()))
+        .numberRow(
+            "Ticks per m or turn",
+            Measure.PLAIN,
+            ConveyorSetup::ticksPerUnit,
+            (c, ticks) ->
+                new ConveyorSetup(
+                    c.number(),
+                    c.encoder(),
+                    c.feature(),
+                    c.circular(),
+                    ticks,
+                    c.rotateTool(),
+                    c.decoder(),
+                    c.inputs()))
+        .<Integer>choice(
+            "Pulses",
+            now -> IntStream.range(0, DECODERS.size()).boxed().toList(),
+            DECODERS::get,
+            ConveyorSetup::decoder,
+            (c, type) -> decoded(c, type, inputs(type, c.inputs())))
+        .<List<Integer>>choice(
+            "At inputs",
+            now -> choices(now.decoder()),
+            ConveyorPage::words,
+            ConveyorSetup::inputs,
+            (c, inputs) -> decoded(c, c.decoder(), inputs))
+        .note(
+            "CI 0 to 3 are configurable_in[0] to [3]. A linear conveyor goes along the y axis of"
+                + " its feature, a circular one about the z axis.");
+    card.add(items.component());
+    count.setName("conveyor-count");
+  }
+
+  private static ConveyorSetup fresh(Installation now) {
+    boolean firstTaken = now.conveyors().stream().anyMatch(each -> each.number() == 1);
+    String feature = now.features().stream().findFirst().map(Feature::name).orElse("");
+    return new ConveyorSetup(
+        firstTaken ? 2 : 1,
+        firstTaken ? 1 : 0,
+        feature,
+        false,
+        1000,
+        false,
+        1,
+        firstTaken ? List.of(10, 11) : List.of(8, 9));
+  }
+
+  private static ConveyorSetup with(
+      ConveyorSetup c, int number, int encoder, String feature, boolean circular) {
+    return new ConveyorSetup(
+        number,
+        encoder,
+        feature,
+        circular,
+        c.ticksPerUnit(),
+        c.rotateTool(),
+        c.decoder(),
+        c.inputs());
+  }
+
+  private static ConveyorSetup decoded(ConveyorSetup c, int type, List<Integer> inputs) {
+    return new ConveyorSetup(
+        c.number(),
+        c.encoder(),
+        c.feature(),
+        c.circular(),
+        c.ticksPerUnit(),
+        c.rotateTool(),
+        type,
+        inputs);
+  }
+
+  private static List<Integer> inputs(int type, List<Integer> before) {
+    List<List<Integer>> choices = choices(type);
+    return choices.contains(before)
+        ? before
+        : choices.stream()
+            .filter(each -> !each.isEmpty() && before.contains(each.getFirst()))
+            .findFirst()
+            .orElse(choices.getFirst());
+  }
+
+  private static List<List<Integer>> choices(int type) {
+    return switch (type) {
+      case 0 -> List.of(List.of());
+      case 1 -> PAIRS;
+      default -> List.of(List.of(8), List.of(9), List.of(10), List.of(11));
+    };
+  }
+
+  private static String words(List<Integer> inputs) {
+    return inputs.isEmpty()
+        ? "None"
+        : String.join(" and ", inputs.stream().map(each -> "CI " + (each - FIRST)).toList());
+  }
+
+  private static List<String> features(Installation installation) {
+    List<String> names = new ArrayList<>();
+    installation.features().forEach(each -> names.add(each.name()));
+    return names;
+  }
+
+  @Override
+  public String id() {
+    return "conveyors";
+  }
+
+  @Override
+  public String title() {
+    return "Conveyors";
+  }
+
+  @Override
+  public JComponent component() {
+    return card;
+  }
+
+  @Override
+  public void show() {
+    items.show();
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    Encoders.Counts counts = state.encoders();
+    String words =
+        items
+            .chosen()
+            .map(each -> each.encoder() == 0 ? counts.first() : counts.second())
+            .map(ticks -> ticks + " ticks")
+            .orElse(" ");
+    if (!words.equals(count.getText())) {
+      count.setText(words);
+    }
+  }
+}

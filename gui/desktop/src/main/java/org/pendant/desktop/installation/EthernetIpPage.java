@@ -1,0 +1,63 @@
+package org.pendant.desktop.installation;
+
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JComponent;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.io.WatchdogAction;
+import org.pendant.kit.layout.Card;
+
+/** What the loss of an EtherNet/IP scanner does. */
+final class EthernetIpPage implements Page {
+  private final Editing editing;
+  private final Card card = new Card("EtherNet/IP", "[grow, fill]");
+  private final Form<Installation> form;
+
+  EthernetIpPage(Editing editing) {
+    this.editing = editing;
+    form = new Form<>("ethernet-ip", editing::whole, editing::takeWhole);
+    form.check(
+            "On",
+            now -> now.ethernetIpLoss().isPresent(),
+            (before, on) -> with(before, on ? Optional.of(WatchdogAction.PAUSE) : Optional.empty()))
+        .<WatchdogAction>choice(
+            "When a scanner is lost",
+            now -> List.of(WatchdogAction.values()),
+            action ->
+                switch (action) {
+                  case IGNORE -> "Go on";
+                  case PAUSE -> "Pause the program";
+                  case STOP -> "Stop the program";
+                },
+            now -> now.ethernetIpLoss().orElse(WatchdogAction.IGNORE),
+            (before, action) -> with(before, Optional.of(action)))
+        .note(
+            "The adapter itself is reached while the ports are open: Ports\u2026 in the menu"
+                + " Robot.");
+    card.add(form.component());
+  }
+
+  private static Installation with(Installation before, Optional<WatchdogAction> loss) {
+    return before.with(parts -> parts.ethernetIpLoss = loss);
+  }
+
+  @Override
+  public String id() {
+    return "ethernet-ip";
+  }
+
+  @Override
+  public String title() {
+    return "EtherNet/IP";
+  }
+
+  @Override
+  public JComponent component() {
+    return card;
+  }
+
+  @Override
+  public void show() {
+    form.show(editing.now());
+  }
+}

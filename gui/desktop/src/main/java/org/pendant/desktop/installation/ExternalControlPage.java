@@ -1,0 +1,67 @@
+package org.pendant.desktop.installation;
+
+import javax.swing.JComponent;
+import org.pendant.controller.installation.ControlHost;
+import org.pendant.controller.installation.Installation;
+import org.pendant.kit.layout.Card;
+
+/** Where External Control nodes get their script. */
+final class ExternalControlPage implements Page {
+  private final Editing editing;
+  private final Card card = new Card("External Control", "[grow, fill]");
+  private final Form<Installation> form;
+
+  ExternalControlPage(Editing editing) {
+    this.editing = editing;
+    form = new Form<>("external-control", editing::whole, editing::takeWhole);
+    form.text(
+            "Host",
+            now -> now.controlHost().host(),
+            (before, host) -> with(before, new ControlHost(host.strip(), port(before))))
+        .text(
+            "Port",
+            now -> String.valueOf(port(now)),
+            (before, port) ->
+                with(before, new ControlHost(before.controlHost().host(), read(port))))
+        .note(
+            "The computer whose driver sends the script of External Control nodes when a program"
+                + " starts.");
+    card.add(form.component());
+  }
+
+  private static int port(Installation installation) {
+    return installation.controlHost().port();
+  }
+
+  private static int read(String port) {
+    try {
+      return Integer.parseInt(port.strip());
+    } catch (NumberFormatException e) {
+      throw new IllegalArgumentException("expected a number, such as 50002", e);
+    }
+  }
+
+  private static Installation with(Installation before, ControlHost host) {
+    return before.with(parts -> parts.controlHost = host);
+  }
+
+  @Override
+  public String id() {
+    return "external-control";
+  }
+
+  @Override
+  public String title() {
+    return "External Control";
+  }
+
+  @Override
+  public JComponent component() {
+    return card;
+  }
+
+  @Override
+  public void show() {
+    form.show(editing.now());
+  }
+}

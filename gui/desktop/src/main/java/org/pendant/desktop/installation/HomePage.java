@@ -1,0 +1,74 @@
+package org.pendant.desktop.installation;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Supplier;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import org.pendant.controller.box.BoxSetup;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.form.Measure;
+import org.pendant.kit.layout.Card;
+import org.pendant.models.arm.Joints;
+
+/** Where home is. */
+final class HomePage implements Page {
+  private static final List<String> NAMES =
+      List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
+
+  private final Editing editing;
+  private final Card card = new Card("Home", "[grow, fill]");
+  private final Form<Installation> form;
+
+  HomePage(Editing editing, Supplier<ControllerState> state) {
+    this.editing = editing;
+    form = new Form<>("home", editing::whole, editing::takeWhole);
+    for (int i = 0; i < Joints.COUNT; i++) {
+      int joint = i;
+      form.numberRow(
+          NAMES.get(i),
+          Measure.DEGREE,
+          now -> now.homeRad().get(joint),
+          (before, rad) -> with(before, before.homeRad().with(joint, rad)));
+    }
+    JButton here = button("Set to here", "Make the present joint positions home");
+    here.addActionListener(
+        event -> editing.take(p -> p.homeRad = state.get().arm().targetPositionRad()));
+    JButton standard = button("Standard", "Home is where a robot is when it is switched on");
+    standard.addActionListener(event -> editing.take(p -> p.homeRad = BoxSetup.START_RAD));
+    form.buttons(here, standard);
+    form.note("Where the node Home and the button Home of the Move screen take the arm.");
+    card.add(form.component());
+  }
+
+  private static JButton button(String title, String tip) {
+    JButton button = new JButton(title);
+    Card.compact(button);
+    return Card.named(button, "home-" + title.toLowerCase(Locale.ROOT).replace(' ', '-'), tip);
+  }
+
+  private static Installation with(Installation before, Joints homeRad) {
+    return before.with(parts -> parts.homeRad = homeRad);
+  }
+
+  @Override
+  public String id() {
+    return "home";
+  }
+
+  @Override
+  public String title() {
+    return "Home";
+  }
+
+  @Override
+  public JComponent component() {
+    return card;
+  }
+
+  @Override
+  public void show() {
+    form.show(editing.now());
+  }
+}

@@ -1,0 +1,315 @@
+package org.pendant.desktop.installation;
+
+import java.awt.Component;
+import java.awt.event.ActionEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import javax.swing.AbstractAction;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.DefaultListModel;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.form.Remark;
+import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.Palette;
+
+/**
+ * Several things of one kind: a list of them, buttons, and a form for the chosen one.
+ *
+ * @param <T> immutable
+ */
+final class Items<T> {
+  private static final int ROWS = 6;
+
+  private final String id;
+  private final Model<T> model;
+  private final Function<T, String> words;
+  private final DefaultListModel<T> shown = new DefaultListModel<>();
+  private final JList<T> list = new JList<>(shown);
+  private final JPanel buttons = new JPanel(new WrappingRow(Form.BETWEEN));
+  private final List<JButton> adders = new ArrayList<>();
+  private final JButton remove = new JButton("Remove");
+  private final JButton up = new JButton("Up");
+  private final JButton down = new JButton("Down");
+  private final Remark problem;
+  private final Remark empty;
+  private final Form<T> form;
+  private final JPanel panel =
+      new JPanel(new MigLayout("insets 0, gap 8 6, wrap, hidemode 3", "[grow, fill]"));
+  private int chosen = -1;
+  private boolean showing;
+
+  /** Where the things are kept. */
+  interface Model<T> {
+
+    /** All of them. */
+    List<T> list();
+
+    /** Why there cannot be these in their place; empty if there can. */
+    String refusal(List<T> next);
+
+    /**
+     * Puts others in their place.
+     *
+     * @param before the one that was changed or removed
+     * @param after what it was changed into, or the new one
+     */
+    void take(List<T> next, Optional<T> before, Optional<T> after);
+
+    /** Whether they can be changed now. */
+    default boolean editable() {
+      return true;
+    }
+  }
+
+  /**
+   * Nothing shown yet.
+   *
+   * @param id with which the names of components begin
+   * @param what the list is called
+   * @param words what one is called in it
+   * @param whenEmpty what will be here
+   */
+  Items(String id, String what, String whenEmpty, Model<T> model, Function<T, String> words) {
+    this.id = id;
+    this.model = model;
+    this.words = words;
+    problem = new Remark(id + "-problem", Palette::error);
+    empty = new Remark(id + "-empty", Palette::quiet);
+    empty.say(whenEmpty);
+    form = new Form<>(id, this::refusal, this::replace);
+    Card.named(list, id + "-list", what);
+    list.setVisibleRowCount(ROWS);
+    list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    list.setCellRenderer(new Cell());
+    list.addListSelectionListener(
+        event -> {
+          if (!showing && !event.getValueIsAdjusting()) {
+            choose(list.getSelectedIndex());
+          }
+        });
+    list.getInputMap().put(KeyStroke.getKeyStroke("DELETE"), "remove");
+    list.getActionMap()
+        .put(
+            "remove",
+            new AbstractAction() {
+              @Override
+              public void actionPerformed(ActionEvent event) {
+                remove();
+              }
+            });
+    Card.named(remove, id + "-remove", "Remove the chosen one (Delete)");
+    remove.addActionListener(event -> remove());
+    Card.named(up, id + "-up", "Move the chosen one up");
+    up.addActionListener(event -> move(-1));
+    Card.named(down, id + "-down", "Move the chosen one down");
+    down.addActionListener(event -> move(1));
+    Card.compact(remove, up, down);
+    buttons.setOpaque(false);
+    panel.setOpaque(false);
+    panel.add(new JScrollPane(list), "hmin 60");
+    panel.add(buttons, "wmin 0, pad 0 -" + Form.BETWEEN + " 0 0");
+    panel.add(empty, Remark.LAYOUT);
+    panel.add(problem, Remark.LAYOUT);
+    panel.add(form.component(), "gaptop 6");
+  }
+
+  /** A button that adds one. */
+  Items<T> adder(String title, Supplier<T> fresh) {
+    JButton button = new JButton(title);
+    String word = title.toLowerCase(java.util.Locale.ROOT).replace(' ', '-');
+    Card.named(button, id + "-" + word, title);
+    Card.compact(button);
+    button.addActionListener(event -> add(fresh.get()));
+    adders.add(button);
+    buttons.add(button, adders.size() - 1);
+    return this;
+  }
+
+  /** The form for the chosen one, to be filled with fields. */
+  Form<T> form() {
+    return form;
+  }
+
+  JComponent component() {
+    if (remove.getParent() == null) {
+      buttons.add(remove);
+      buttons.add(up);
+      buttons.add(down);
+    }
+    return panel;
+  }
+
+  /** The chosen one. */
+  Optional<T> chosen() {
+    List<T> all = model.list();
+    return chosen >= 0 && chosen < all.size() ? Optional.of(all.get(chosen)) : Optional.empty();
+  }
+
+  /** The place of the chosen one; -1 for none. */
+  int chosenIndex() {
+    return chosen().isPresent() ? chosen : -1;
+  }
+
+  /** A name that none has: the word with a number behind it. */
+  String freshName(String word) {
+    for (int i = 1; ; i++) {
+      String name = word + "_" + i;
+      if (model.list().stream().map(words).noneMatch(each -> each.startsWith(name))) {
+        return name;
+      }
+    }
+  }
+
+  /** Changes the chosen one. */
+  void replace(T after) {
+    chosen()
+        .ifPresent(
+            before -> {
+              List<T> next = new ArrayList<>(model.list());
+              next.set(chosen, after);
+              attempt(next, Optional.of(before), Optional.of(after));
+            });
+  }
+
+  private String refusal(T after) {
+    if (chosen().isEmpty()) {
+      return "";
+    }
+    List<T> next = new ArrayList<>(model.list());
+    next.set(chosen, after);
+    return model.refusal(next);
+  }
+
+  private void add(T fresh) {
+    List<T> next = new ArrayList<>(model.list());
+    next.add(fresh);
+    int before = chosen;
+    chosen = next.size() - 1;
+    if (attempt(next, Optional.empty(), Optional.of(fresh))) {
+      show(true);
+      focusForm();
+    } else {
+      chosen = before;
+    }
+  }
+
+  /** What is new gets a name first. */
+  private void focusForm() {
+    for (Component each : form.component().getComponents()) {
+      if (each instanceof EntryField field) {
+        field.requestFocusInWindow();
+        field.selectAll();
+        return;
+      }
+    }
+  }
+
+  private void remove() {
+    chosen()
+        .filter(before -> model.editable())
+        .ifPresent(
+            before -> {
+              List<T> next = new ArrayList<>(model.list());
+              next.remove(chosen);
+              if (attempt(next, Optional.of(before), Optional.empty())) {
+                chosen = Math.min(chosen, next.size() - 1);
+                show(true);
+              }
+            });
+  }
+
+  private void move(int by) {
+    int to = chosen + by;
+    List<T> next = new ArrayList<>(model.list());
+    if (chosen().isPresent() && to >= 0 && to < next.size()) {
+      next.add(to, next.remove(chosen));
+      int before = chosen;
+      chosen = to;
+      if (!attempt(next, Optional.empty(), Optional.empty())) {
+        chosen = before;
+      }
+    }
+  }
+
+  private boolean attempt(List<T> next, Optional<T> before, Optional<T> after) {
+    String why = model.refusal(next);
+    problem.say(why);
+    if (why.isEmpty()) {
+      model.take(next, before, after);
+    }
+    return why.isEmpty();
+  }
+
+  private void choose(int index) {
+    if (index != chosen) {
+      chosen = index;
+      problem.say("");
+      show(true);
+    }
+  }
+
+  /** Shows all of them as they are now. */
+  void show() {
+    show(false);
+  }
+
+  private void show(boolean other) {
+    List<T> all = model.list();
+    showing = true;
+    if (!all.equals(java.util.Collections.list(shown.elements()))) {
+      shown.clear();
+      all.forEach(shown::addElement);
+    }
+    boolean moved = chosen >= all.size() || (chosen < 0 && !all.isEmpty());
+    if (moved) {
+      chosen = chosen < 0 && !all.isEmpty() ? 0 : all.size() - 1;
+    }
+    if (list.getSelectedIndex() != chosen) {
+      list.setSelectedIndex(chosen);
+      list.ensureIndexIsVisible(chosen);
+    }
+    showing = false;
+    list.repaint();
+    boolean editable = model.editable();
+    adders.forEach(each -> each.setEnabled(editable));
+    remove.setEnabled(editable && chosen >= 0);
+    up.setEnabled(editable && chosen > 0);
+    down.setEnabled(editable && chosen >= 0 && chosen < all.size() - 1);
+    empty.setVisible(all.isEmpty());
+    form.component().setVisible(chosen().isPresent());
+    chosen()
+        .ifPresent(
+            now -> {
+              if (other || moved) {
+                form.showOther(now);
+              } else {
+                form.show(now);
+              }
+            });
+  }
+
+  /** What one is called. */
+  @SuppressWarnings("serial") // never written to a stream
+  private final class Cell extends DefaultListCellRenderer {
+    @Override
+    @SuppressWarnings("unchecked") // the list holds nothing else
+    public Component getListCellRendererComponent(
+        JList<?> of, Object item, int index, boolean selected, boolean focused) {
+      Component cell = super.getListCellRendererComponent(of, item, index, selected, focused);
+      ((JLabel) cell).setText(words.apply((T) item));
+      return cell;
+    }
+  }
+}

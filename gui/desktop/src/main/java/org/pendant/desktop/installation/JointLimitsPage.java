@@ -1,0 +1,145 @@
+package org.pendant.desktop.installation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BiFunction;
+import java.util.function.Function;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingConstants;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.safety.SafetyLimits;
+import org.pendant.kit.form.Measure;
+import org.pendant.kit.layout.Card;
+import org.pendant.models.arm.Joints;
+
+/** Speeds and ranges of the joints, normal and reduced. */
+final class JointLimitsPage implements Page {
+  private static final String NONE = "none";
+  private static final List<String> NAMES =
+      List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
+
+  private final SafetyDraft draft;
+  private final Card card = new Card("Joint limits", "[grow, fill]");
+  private final SafetyBar bar;
+  private final Form<SafetyConfiguration> form;
+  private final List<EntryField> fields = new ArrayList<>();
+
+  JointLimitsPage(SafetyDraft draft) {
+    this.draft = draft;
+    bar = new SafetyBar(draft, "joints");
+    form = new Form<>("joints", draft::refusal, draft::edit);
+    form.heading("Normal");
+    addSet("normal", SafetyConfiguration::normal, LimitsPage::withNormal);
+    form.heading("Reduced");
+    addSet(
+        "reduced", SafetyConfiguration::reduced, (c, limits) -> c.withLimits(c.normal(), limits));
+    form.note("In deg/s and deg; none: no limit but that of the arm.");
+    card.add(bar.component());
+    card.add(form.component());
+    draft.addListener(this::show);
+  }
+
+  private void addSet(
+      String set,
+      Function<SafetyConfiguration, SafetyLimits> get,
+      BiFunction<SafetyConfiguration, SafetyLimits, SafetyConfiguration> with) {
+    JPanel grid =
+        new JPanel(
+            new MigLayout(
+                "insets 0, gap 8 6, wrap 4",
+                "[]12[50:100:120, fill][50:100:120, fill][50:100:120, fill]"));
+    grid.setOpaque(false);
+    for (String head : List.of("", "Speed", "From", "To")) {
+      grid.add(new JLabel(head));
+    }
+    List<EntryField> mine = new ArrayList<>();
+    for (int i = 0; i < Joints.COUNT; i++) {
+      int joint = i;
+      EntryField speed =
+          form.number(
+              set + "-speed-" + i,
+              NAMES.get(i) + " speed",
+              Measure.DEGREE_PER_S,
+              now -> get.apply(now).jointSpeedRadPerS().get(joint),
+              (c, value) -> {
+                SafetyLimits l = get.apply(c);
+                return with.apply(
+                    c,
+                    joints(
+                        l,
+                        l.jointSpeedRadPerS().with(joint, value),
+                        l.jointMinRad(),
+                        l.jointMaxRad()));
+              });
+      EntryField from =
+          form.entry(
+              set + "-from-" + i,
+              NAMES.get(i) + " from",
+              now -> words(get.apply(now).jointMinRad().get(joint)),
+              (c, text) -> {
+                SafetyLimits l = get.apply(c);
+                Joints min = l.jointMinRad().with(joint, angle(text, Double.NEGATIVE_INFINITY));
+                return with.apply(c, joints(l, l.jointSpeedRadPerS(), min, l.jointMaxRad()));
+              });
+      EntryField to =
+          form.entry(
+              set + "-to-" + i,
+              NAMES.get(i) + " to",
+              now -> words(get.apply(now).jointMaxRad().get(joint)),
+              (c, text) -> {
+                SafetyLimits l = get.apply(c);
+                Joints max = l.jointMaxRad().with(joint, angle(text, Double.POSITIVE_INFINITY));
+                return with.apply(c, joints(l, l.jointSpeedRadPerS(), l.jointMinRad(), max));
+              });
+      from.setHorizontalAlignment(SwingConstants.TRAILING);
+      to.setHorizontalAlignment(SwingConstants.TRAILING);
+      JLabel label = new JLabel(NAMES.get(i));
+      label.setLabelFor(speed);
+      grid.add(label);
+      for (EntryField each : List.of(speed, from, to)) {
+        grid.add(each, "wmin 50, wmax 120");
+        mine.add(each);
+      }
+    }
+    form.grid(grid, mine);
+    fields.addAll(mine);
+  }
+
+  private static SafetyLimits joints(SafetyLimits l, Joints speed, Joints min, Joints max) {
+    return LimitKind.limits(LimitKind.values(l), speed, min, max);
+  }
+
+  private static double angle(String text, double none) {
+    return text.strip().equals(NONE) ? none : Measure.DEGREE.parse(text);
+  }
+
+  /** A limit of a range in deg. */
+  static String words(double rad) {
+    return Double.isInfinite(rad) ? NONE : Measure.DEGREE.text(rad);
+  }
+
+  @Override
+  public String id() {
+    return "joint-limits";
+  }
+
+  @Override
+  public String title() {
+    return "Joints";
+  }
+
+  @Override
+  public JComponent component() {
+    return card;
+  }
+
+  @Override
+  public void show() {
+    bar.show();
+    form.show(draft.shown());
+    fields.forEach(each -> each.setEnabled(draft.unlocked()));
+  }
+}

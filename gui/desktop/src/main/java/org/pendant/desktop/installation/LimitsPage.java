@@ -1,0 +1,135 @@
+package org.pendant.desktop.installation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.safety.SafetyLimits;
+import org.pendant.kit.layout.Card;
+import org.pendant.models.arm.Joints;
+
+/** The limits of the robot as a whole, normal and reduced. */
+final class LimitsPage implements Page {
+  private final Editing editing;
+  private final SafetyDraft draft;
+  private final Card card = new Card("Safety limits", "[grow, fill]");
+  private final SafetyBar bar;
+  private final Form<SafetyConfiguration> form;
+  private final List<JComponent> locked = new ArrayList<>();
+
+  LimitsPage(Editing editing, SafetyDraft draft) {
+    this.editing = editing;
+    this.draft = draft;
+    bar = new SafetyBar(draft, "limits");
+    form = new Form<>("limits", draft::refusal, draft::edit);
+    JPanel grid =
+        new JPanel(
+            new MigLayout(
+                "insets 0, gap 8 6, wrap 4",
+                "[]12[60:110:130, fill][60:110:130, fill][grow, left]"));
+    grid.setOpaque(false);
+    grid.add(new JLabel());
+    grid.add(new JLabel("Normal"));
+    grid.add(new JLabel("Reduced"));
+    grid.add(new JLabel());
+    List<EntryField> fields = new ArrayList<>();
+    for (LimitKind kind : LimitKind.values()) {
+      String name = kind.title().toLowerCase(Locale.ROOT).replace(' ', '-');
+      EntryField normal =
+          form.number(
+              "normal-" + name,
+              "Normal " + kind.title().toLowerCase(Locale.ROOT),
+              kind.unit(),
+              now -> kind.of(now.normal()),
+              (c, value) -> withNormal(c, kind.with(c.normal(), value)));
+      EntryField reduced =
+          form.number(
+              "reduced-" + name,
+              "Reduced " + kind.title().toLowerCase(Locale.ROOT),
+              kind.unit(),
+              now -> kind.of(now.reduced()),
+              (c, value) -> c.withLimits(c.normal(), kind.with(c.reduced(), value)));
+      JLabel label = new JLabel(kind.title());
+      label.setLabelFor(normal);
+      grid.add(label);
+      grid.add(normal, "wmin 60, wmax 140");
+      grid.add(reduced, "wmin 60, wmax 140");
+      grid.add(new JLabel(kind.unit().symbol()));
+      fields.add(normal);
+      fields.add(reduced);
+    }
+    form.grid(grid, fields);
+    JButton standard = preset("Standard", 1);
+    JButton half = preset("Half", 0.5);
+    JButton quarter = preset("Quarter", 0.25);
+    form.heading("Presets").buttons(standard, half, quarter);
+    form.note(
+        "Standard is what the arm's data sheet allows; half and quarter have that part of its"
+            + " power, momentum and speeds. Lower normal limits lower the reduced ones.");
+    locked.addAll(fields);
+    locked.addAll(List.of(standard, half, quarter));
+    card.add(bar.component());
+    card.add(form.component());
+    draft.addListener(this::show);
+  }
+
+  /** Reduced limits are never wider than the normal ones. */
+  static SafetyConfiguration withNormal(SafetyConfiguration c, SafetyLimits normal) {
+    return c.withLimits(normal, LimitKind.within(c.reduced(), normal));
+  }
+
+  private JButton preset(String title, double part) {
+    JButton button = new JButton(title);
+    Card.compact(button);
+    Card.named(button, "limits-" + title.toLowerCase(Locale.ROOT), title + " of the limits");
+    button.addActionListener(event -> draft.edit(scaled(part)));
+    return button;
+  }
+
+  private SafetyConfiguration scaled(double part) {
+    SafetyConfiguration standard = SafetyConfiguration.standard(editing.arm());
+    SafetyConfiguration now = draft.shown();
+    return now.withLimits(scaled(standard.normal(), part), scaled(standard.reduced(), part));
+  }
+
+  private static SafetyLimits scaled(SafetyLimits limits, double part) {
+    Map<LimitKind, Double> v = LimitKind.values(limits);
+    for (LimitKind each :
+        List.of(LimitKind.POWER, LimitKind.MOMENTUM, LimitKind.TOOL_SPEED, LimitKind.ELBOW_SPEED)) {
+      v.put(each, part * each.of(limits));
+    }
+    double[] speed = limits.jointSpeedRadPerS().toArray();
+    for (int i = 0; i < speed.length; i++) {
+      speed[i] *= part;
+    }
+    return LimitKind.limits(v, Joints.of(speed), limits.jointMinRad(), limits.jointMaxRad());
+  }
+
+  @Override
+  public String id() {
+    return "limits";
+  }
+
+  @Override
+  public String title() {
+    return "Limits";
+  }
+
+  @Override
+  public JComponent component() {
+    return card;
+  }
+
+  @Override
+  public void show() {
+    bar.show();
+    form.show(draft.shown());
+    locked.forEach(each -> each.setEnabled(draft.unlocked()));
+  }
+}

@@ -1,0 +1,155 @@
+package org.pendant.desktop.installation;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import org.pendant.controller.external.ModbusKind;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.ModbusSetup;
+import org.pendant.controller.modbus.ModbusSignalState;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.form.Measure;
+import org.pendant.kit.layout.Card;
+
+/** Signals at Modbus devices. */
+final class ModbusPage implements Page {
+  private static final List<ModbusKind> KINDS =
+      Arrays.stream(ModbusKind.values())
+          .filter(kind -> kind != ModbusKind.READ_WRITE_REGISTERS)
+          .toList();
+
+  private final Card card = new Card("Modbus", "[grow, fill]");
+  private final Items<ModbusSetup> items;
+  private final JLabel value = new JLabel(" ");
+  private final JLabel status = new JLabel(" ");
+
+  ModbusPage(Editing editing) {
+    items =
+        new Items<>(
+            "modbus",
+            "Modbus signals",
+            "No signal yet. A signal at a Modbus device is exchanged as long as the controller is"
+                + " on, and programs use it by its name.",
+            new Listed<>(editing, Installation::modbus, (parts, all) -> parts.modbus = all),
+            each ->
+                each.name()
+                    + "  at "
+                    + each.device()
+                    + ", "
+                    + each.kind().words()
+                    + " "
+                    + each.address());
+    items.adder("Add signal", () -> fresh(editing.now()));
+    items
+        .form()
+        .text(
+            "Name",
+            ModbusSetup::name,
+            (m, name) ->
+                new ModbusSetup(
+                    name.strip(), m.device(), m.unit(), m.kind(), m.address(), m.updateHz()))
+        .text(
+            "Device",
+            ModbusSetup::device,
+            (m, device) ->
+                new ModbusSetup(
+                    m.name(), device.strip(), m.unit(), m.kind(), m.address(), m.updateHz()))
+        .numberRow(
+            "Unit",
+            Measure.COUNT,
+            ModbusSetup::unit,
+            (m, unit) ->
+                new ModbusSetup(
+                    m.name(), m.device(), whole(unit), m.kind(), m.address(), m.updateHz()))
+        .<ModbusKind>choice(
+            "Kind",
+            now -> KINDS,
+            kind ->
+                kind.words().substring(0, 1).toUpperCase(Locale.ROOT) + kind.words().substring(1),
+            ModbusSetup::kind,
+            (m, kind) ->
+                new ModbusSetup(m.name(), m.device(), m.unit(), kind, m.address(), m.updateHz()))
+        .numberRow(
+            "Address",
+            Measure.COUNT,
+            ModbusSetup::address,
+            (m, address) ->
+                new ModbusSetup(
+                    m.name(), m.device(), m.unit(), m.kind(), whole(address), m.updateHz()))
+        .numberRow(
+            "Rate",
+            Measure.HERTZ,
+            ModbusSetup::updateHz,
+            (m, hz) ->
+                new ModbusSetup(m.name(), m.device(), m.unit(), m.kind(), m.address(), whole(hz)))
+        .add("Value now", value)
+        .add("State", status)
+        .note("A device is an address, with a port after a colon where it is not 502.");
+    value.setName("modbus-value");
+    status.setName("modbus-state");
+    card.add(items.component());
+  }
+
+  private static int whole(double number) {
+    if (number != Math.rint(number)) {
+      throw new IllegalArgumentException("it is " + number + ", must be a whole number");
+    }
+    return (int) number;
+  }
+
+  private ModbusSetup fresh(Installation now) {
+    String device = now.modbus().isEmpty() ? "127.0.0.1" : now.modbus().getLast().device();
+    return new ModbusSetup(items.freshName("MODBUS"), device, 1, ModbusKind.DIGITAL_OUTPUT, 0, 10);
+  }
+
+  @Override
+  public String id() {
+    return "modbus";
+  }
+
+  @Override
+  public String title() {
+    return "Modbus";
+  }
+
+  @Override
+  public JComponent component() {
+    return card;
+  }
+
+  @Override
+  public void show() {
+    items.show();
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    String wanted = items.chosen().map(ModbusSetup::name).orElse("");
+    List<ModbusSignalState> found =
+        state.modbus().stream().filter(each -> each.name().equals(wanted)).toList();
+    say(value, found.isEmpty() || !found.getFirst().valid() ? "-" : words(found.getFirst()));
+    say(status, found.isEmpty() ? "not at the controller yet" : state(found.getFirst()));
+  }
+
+  private static String words(ModbusSignalState signal) {
+    return String.join(", ", signal.values().stream().map(String::valueOf).toList());
+  }
+
+  private static String state(ModbusSignalState signal) {
+    if (signal.connectionError() != 0) {
+      return "no connection (" + signal.connectionError() + ")";
+    }
+    if (signal.deviceError() != 0) {
+      return "the device refuses it (" + signal.deviceError() + ")";
+    }
+    return signal.valid() ? "connected" : "waiting for the device";
+  }
+
+  private static void say(JLabel label, String text) {
+    if (!label.getText().equals(text)) {
+      label.setText(text);
+    }
+  }
+}

@@ -1,0 +1,23 @@
+package org.pendant.desktop.installation;
+
+import javax.swing.JComponent;
+import org.pendant.controller.state.ControllerState;
+
+/** A page of the Installation screen. */
+interface Page {
+
+  /** Stable name, such as {@code tcp}. */
+  String id();
+
+  /** What people read in the list of pages. */
+  String title();
+
+  /** What is shown; the same component always. */
+  JComponent component();
+
+  /** Shows the installation as it is now. */
+  void show();
+
+  /** Shows the newest snapshot, while the page is visible. */
+  default void refresh(ControllerState state) {}
+}

@@ -1,0 +1,97 @@
+package org.pendant.desktop.installation;
+
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.form.Remark;
+import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.Palette;
+
+/** Unlocks the safety configuration, and applies it after showing what changes. */
+final class SafetyBar {
+  private final SafetyDraft draft;
+  private final JPanel panel =
+      new JPanel(new MigLayout("insets 0, gap 8 6, wrap, hidemode 3", "[grow, fill]"));
+  private final JLabel checksum = new JLabel();
+  private final Remark state;
+  private final Remark summary;
+  private final JButton unlock = new JButton("Unlock");
+  private final JButton apply = new JButton("Apply\u2026");
+  private final JButton discard = new JButton("Discard");
+  private final JButton really = new JButton("Apply and power off");
+  private final JButton back = new JButton("Back");
+  private boolean asking;
+
+  /**
+   * A bar.
+   *
+   * @param page with which the names of its components begin
+   */
+  SafetyBar(SafetyDraft draft, String page) {
+    this.draft = draft;
+    state = new Remark(page + "-lock-state", Palette::quiet);
+    summary = new Remark(page + "-changes", Palette::warning);
+    Card.named(unlock, page + "-unlock", "Change the safety configuration");
+    unlock.addActionListener(event -> draft.unlock());
+    Card.named(apply, page + "-apply", "Show what changes, then apply it");
+    apply.addActionListener(event -> ask(true));
+    Card.named(discard, page + "-discard", "Forget the changes, and lock");
+    discard.addActionListener(event -> draft.discard());
+    Card.named(really, page + "-apply-really", "Apply the changes; the arm is powered off");
+    really.addActionListener(
+        event -> {
+          asking = false;
+          draft.apply();
+          unlock.requestFocusInWindow();
+        });
+    Card.named(back, page + "-apply-back", "Do not apply them yet");
+    back.addActionListener(event -> ask(false));
+    Card.compact(unlock, apply, discard, really, back);
+    JPanel row = new JPanel(new WrappingRow(Form.BETWEEN));
+    row.setOpaque(false);
+    List.of(unlock, apply, discard, really, back).forEach(row::add);
+    row.add(checksum);
+    checksum.setName(page + "-checksum");
+    panel.setOpaque(false);
+    panel.add(row, "wmin 0, pad 0 -" + Form.BETWEEN + " 0 0");
+    panel.add(state, Remark.LAYOUT);
+    panel.add(summary, Remark.LAYOUT);
+    draft.addListener(
+        () -> {
+          asking = asking && draft.changed();
+          show();
+        });
+  }
+
+  JComponent component() {
+    return panel;
+  }
+
+  private void ask(boolean on) {
+    asking = on;
+    show();
+    (on ? back : apply).requestFocusInWindow();
+  }
+
+  void show() {
+    boolean unlocked = draft.unlocked();
+    unlock.setVisible(!unlocked);
+    apply.setVisible(unlocked && !asking);
+    apply.setEnabled(draft.changed());
+    discard.setVisible(unlocked && !asking);
+    really.setVisible(unlocked && asking);
+    back.setVisible(unlocked && asking);
+    checksum.setText("Checksum " + draft.checksum());
+    state.say(
+        !unlocked
+            ? "Locked. Unlock to change it; nothing holds before you apply it."
+            : draft.changed()
+                ? "Changed, not applied yet: the controller still has what was there."
+                : "Unlocked. Nothing has changed yet.");
+    summary.say(asking ? String.join("\n", draft.changes()) : "");
+  }
+}

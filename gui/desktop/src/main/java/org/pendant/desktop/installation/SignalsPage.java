@@ -1,0 +1,168 @@
+package org.pendant.desktop.installation;
+
+import java.awt.event.ActionEvent;
+import java.util.Locale;
+import javax.swing.AbstractAction;
+import javax.swing.DefaultCellEditor;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import javax.swing.table.TableCellEditor;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.form.Remark;
+import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.Typed;
+import org.pendant.kit.theme.Palette;
+
+/** Names, uses and levels of all signals. */
+final class SignalsPage implements Page {
+  private static final int ROWS = 14;
+  private static final int LIVE_MS = 100;
+
+  private final Card card = new Card("I/O", "[grow, fill]");
+  private final SignalTable model;
+  private final SignalsTable table;
+  private final Remark problem = new Remark("signals-problem", Palette::error);
+  private final JTextField filter = new JTextField(12);
+  private final JComboBox<SignalTable.Group> group = new JComboBox<>(SignalTable.Group.values());
+  private long shownNs;
+
+  SignalsPage(Editing editing) {
+    model = new SignalTable(editing, problem::say);
+    table = new SignalsTable(model);
+    Card.named(table, "signals-table", "Signals: F2 changes the chosen cell");
+    table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    table.setCellSelectionEnabled(true);
+    table.putClientProperty("terminateEditOnFocusLost", true);
+    table.getTableHeader().setReorderingAllowed(false);
+    int[] widths = {130, 150, 190, 90, 80};
+    for (int i = 0; i < widths.length; i++) {
+      table.getColumnModel().getColumn(i).setPreferredWidth(widths[i]);
+    }
+    Card.named(group, "signals-group", "Which signals are listed");
+    group.addActionListener(
+        event -> {
+          stop();
+          model.show(group.getItemAt(Math.max(0, group.getSelectedIndex())), filter.getText());
+        });
+    Card.named(filter, "signals-filter", "Part of a signal or name");
+    filter.putClientProperty("JTextField.placeholderText", "Filter");
+    filter
+        .getDocument()
+        .addDocumentListener(
+            new Typed(
+                () -> {
+                  stop();
+                  model.show(
+                      group.getItemAt(Math.max(0, group.getSelectedIndex())), filter.getText());
+                }));
+    JPanel head = new JPanel(new MigLayout("insets 0, gap 8", "[][][grow, fill]"));
+    head.setOpaque(false);
+    JLabel label = new JLabel("Show");
+    label.setLabelFor(group);
+    head.add(label);
+    head.add(group);
+    head.add(filter, "wmin 60");
+    card.add(head, "wmin 0");
+    JScrollPane scroll = new JScrollPane(table);
+    scroll.setName("signals-scroll");
+    card.add(scroll, "wmin 0, h " + ROWS + "*24");
+    card.add(problem, Remark.LAYOUT);
+    Remark note = new Remark("signals-note", Palette::quiet);
+    note.say(
+        "Use: what a high input does, or what an output does when programs start and end. The level"
+            + " is that of the controller now.");
+    card.add(note, Remark.LAYOUT);
+    table
+        .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+        .put(KeyStroke.getKeyStroke("ENTER"), "edit-cell");
+    table
+        .getActionMap()
+        .put(
+            "edit-cell",
+            new AbstractAction() {
+              @Override
+              public void actionPerformed(ActionEvent event) {
+                if (table.isEditing()) {
+                  stop();
+                } else if (table.getSelectedRow() >= 0
+                    && table.editCellAt(table.getSelectedRow(), table.getSelectedColumn())) {
+                  table.getEditorComponent().requestFocusInWindow();
+                }
+              }
+            });
+  }
+
+  private void stop() {
+    if (table.isEditing()) {
+      table.getCellEditor().stopCellEditing();
+    }
+  }
+
+  /** A table whose rows offer what their signals can do. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class SignalsTable extends JTable {
+    private final transient SignalTable signals;
+
+    SignalsTable(SignalTable signals) {
+      super(signals);
+      this.signals = signals;
+    }
+
+    @Override
+    public TableCellEditor getCellEditor(int row, int column) {
+      if (column == SignalTable.NAME) {
+        return super.getCellEditor(row, column);
+      }
+      JComboBox<String> box =
+          Card.named(
+              new JComboBox<>(signals.choices(row, column).toArray(new String[0])),
+              "signals-editor",
+              signals.getColumnName(column).toLowerCase(Locale.ROOT));
+      return new DefaultCellEditor(box);
+    }
+
+    @Override
+    public void updateUI() {
+      super.updateUI();
+      setRowHeight(Math.max(getRowHeight(), getFontMetrics(getFont()).getHeight() * 3 / 2));
+    }
+  }
+
+  @Override
+  public String id() {
+    return "signals";
+  }
+
+  @Override
+  public String title() {
+    return "I/O";
+  }
+
+  @Override
+  public JComponent component() {
+    return card;
+  }
+
+  @Override
+  public void show() {
+    if (!table.isEditing()) {
+      model.follow();
+    }
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    if (System.nanoTime() - shownNs > LIVE_MS * 1_000_000L) {
+      shownNs = System.nanoTime();
+      model.take(state);
+    }
+  }
+}

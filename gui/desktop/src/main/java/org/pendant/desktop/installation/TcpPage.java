@@ -1,0 +1,97 @@
+package org.pendant.desktop.installation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.InstallationParts;
+import org.pendant.controller.installation.NamedTool;
+import org.pendant.kit.layout.Card;
+import org.pendant.models.pose.Pose;
+
+/** The TCPs, and the one that is active when a program starts. */
+final class TcpPage implements Page {
+  private final Editing editing;
+  private final Card card = new Card("TCP", "[grow, fill]");
+  private final Items<NamedTool> items;
+  private final Form<Installation> active;
+
+  TcpPage(Editing editing, RotationChoice rotation) {
+    this.editing = editing;
+    items =
+        new Items<>(
+            "tcp",
+            "TCPs",
+            "No TCP yet: programs move the flange. Add one and type where it is.",
+            new Listed<>(
+                editing, Installation::tools, (parts, all) -> parts.tools = all, TcpPage::follow),
+            tool -> tool.name() + (isActive(tool) ? "  (active)" : ""));
+    items.adder("Add TCP", () -> new NamedTool(items.freshName("TCP"), Pose.ZERO));
+    Form<NamedTool> form = items.form();
+    form.text(
+        "Name", NamedTool::name, (before, name) -> new NamedTool(name.strip(), before.inFlange()));
+    PoseRows.addTo(
+        form,
+        "tcp",
+        rotation,
+        NamedTool::inFlange,
+        (before, pose) -> new NamedTool(before.name(), pose),
+        now -> true);
+    JButton set = new JButton("Set TCP");
+    Card.named(set, "tcp-set", "Make this the active TCP");
+    set.addActionListener(
+        event -> items.chosen().ifPresent(tool -> editing.take(p -> p.activeTool = tool.name())));
+    form.buttons(set);
+    form.note("Where the TCP is in the flange, and how it is turned.");
+    active = new Form<>("tcp-active", editing::whole, editing::takeWhole);
+    active.choice(
+        "Active TCP",
+        TcpPage::names,
+        name -> name.isEmpty() ? "None: the flange" : name,
+        Installation::activeTool,
+        (before, name) -> before.with(parts -> parts.activeTool = name));
+    card.add(active.component());
+    card.add(items.component());
+    rotation.addListener(this::show);
+  }
+
+  private boolean isActive(NamedTool tool) {
+    return tool.name().equals(editing.now().activeTool());
+  }
+
+  private static List<String> names(Installation installation) {
+    List<String> names = new ArrayList<>(List.of(""));
+    installation.tools().forEach(each -> names.add(each.name()));
+    return names;
+  }
+
+  private static void follow(
+      InstallationParts parts, Optional<NamedTool> before, Optional<NamedTool> after) {
+    if (before.isPresent() && before.get().name().equals(parts.activeTool)) {
+      parts.activeTool = after.map(NamedTool::name).orElse("");
+    }
+  }
+
+  @Override
+  public String id() {
+    return "tcp";
+  }
+
+  @Override
+  public String title() {
+    return "TCP";
+  }
+
+  @Override
+  public JComponent component() {
+    return card;
+  }
+
+  @Override
+  public void show() {
+    active.show(editing.now());
+    items.show();
+  }
+}

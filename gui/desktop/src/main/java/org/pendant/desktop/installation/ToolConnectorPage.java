@@ -1,0 +1,205 @@
+package org.pendant.desktop.installation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.UnaryOperator;
+import javax.swing.JComponent;
+import org.pendant.controller.installation.Wiring;
+import org.pendant.controller.io.ToolCommunication;
+import org.pendant.controller.io.ToolOutputMode;
+import org.pendant.controller.io.ToolPinMode;
+import org.pendant.kit.form.Measure;
+import org.pendant.kit.layout.Card;
+
+/** How the connector at the tool flange is used. */
+final class ToolConnectorPage implements Page {
+  private final Editing editing;
+  private final Card card = new Card("Tool connector", "[grow, fill]");
+  private final Form<Wiring> form;
+
+  ToolConnectorPage(Editing editing) {
+    this.editing = editing;
+    form =
+        new Form<>(
+            "tool-connector",
+            next -> editing.refusal(parts -> parts.wiring = next),
+            next -> editing.take(parts -> parts.wiring = next));
+    form.<Integer>choice(
+            "Voltage",
+            now -> List.of(0, 12, 24),
+            v -> v + " V",
+            Wiring::toolVoltage,
+            (w, v) -> outputs(w, v, w.toolOutputMode(), w.toolPins()))
+        .<ToolOutputMode>choice(
+            "Outputs",
+            now -> List.of(ToolOutputMode.values()),
+            mode ->
+                switch (mode) {
+                  case DIGITAL -> "Digital";
+                  case DUAL_PIN_POWER -> "Dual pin power";
+                },
+            Wiring::toolOutputMode,
+            (w, mode) -> outputs(w, w.toolVoltage(), mode, w.toolPins()));
+    for (int i = 0; i < 2; i++) {
+      int pin = i;
+      form.<ToolPinMode>choice(
+          "Output " + i,
+          now -> List.of(ToolPinMode.values()),
+          ToolConnectorPage::words,
+          now -> now.toolPins().get(pin),
+          (w, mode) -> {
+            List<ToolPinMode> pins = new ArrayList<>(w.toolPins());
+            pins.set(pin, mode);
+            return outputs(w, w.toolVoltage(), w.toolOutputMode(), pins);
+          });
+    }
+    addLine();
+    card.add(form.component());
+  }
+
+  private void addLine() {
+    form.heading("Serial line")
+        .check(
+            "On",
+            now -> now.toolCommunication().enabled(),
+            (w, on) ->
+                line(
+                    w,
+                    c ->
+                        new ToolCommunication(
+                            on,
+                            c.baudRate(),
+                            c.parity(),
+                            c.stopBits(),
+                            c.rxIdleChars(),
+                            c.txIdleChars())))
+        .<Integer>choice(
+            "Baud rate",
+            now -> ToolCommunication.BAUD_RATES,
+            String::valueOf,
+            now -> now.toolCommunication().baudRate(),
+            (w, rate) ->
+                line(
+                    w,
+                    c ->
+                        new ToolCommunication(
+                            c.enabled(),
+                            rate,
+                            c.parity(),
+                            c.stopBits(),
+                            c.rxIdleChars(),
+                            c.txIdleChars())))
+        .<ToolCommunication.Parity>choice(
+            "Parity",
+            now -> List.of(ToolCommunication.Parity.values()),
+            parity ->
+                switch (parity) {
+                  case NONE -> "None";
+                  case ODD -> "Odd";
+                  case EVEN -> "Even";
+                },
+            now -> now.toolCommunication().parity(),
+            (w, parity) ->
+                line(
+                    w,
+                    c ->
+                        new ToolCommunication(
+                            c.enabled(),
+                            c.baudRate(),
+                            parity,
+                            c.stopBits(),
+                            c.rxIdleChars(),
+                            c.txIdleChars())))
+        .<Integer>choice(
+            "Stop bits",
+            now -> List.of(1, 2),
+            String::valueOf,
+            now -> now.toolCommunication().stopBits(),
+            (w, bits) ->
+                line(
+                    w,
+                    c ->
+                        new ToolCommunication(
+                            c.enabled(),
+                            c.baudRate(),
+                            c.parity(),
+                            bits,
+                            c.rxIdleChars(),
+                            c.txIdleChars())))
+        .numberRow(
+            "RX idle characters",
+            Measure.PLAIN,
+            now -> now.toolCommunication().rxIdleChars(),
+            (w, chars) ->
+                line(
+                    w,
+                    c ->
+                        new ToolCommunication(
+                            c.enabled(),
+                            c.baudRate(),
+                            c.parity(),
+                            c.stopBits(),
+                            chars.floatValue(),
+                            c.txIdleChars())))
+        .numberRow(
+            "TX idle characters",
+            Measure.PLAIN,
+            now -> now.toolCommunication().txIdleChars(),
+            (w, chars) ->
+                line(
+                    w,
+                    c ->
+                        new ToolCommunication(
+                            c.enabled(),
+                            c.baudRate(),
+                            c.parity(),
+                            c.stopBits(),
+                            c.rxIdleChars(),
+                            chars.floatValue())));
+  }
+
+  private static Wiring outputs(
+      Wiring w, int voltage, ToolOutputMode mode, List<ToolPinMode> pins) {
+    return new Wiring(
+        w.analogIn(), w.analogOut(), w.toolAnalogIn(), voltage, mode, pins, w.toolCommunication());
+  }
+
+  private static Wiring line(Wiring w, UnaryOperator<ToolCommunication> change) {
+    return new Wiring(
+        w.analogIn(),
+        w.analogOut(),
+        w.toolAnalogIn(),
+        w.toolVoltage(),
+        w.toolOutputMode(),
+        w.toolPins(),
+        change.apply(w.toolCommunication()));
+  }
+
+  private static String words(ToolPinMode mode) {
+    return switch (mode) {
+      case SINKING -> "Sinking (NPN)";
+      case SOURCING -> "Sourcing (PNP)";
+      case PUSH_PULL -> "Push-pull";
+    };
+  }
+
+  @Override
+  public String id() {
+    return "tool-connector";
+  }
+
+  @Override
+  public String title() {
+    return "Tool connector";
+  }
+
+  @Override
+  public JComponent component() {
+    return card;
+  }
+
+  @Override
+  public void show() {
+    form.show(editing.now().wiring());
+  }
+}

@@ -1,0 +1,125 @@
+package org.pendant.desktop.installation;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import javax.swing.JComponent;
+import org.pendant.controller.safety.Applies;
+import org.pendant.controller.safety.Axis;
+import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.safety.ToolDirection;
+import org.pendant.kit.form.Measure;
+import org.pendant.kit.layout.Card;
+
+/** How far the tool may be tilted. */
+final class ToolDirectionPage implements Page {
+  private static final ToolDirection DOWN =
+      new ToolDirection(new Axis(0, 0, -1), new Axis(0, 0, 1), Math.toRadians(45), Applies.BOTH);
+
+  private static final List<String> AXES = List.of("X", "Y", "Z");
+
+  private final SafetyDraft draft;
+  private final Card card = new Card("Tool direction", "[grow, fill]");
+  private final SafetyBar bar;
+  private final Form<SafetyConfiguration> form;
+
+  ToolDirectionPage(SafetyDraft draft) {
+    this.draft = draft;
+    bar = new SafetyBar(draft, "direction");
+    form = new Form<>("direction", draft::refusal, draft::edit);
+    form.check(
+        "Restrict how far the tool may be tilted",
+        c -> c.toolDirection().isPresent(),
+        (c, on) -> with(c, on ? Optional.of(DOWN) : Optional.empty()));
+    form.numberRow(
+        "Largest angle",
+        Measure.DEGREE,
+        c -> of(c).largestAngleRad(),
+        (c, rad) ->
+            change(
+                c, d -> new ToolDirection(d.allowedInBase(), d.toolInFlange(), rad, d.applies())));
+    form.<Applies>choice(
+        "Holds",
+        now -> List.of(Applies.NORMAL, Applies.REDUCED, Applies.BOTH),
+        PlanesPage::words,
+        c -> of(c).applies(),
+        (c, applies) ->
+            change(
+                c,
+                d ->
+                    new ToolDirection(
+                        d.allowedInBase(), d.toolInFlange(), d.largestAngleRad(), applies)));
+    form.heading("Where it should point, along the axes of the base");
+    axes(
+        "Base ",
+        ToolDirection::allowedInBase,
+        (d, axis) -> new ToolDirection(axis, d.toolInFlange(), d.largestAngleRad(), d.applies()));
+    form.heading("The tool's own direction, along the axes of the flange");
+    axes(
+        "Flange ",
+        ToolDirection::toolInFlange,
+        (d, axis) -> new ToolDirection(d.allowedInBase(), axis, d.largestAngleRad(), d.applies()));
+    card.add(bar.component());
+    card.add(form.component());
+    draft.addListener(this::show);
+  }
+
+  /** Another direction in its place. */
+  private interface Turn {
+    ToolDirection with(ToolDirection before, Axis axis);
+  }
+
+  private void axes(String name, Function<ToolDirection, Axis> get, Turn turn) {
+    for (int i = 0; i < AXES.size(); i++) {
+      int axis = i;
+      form.numberRow(
+          name + AXES.get(i),
+          Measure.PLAIN,
+          c -> PlanesPage.side(get.apply(of(c)))[axis],
+          (c, part) ->
+              change(
+                  c,
+                  d -> {
+                    double[] side = PlanesPage.side(get.apply(d));
+                    side[axis] = part;
+                    return turn.with(d, new Axis(side[0], side[1], side[2]));
+                  }));
+    }
+  }
+
+  private static ToolDirection of(SafetyConfiguration c) {
+    return c.toolDirection().orElse(DOWN);
+  }
+
+  private static SafetyConfiguration change(
+      SafetyConfiguration c, Function<ToolDirection, ToolDirection> change) {
+    return with(c, Optional.of(change.apply(of(c))));
+  }
+
+  private static SafetyConfiguration with(
+      SafetyConfiguration c, Optional<ToolDirection> direction) {
+    return new SafetyConfiguration(c.normal(), c.reduced(), c.planes(), direction);
+  }
+
+  @Override
+  public String id() {
+    return "tool-direction";
+  }
+
+  @Override
+  public String title() {
+    return "Tool direction";
+  }
+
+  @Override
+  public JComponent component() {
+    return card;
+  }
+
+  @Override
+  public void show() {
+    bar.show();
+    form.show(draft.shown());
+    PlanesPage.enable(form.component(), draft.unlocked());
+  }
+}

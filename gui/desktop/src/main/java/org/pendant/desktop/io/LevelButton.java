@@ -1,0 +1,36 @@
+package org.pendant.desktop.io;
+
+import javax.swing.JToggleButton;
+
+/** A switch that shows what it is told to and asks before it changes. */
+@SuppressWarnings("serial") // never written to a stream
+final class LevelButton extends JToggleButton {
+
+  LevelButton(LevelIcon.Form form, Runnable toggle) {
+    setIcon(new LevelIcon(form, false));
+    setSelectedIcon(new LevelIcon(form, true));
+    putClientProperty("JButton.buttonType", "toolBarButton");
+    putClientProperty(
+        "FlatLaf.style",
+        "toolbar.selectedBackground: null; toolbar.margin: 2,2,2,2; margin: 2,2,2,2");
+    addActionListener(event -> toggle.run());
+  }
+
+  /** Looks like a light while it cannot be used. */
+  void showLampWhenDisabled() {
+    setDisabledIcon(new LevelIcon(LevelIcon.Form.LAMP, false));
+    setDisabledSelectedIcon(new LevelIcon(LevelIcon.Form.LAMP, true));
+  }
+
+  void allow(boolean enabled) {
+    if (isEnabled() != enabled) {
+      setEnabled(enabled);
+    }
+  }
+
+  void showLevel(boolean level) {
+    if (isSelected() != level) {
+      setSelected(level);
+    }
+  }
+}

@@ -1,0 +1,114 @@
+package org.pendant.desktop.io;
+
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.Insets;
+import java.awt.event.MouseWheelEvent;
+import java.util.Locale;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JScrollBar;
+import javax.swing.JScrollPane;
+import javax.swing.ScrollPaneConstants;
+import javax.swing.SwingUtilities;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.layout.Card;
+import org.pendant.kit.theme.Palette;
+
+/** The registers of one kind and direction, or the flags. */
+final class MemoryCard {
+  private static final int MAX_ROWS = 8;
+
+  private final Card card;
+  private final MemoryList list;
+  private final MemoryTable table;
+  private final JScrollPane scroll;
+  private final JLabel empty = new JLabel();
+  private final JLabel problem = new JLabel();
+  private boolean problemShown;
+
+  MemoryCard(Memory memory, Forcing forcing, SignalLabels labels) {
+    list = new MemoryList(memory, forcing, labels);
+    card = new Card(memory.title(), "[grow,fill]");
+    String name = memory.title().toLowerCase(Locale.ROOT).replace(' ', '-');
+    table = new MemoryTable("io-" + name, list, this::tell);
+    scroll =
+        new JScrollPane(
+            table,
+            ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
+            ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER) {
+          @Override
+          public Dimension getPreferredSize() {
+            int rows = Math.clamp(table.getRowCount(), 1, MAX_ROWS);
+            int titles = table.getTableHeader().getPreferredSize().height;
+            int height = titles + rows * table.getRowHeight();
+            Insets insets = getInsets();
+            return new Dimension(0, height + insets.top + insets.bottom);
+          }
+        };
+    empty.setEnabled(false);
+    problem.setName("io-" + name + "-problem");
+    problem.setBorder(BorderFactory.createEmptyBorder(0, 8, 0, 8));
+    scroll.addMouseWheelListener(this::passOn);
+    card.add(scroll, "wmin 0");
+    card.add(empty, "w 0:0:");
+    showRows();
+  }
+
+  /** Lets the sheet scroll where these rows cannot. */
+  private void passOn(MouseWheelEvent event) {
+    JScrollBar bar = scroll.getVerticalScrollBar();
+    boolean more =
+        event.getWheelRotation() < 0
+            ? bar.getValue() > bar.getMinimum()
+            : bar.getValue() + bar.getVisibleAmount() < bar.getMaximum();
+    Container around = SwingUtilities.getAncestorOfClass(JScrollPane.class, card);
+    if (!more && around != null) {
+      around.dispatchEvent(SwingUtilities.convertMouseEvent(scroll, event, around));
+    }
+  }
+
+  private void tell(String text) {
+    problem.setText(text);
+    problem.setToolTipText(text.isEmpty() ? null : text);
+    problem.setForeground(Palette.error());
+    // in place of the titles, so that nothing moves away below somebody who types
+    problem.setPreferredSize(new Dimension(0, table.getTableHeader().getPreferredSize().height));
+    boolean wrong = !text.isEmpty();
+    if (wrong != problemShown && scroll.getColumnHeader() != null) {
+      problemShown = wrong;
+      scroll.setColumnHeaderView(wrong ? problem : table.getTableHeader());
+    }
+  }
+
+  JComponent component() {
+    return card;
+  }
+
+  /** Shows what is looked for, see {@link MemoryList#filter}. */
+  void filter(String text, boolean inUse) {
+    if (table.isEditing()) {
+      table.getCellEditor().cancelCellEditing();
+    }
+    list.filter(text, inUse);
+    empty.setText(
+        text.isBlank()
+            ? "Those in use, or with a name, appear here"
+            : "None has this number or name");
+    showRows();
+  }
+
+  private void showRows() {
+    if (table.showNewest() || scroll.isVisible() != table.getRowCount() > 0) {
+      scroll.setVisible(table.getRowCount() > 0);
+      empty.setVisible(table.getRowCount() == 0);
+      card.revalidate();
+    }
+  }
+
+  void refresh(ControllerState state) {
+    list.take(state);
+    showRows();
+  }
+}

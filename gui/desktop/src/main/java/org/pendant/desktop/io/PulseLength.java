@@ -1,0 +1,38 @@
+package org.pendant.desktop.io;
+
+/**
+ * How long a pulse lasts.
+ *
+ * @param seconds robot time, s
+ */
+record PulseLength(double seconds) {
+  /** As long as a press on a button. */
+  static final PulseLength STANDARD = new PulseLength(0.5);
+
+  /**
+   * Checks the length.
+   *
+   * @throws IllegalArgumentException if it is not 0.01 to 60 s
+   */
+  PulseLength {
+    if (!(seconds >= 0.01 && seconds <= 60)) {
+      throw new IllegalArgumentException("pulse is " + seconds + " s, must be 0.01 to 60 s");
+    }
+  }
+
+  /**
+   * Reads what somebody typed.
+   *
+   * @throws IllegalArgumentException with a sentence for people if it is not a length
+   */
+  static PulseLength parse(String text) {
+    double seconds;
+    try {
+      seconds = Double.parseDouble(text.strip().replace(',', '.'));
+    } catch (NumberFormatException e) {
+      throw new IllegalArgumentException(
+          "pulse is '" + text.strip() + "', must be a number of seconds, 0.01 to 60", e);
+    }
+    return new PulseLength(seconds);
+  }
+}

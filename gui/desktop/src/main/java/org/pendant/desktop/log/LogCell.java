@@ -1,0 +1,51 @@
+package org.pendant.desktop.log;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Font;
+import java.util.Optional;
+import javax.swing.BorderFactory;
+import javax.swing.JTable;
+import javax.swing.SwingConstants;
+import javax.swing.table.DefaultTableCellRenderer;
+
+/** A cell of the table of messages, except of the messages themselves. */
+@SuppressWarnings("serial") // never written to a stream
+final class LogCell extends DefaultTableCellRenderer {
+  private final LogColumn column;
+  private final boolean compact;
+
+  /**
+   * A cell.
+   *
+   * @param compact whether there is only room for a symbol
+   */
+  LogCell(LogColumn column, boolean compact) {
+    this.column = column;
+    this.compact = compact;
+    boolean number = column == LogColumn.TIME || column == LogColumn.LINE;
+    setHorizontalAlignment(number ? SwingConstants.TRAILING : SwingConstants.LEADING);
+    setVerticalAlignment(SwingConstants.TOP);
+    setIconTextGap(8);
+  }
+
+  @Override
+  public Component getTableCellRendererComponent(
+      JTable table, Object value, boolean selected, boolean focused, int row, int index) {
+    LogLine line = (LogLine) value;
+    String text = compact ? "" : column.text(line);
+    super.getTableCellRendererComponent(table, text, selected, focused, row, index);
+    boolean severity = column == LogColumn.SEVERITY;
+    boolean link = column == LogColumn.LINE && line.sourceLine().isPresent();
+    Optional<Color> iconColor =
+        selected ? Optional.of(table.getSelectionForeground()) : Optional.empty();
+    setIcon(severity ? new SeverityIcon(line.level(), iconColor) : null);
+    getAccessibleContext().setAccessibleName(column.text(line));
+    setBorder(BorderFactory.createEmptyBorder(LogRows.PADDING, 8, 0, 8));
+    setFont(link ? table.getFont().deriveFont(Font.BOLD) : table.getFont());
+    if (!selected) {
+      setForeground(link ? LogColors.link() : severity ? table.getForeground() : LogColors.quiet());
+    }
+    return this;
+  }
+}

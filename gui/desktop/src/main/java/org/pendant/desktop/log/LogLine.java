@@ -1,0 +1,114 @@
+package org.pendant.desktop.log;
+
+import java.time.Instant;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.language.source.ByteText;
+import org.pendant.script.function.ScriptPlace;
+
+/**
+ * A message as people read it.
+ *
+ * @param number what the mailbox calls it, from 1
+ * @param timeS controller time, s
+ * @param wall when it arrived here
+ * @param code such as {@code C153A2}; empty for none
+ * @param text may have several lines
+ * @param place what a program was at; empty for none
+ */
+record LogLine(
+    long number,
+    double timeS,
+    Instant wall,
+    Level level,
+    LogSource source,
+    String code,
+    String text,
+    Optional<ScriptPlace> place) {
+  /** The name of the text that interpreter mode is fed with: no line of a file. */
+  private static final String INTERPRETER = "interpreter";
+
+  /** For messages of which nobody knows when they arrived: those of a recording. */
+  static final Instant NO_WALL = Instant.MIN;
+
+  private static final DateTimeFormatter CLOCK =
+      DateTimeFormatter.ofPattern("HH:mm:ss.SSS", Locale.ROOT).withZone(ZoneId.systemDefault());
+
+  static LogLine of(long number, Instant wall, LogSource source, LogEntry entry) {
+    return new LogLine(
+        number,
+        entry.timeS(),
+        wall,
+        entry.level(),
+        source,
+        entry.code(),
+        ByteText.decoded(entry.text()).stripTrailing(),
+        entry.place());
+  }
+
+  /** The first line of the text; a mark at its end says that there are more. */
+  String firstLine() {
+    int end = text.indexOf('\n');
+    return end < 0 ? text : text.substring(0, end).stripTrailing() + " \u2026";
+  }
+
+  /** The text without the code at its begin, for where that stands beside it. */
+  String withoutCode() {
+    return !shortCode().isEmpty() && text.startsWith(code + " ")
+        ? text.substring(code.length() + 1)
+        : text;
+  }
+
+  /** The code where it is one of the short ones of the safety functions; empty for others. */
+  String shortCode() {
+    return source == LogSource.SAFETY ? code : "";
+  }
+
+  /** The 1-based line of the program that leads to where the message comes from, if one does. */
+  OptionalInt sourceLine() {
+    return place.isPresent() && !place.get().source().equals(INTERPRETER)
+        ? OptionalInt.of(place.get().line())
+        : OptionalInt.empty();
+  }
+
+  /** The thread of the program; empty for none. */
+  String thread() {
+    return place
+        .map(at -> at.thread() == 0 ? "main" : ByteText.decoded(at.threadName()))
+        .orElse("");
+  }
+
+  /** The line as it is shown, also that of interpreter mode; empty for none. */
+  String lineText() {
+    return place.map(at -> Integer.toString(at.line())).orElse("");
+  }
+
+  /** Robot time, s. */
+  String timeText() {
+    return String.format(Locale.ROOT, "%.3f", timeS);
+  }
+
+  /** Time of day when it arrived; empty if nobody knows. */
+  String wallText() {
+    return wall.equals(NO_WALL) ? "" : CLOCK.format(wall);
+  }
+
+  /** When it arrived, by ISO 8601; empty if nobody knows. */
+  String isoText() {
+    return wall.equals(NO_WALL) ? "" : wall.toString();
+  }
+
+  /** What people call the severity. */
+  String severity() {
+    return switch (level) {
+      case INFO -> "Info";
+      case WARNING -> "Warning";
+      case ERROR -> "Error";
+    };
+  }
+}

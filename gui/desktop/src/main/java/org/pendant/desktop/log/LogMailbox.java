@@ -1,0 +1,97 @@
+package org.pendant.desktop.log;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.function.LongFunction;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.FrameListener;
+import org.pendant.language.source.ByteText;
+import org.pendant.script.vm.RecentEntries;
+
+/**
+ * Keeps the newest messages of every frame, and what the window tells, until the screen asks for
+ * them, so that none is lost while it is hidden. Any thread reads. Messages are numbered anew, from
+ * 1 and without gaps, also across a restart of the controller.
+ */
+final class LogMailbox implements FrameListener {
+  /** The longest text of a message, bytes: all that are kept must find room. */
+  static final int MAX_TEXT = 4096;
+
+  private final RecentEntries<Mail> recent;
+  private final LongFunction<List<LogEntry>> controllerLog;
+  private final InstantSource clock;
+  private volatile double timeS;
+
+  private long lastFrame;
+  private long lastNumber;
+
+  /** A message as it came; it becomes text for people when somebody asks for it. */
+  private record Mail(long number, Instant wall, LogSource source, LogEntry entry) {}
+
+  /**
+   * An empty mailbox.
+   *
+   * @param capacity how many messages it keeps
+   * @param controllerLog gives what the controller still keeps after a number of its own
+   * @param clock tells when a message arrives
+   */
+  LogMailbox(int capacity, LongFunction<List<LogEntry>> controllerLog, InstantSource clock) {
+    recent =
+        new RecentEntries<>(
+            capacity, LogStore.MAX_BYTES, Mail::number, mail -> mail.entry().text().length());
+    this.controllerLog = controllerLog;
+    this.clock = clock;
+  }
+
+  @Override
+  public void frame(ControllerState state) {
+    if (state.frame() < lastFrame) {
+      // another controller has been switched on; what one said that repeats the run is here already
+      lastNumber = state.frame() == 1 ? 0 : state.newestEntry() - state.newEntries().size();
+    }
+    lastFrame = state.frame();
+    timeS = state.timeS();
+    if (state.newestEntry() > lastNumber) {
+      List<LogEntry> fresh = state.newEntries();
+      boolean complete = lastNumber + fresh.size() == state.newestEntry();
+      (complete ? fresh : controllerLog.apply(lastNumber)).forEach(this::take);
+      lastNumber = state.newestEntry();
+    }
+  }
+
+  private void take(LogEntry entry) {
+    long missed = entry.number() - lastNumber - 1;
+    if (missed > 0) {
+      told(missed + " lines of the controller were not shown in time");
+    }
+    put(LogSource.of(entry.origin()), entry.shortened(MAX_TEXT));
+    lastNumber = entry.number();
+  }
+
+  /** Keeps what the window tells; the dispatch thread. */
+  void told(String text) {
+    put(
+        LogSource.WINDOW,
+        new LogEntry(
+            0, timeS, LogEntry.Level.INFO, LogEntry.Origin.CONTROLLER, ByteText.asBytes(text)));
+  }
+
+  /** The frame loop and the dispatch thread write, both rarely. */
+  private synchronized void put(LogSource source, LogEntry entry) {
+    recent.add(new Mail(recent.newest() + 1, clock.instant(), source, entry));
+  }
+
+  /** The number of the newest message, 0 for none. */
+  long newest() {
+    return recent.newest();
+  }
+
+  /** Messages after number {@code number} that are still kept, oldest first. */
+  List<LogLine> since(long number) {
+    return recent.between(number, Long.MAX_VALUE).stream()
+        .map(mail -> LogLine.of(mail.number(), mail.wall(), mail.source(), mail.entry()))
+        .toList();
+  }
+}

@@ -1,0 +1,82 @@
+package org.pendant.desktop.move;
+
+import java.util.Map;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.form.Remark;
+import org.pendant.kit.layout.Card;
+import org.pendant.kit.theme.Palette;
+import org.pendant.models.pose.Pose;
+
+/** A frame of people's own, along whose axes the tool can be moved; seen while it is chosen. */
+final class FrameCard {
+  private final MovePresenter presenter;
+  private final Card card = new Card("Frame in the base", "[grow, fill]");
+  private final PoseFields fields;
+  private final Remark problem = new Remark("move-frame-problem", Palette::error);
+  private final JComboBox<String> features = new JComboBox<>();
+  private Map<String, Pose> frames = Map.of();
+  private final JButton set = new JButton("Set frame");
+  private final JButton reset = new JButton("Discard");
+
+  FrameCard(MovePresenter presenter) {
+    this.presenter = presenter;
+    FramePresenter frame = presenter.frame();
+    fields = new PoseFields(frame.draft(), "move-own-frame-", "Frame in the base");
+    JButton here = new JButton("Set to TCP");
+    Card.named(set, "move-set-frame", "Move along the axes of this frame from now on");
+    set.addActionListener(event -> frame.setTyped());
+    Card.named(reset, "move-reset-frame", "Forget what you have typed");
+    reset.addActionListener(event -> frame.draft().reset());
+    Card.named(here, "move-frame-here", "Put the frame where the TCP is");
+    here.addActionListener(event -> presenter.setFrameHere());
+    Card.compact(set, reset, here);
+    JPanel row = new JPanel(new MigLayout("insets 0, gap 8"));
+    row.setOpaque(false);
+    row.add(set);
+    row.add(reset);
+    row.add(here);
+    Card.named(features, "move-frame-features", "Take a feature of the installation");
+    features.addActionListener(event -> choose());
+    offer(Map.of());
+    card.add(features, "growx");
+    card.add(fields.component(), "grow");
+    card.add(problem, Remark.LAYOUT);
+    card.add(row, "grow, gaptop 4");
+    card.setVisible(false);
+  }
+
+  /** Features that can be taken for the frame, by name. */
+  void offer(Map<String, Pose> offered) {
+    frames = Map.of();
+    features.removeAllItems();
+    features.addItem("Take a feature\u2026");
+    offered.keySet().forEach(features::addItem);
+    features.setVisible(!offered.isEmpty());
+    frames = offered;
+  }
+
+  private void choose() {
+    Pose chosen = frames.get(String.valueOf(features.getSelectedItem()));
+    if (chosen != null) {
+      presenter.frame().set(chosen);
+      features.setSelectedIndex(0);
+    }
+  }
+
+  JComponent component() {
+    return card;
+  }
+
+  void refresh() {
+    Draft draft = presenter.frame().draft();
+    card.setVisible(presenter.jog().axes() == JogAxes.FRAME);
+    fields.refresh(presenter.form());
+    problem.say(fields.problem(presenter.form()));
+    set.setEnabled(draft.edited() && draft.valid());
+    reset.setEnabled(draft.edited());
+  }
+}

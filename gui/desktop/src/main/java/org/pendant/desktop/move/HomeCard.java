@@ -1,0 +1,110 @@
+package org.pendant.desktop.move;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.box.BoxSetup;
+import org.pendant.kit.form.HoldButton;
+import org.pendant.kit.form.Remark;
+import org.pendant.kit.layout.Card;
+import org.pendant.kit.theme.Palette;
+import org.pendant.models.arm.Joints;
+
+/** Where home is: go there, put it where the arm is, or type it. */
+final class HomeCard {
+  private final MovePresenter presenter;
+  private final Card card = new Card("Home", "[grow, fill]");
+  private final List<NumberField> fields = new ArrayList<>();
+  private final List<JLabel> units = new ArrayList<>();
+  private final Remark problem = new Remark("move-home-problem", Palette::error);
+  private final HoldButton go;
+  private final JButton here = new JButton("Set home to here");
+  private final JButton set = new JButton("Set");
+  private final JButton reset = new JButton("Discard");
+  private final JButton standard = new JButton("Standard");
+
+  HomeCard(MovePresenter presenter) {
+    this.presenter = presenter;
+    go = new HoldButton("Hold to go home", null, presenter::holdHome, presenter.jog()::release);
+    Card.named(go, "move-home", "Hold to move all joints home");
+    Card.named(here, "move-home-here", "Make the present joint positions home");
+    here.addActionListener(event -> presenter.setHomeHere());
+    Card.named(set, "move-set-home", "Make the typed joint positions home");
+    set.addActionListener(event -> presenter.home().setTyped());
+    Card.named(reset, "move-reset-home", "Forget what you have typed");
+    reset.addActionListener(event -> presenter.home().draft().reset());
+    Card.named(standard, "move-standard-home", "Home is where a robot is when it is switched on");
+    standard.addActionListener(event -> presenter.home().set(BoxSetup.START_RAD));
+    card.add(grid(), "grow");
+    card.add(problem, Remark.LAYOUT);
+    card.add(row(go, here), "grow, gaptop 4");
+    card.add(row(set, reset, standard), "grow");
+  }
+
+  private JComponent grid() {
+    JPanel grid =
+        new JPanel(new MigLayout("insets 0, gap 8 4", "[]8[grow, fill]4[]16[]8[grow, fill]4[]"));
+    grid.setOpaque(false);
+    for (int i = 0; i < Joints.COUNT; i++) {
+      String name = JointNames.of(i);
+      NumberField field =
+          new NumberField(
+              presenter.home().draft(),
+              i,
+              "move-home-" + name.toLowerCase(Locale.ROOT).replace(' ', '-'),
+              "Home of " + name);
+      JLabel label = new JLabel(name);
+      label.setLabelFor(field);
+      fields.add(field);
+      units.add(new JLabel());
+      int column = i < 3 ? 0 : 3;
+      grid.add(label, "cell " + column + " " + i % 3);
+      grid.add(field, "cell " + (column + 1) + " " + i % 3 + ", w 60:84:");
+      grid.add(units.get(i), "cell " + (column + 2) + " " + i % 3);
+    }
+    return grid;
+  }
+
+  private static JComponent row(JButton... buttons) {
+    Card.compact(buttons);
+    JPanel row = new JPanel(new MigLayout("insets 0, gap 8"));
+    row.setOpaque(false);
+    for (JButton each : buttons) {
+      row.add(each);
+    }
+    return row;
+  }
+
+  JComponent component() {
+    return card;
+  }
+
+  void refresh() {
+    HomePresenter home = presenter.home();
+    Draft draft = home.draft();
+    for (int i = 0; i < Joints.COUNT; i++) {
+      fields.get(i).refresh();
+      units.get(i).setText(draft.unit(i).symbol());
+    }
+    boolean reachable = home.within(presenter::range);
+    go.setEnabled(presenter.movable() && reachable);
+    set.setEnabled(draft.edited() && draft.valid());
+    reset.setEnabled(draft.edited());
+    standard.setEnabled(!home.standard());
+    problem.say(problemText(draft, reachable));
+  }
+
+  private static String problemText(Draft draft, boolean reachable) {
+    for (int i = 0; i < Joints.COUNT; i++) {
+      if (!draft.problem(i).isEmpty()) {
+        return JointNames.of(i) + ": " + draft.problem(i);
+      }
+    }
+    return reachable ? "" : "Home is outside the range of a joint: the arm cannot go there.";
+  }
+}

@@ -1,0 +1,111 @@
+package org.pendant.desktop.move;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSlider;
+import javax.swing.SwingConstants;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.jog.JogDirection.Kind;
+import org.pendant.kit.form.HoldButton;
+import org.pendant.kit.form.Remark;
+import org.pendant.kit.layout.Card;
+import org.pendant.kit.theme.Palette;
+
+/** The pads that move and turn the tool, by mouse, finger or keys, and how they do it. */
+final class JogCard {
+  private static final String HINT =
+      "Keys: arrows for X and Y, page up and down for Z; with Shift they turn the tool.";
+
+  private final JogPresenter presenter;
+  private final Card card = new Card("Tool", "[grow, fill]");
+  private final List<HoldButton> buttons = new ArrayList<>();
+  private final Segments<JogAxes> axes;
+  private final Segments<JogSize> sizes;
+  private final JLabel speed = new JLabel();
+  private final Remark note = new Remark("move-jog-reason", this::noteColor);
+
+  JogCard(JogPresenter presenter) {
+    this.presenter = presenter;
+    axes =
+        new Segments<>(
+            JogAxes.class,
+            presenter.axes(),
+            "move-frame-",
+            JogAxes::title,
+            each -> "Move and turn the tool along the axes of " + each.meaning(),
+            presenter::setAxes);
+    sizes =
+        new Segments<>(
+            JogSize.class,
+            presenter.size(),
+            "move-step-",
+            JogSize::title,
+            JogSize::meaning,
+            presenter::setSize);
+    Pad along = new Pad(Kind.ALONG, presenter::move, presenter::letGo);
+    Pad around = new Pad(Kind.AROUND, presenter::move, presenter::letGo);
+    buttons.addAll(along.buttons());
+    buttons.addAll(around.buttons());
+    card.add(choices(), "grow");
+    JPanel pads = new JPanel(new MigLayout("insets 0, gap 16 0", "[center, grow][center, grow]"));
+    pads.setOpaque(false);
+    pads.add(along.component());
+    pads.add(around.component());
+    card.add(pads, "grow, gaptop 8");
+    // as high for either text: nothing below moves under a hand that holds
+    note.setRows(2);
+    card.add(note, Remark.LAYOUT);
+    note.say(HINT);
+    JogKeys.bindTo(buttons, presenter);
+  }
+
+  JComponent component() {
+    return card;
+  }
+
+  private JComponent choices() {
+    JPanel grid = new JPanel(new MigLayout("insets 0, gap 8 6, wrap", "[][grow, fill]"));
+    grid.setOpaque(false);
+    grid.add(new JLabel("Axes of"));
+    grid.add(axes.component(), "growx 0");
+    grid.add(new JLabel("Step"));
+    grid.add(sizes.component(), "growx 0, split 2");
+    JLabel units = new JLabel("mm, deg");
+    units.setForeground(Palette.quiet());
+    grid.add(units);
+    JSlider slider = new JSlider(1, 100, (int) Math.round(100 * presenter.speedFraction()));
+    Card.named(
+        slider, "move-speed", "Speed of moves by hand; all of it is 250 mm/s, or 34 deg/s a joint");
+    slider.addChangeListener(event -> setSpeed(slider.getValue()));
+    JLabel label = new JLabel("Speed");
+    label.setLabelFor(slider);
+    grid.add(label);
+    grid.add(slider, "split 2, wmin 60, w 100, growx, pushx");
+    speed.setHorizontalAlignment(SwingConstants.TRAILING);
+    speed.setName("move-speed-text");
+    grid.add(speed, "w 48!, growx 0");
+    setSpeed(slider.getValue());
+    return grid;
+  }
+
+  private void setSpeed(int percent) {
+    presenter.setSpeedFraction(percent / 100.0);
+    speed.setText(percent + " %");
+  }
+
+  void refresh() {
+    axes.show(presenter.axes());
+    sizes.show(presenter.size());
+    buttons.forEach(each -> each.setEnabled(presenter.movable()));
+    String sentence = JointNames.sentence(presenter.reason());
+    note.say(sentence.isEmpty() ? HINT : sentence);
+  }
+
+  private Color noteColor() {
+    return presenter.reason().isEmpty() ? Palette.quiet() : Palette.warning();
+  }
+}

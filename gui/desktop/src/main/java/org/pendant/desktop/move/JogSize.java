@@ -1,0 +1,38 @@
+package org.pendant.desktop.move;
+
+/** How far the arm goes when somebody presses a button. */
+enum JogSize {
+  /** As long as the button is held. */
+  HELD("Hold", 0),
+  FINE("0.1", 0.1),
+  MEDIUM("1", 1),
+  COARSE("10", 10);
+
+  private final String title;
+  private final double size;
+
+  JogSize(String title, double size) {
+    this.title = title;
+    this.size = size;
+  }
+
+  /** What the button that chooses it says. */
+  String title() {
+    return title;
+  }
+
+  /** What it means, as a sentence without its end. */
+  String meaning() {
+    return this == HELD
+        ? "Move as long as a button is held"
+        : "Move by " + title + " mm or turn by " + title + " deg at each press";
+  }
+
+  double lengthM() {
+    return size / 1000;
+  }
+
+  double angleRad() {
+    return Math.toRadians(size);
+  }
+}

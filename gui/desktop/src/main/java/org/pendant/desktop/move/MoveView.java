@@ -1,0 +1,267 @@
+package org.pendant.desktop.move;
+
+import java.awt.BorderLayout;
+import java.awt.EventQueue;
+import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
+import java.awt.event.HierarchyEvent;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Consumer;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ScrollPaneConstants;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.installation.Feature;
+import org.pendant.controller.installation.FeaturePoses;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.Actions;
+import org.pendant.kit.layout.CardSheet;
+import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
+
+/** The screen that moves the arm by hand. */
+public final class MoveView implements View {
+  private static final int GAP = 16;
+  private static final int WIDEST_CARD = 520;
+
+  private final Workbench workbench;
+  private final MovePresenter presenter;
+  private final JPanel content = new JPanel(new BorderLayout());
+  private final ObstacleBar obstacle;
+  private final TeachBar teaching;
+  private final JogCard jog;
+  private final FreedriveCard freedrive;
+  private final JointsCard joints;
+  private final PoseCard pose;
+  private final HomeCard home;
+  private final FrameCard frame;
+  private final TcpCard tcp;
+  private final PayloadCard payload;
+  private String robotId;
+
+  /** A screen that shows no goals in 3D and copies waypoints instead of inserting them. */
+  public MoveView(Workbench workbench) {
+    this(workbench, GhostArm.NONE, text -> copy(workbench, text));
+  }
+
+  /**
+   * A screen; {@link #refresh} brings the arm.
+   *
+   * @param ghost shows the goal that somebody types
+   * @param insertWaypoint puts a line of URScript into the program that is edited
+   */
+  public MoveView(Workbench workbench, GhostArm ghost, Consumer<String> insertWaypoint) {
+    assert EventQueue.isDispatchThread();
+    this.workbench = workbench;
+    robotId = workbench.session().options().robotId();
+    presenter =
+        new MovePresenter(
+            workbench.session()::submit,
+            EventQueue::invokeLater,
+            workbench.settings(),
+            ArmLibrary.load(robotId),
+            workbench.session().options().safety(),
+            ghost);
+    Consumer<String> copy = text -> copy(workbench, text);
+    obstacle = new ObstacleBar(presenter);
+    teaching = new TeachBar();
+    jog = new JogCard(presenter.jog());
+    freedrive = new FreedriveCard(presenter.freedrive());
+    joints = new JointsCard(presenter, copy, insertWaypoint);
+    pose = new PoseCard(presenter, copy, insertWaypoint);
+    home = new HomeCard(presenter);
+    frame = new FrameCard(presenter);
+    tcp = new TcpCard(presenter);
+    payload = new PayloadCard(presenter.tool());
+    content.setName("move-view");
+    content.getAccessibleContext().setAccessibleName(title());
+    JPanel head = new JPanel(new BorderLayout());
+    head.add(teaching, BorderLayout.NORTH);
+    head.add(obstacle, BorderLayout.SOUTH);
+    content.add(head, BorderLayout.NORTH);
+    content.add(cards(), BorderLayout.CENTER);
+    content.addHierarchyListener(this::hidden);
+    declareActions(workbench.actions(), copy, insertWaypoint);
+    declareMoves(workbench.actions());
+  }
+
+  private void declareActions(
+      Actions actions, Consumer<String> copy, Consumer<String> insertWaypoint) {
+    actions.add(
+        Action.of(
+            "move.copy-pose",
+            "Copy TCP pose as URScript",
+            "",
+            () -> copy.accept(ScriptText.of(now().arm().targetTcpInBase()))));
+    actions.add(
+        Action.of(
+            "move.copy-joints",
+            "Copy joint positions as URScript",
+            "",
+            () -> copy.accept(ScriptText.of(now().arm().targetPositionRad()))));
+    actions.add(
+        Action.of(
+            "move.insert-waypoint",
+            "Insert move to where the arm is",
+            "",
+            () ->
+                insertWaypoint.accept(
+                    "movej(" + ScriptText.of(now().arm().targetPositionRad()) + ")")));
+  }
+
+  private void declareMoves(Actions actions) {
+    for (JogSize each : JogSize.values()) {
+      actions.add(
+          Action.of(
+              "move.step-" + each.name().toLowerCase(Locale.ROOT),
+              "Move by hand: " + each.meaning().toLowerCase(Locale.ROOT),
+              "",
+              () -> presenter.jog().setSize(each)));
+    }
+    for (JogAxes each : JogAxes.values()) {
+      actions.add(
+          Action.of(
+              "move.axes-" + each.name().toLowerCase(Locale.ROOT),
+              "Move by hand along the axes of " + each.meaning(),
+              "",
+              () -> presenter.jog().setAxes(each)));
+    }
+    actions.add(
+        Action.of("move.freedrive", "Switch freedrive on or off", "", this::switchFreedrive));
+    actions.add(Action.of("move.home-here", "Set home to here", "", presenter::setHomeHere));
+    actions.add(
+        Action.of(
+            "move.frame-here", "Set the frame for moves to the TCP", "", presenter::setFrameHere));
+  }
+
+  private void switchFreedrive() {
+    if (presenter.freedrive().on()) {
+      presenter.freedrive().release();
+    } else {
+      workbench.show(id());
+      presenter.freedrive().begin();
+    }
+  }
+
+  private ControllerState now() {
+    return workbench.session().state();
+  }
+
+  private static void copy(Workbench workbench, String text) {
+    Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(text), null);
+    workbench.notify("Copied " + text);
+  }
+
+  private JScrollPane cards() {
+    JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
+    sheet.add(stack(jog.component(), joints.component()));
+    sheet.add(stack(pose.component(), frame.component(), home.component()));
+    sheet.add(stack(freedrive.component(), tcp.component(), payload.component()));
+    JScrollPane scroll =
+        new JScrollPane(
+            sheet,
+            ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
+            ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
+    scroll.setBorder(BorderFactory.createEmptyBorder());
+    scroll.setName("move-scroll");
+    return scroll;
+  }
+
+  /** Cards that stay below each other when one grows: nothing moves under a hand that holds. */
+  private static JComponent stack(JComponent... cards) {
+    JPanel stack =
+        new JPanel(new MigLayout("insets 0, gap 0 16, wrap, hidemode 3", "[grow, fill]"));
+    stack.setOpaque(false);
+    for (JComponent each : cards) {
+      stack.add(each);
+    }
+    return stack;
+  }
+
+  /** Nobody holds what they do not see. */
+  private void hidden(HierarchyEvent event) {
+    if ((event.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0 && !content.isShowing()) {
+      presenter.jog().release();
+      presenter.freedrive().release();
+    }
+  }
+
+  /**
+   * Comes to the front to have the arm moved somewhere.
+   *
+   * @param what is taught, such as {@code Waypoint_1}
+   * @param accepted runs when people say that the arm is there
+   * @param left runs when they do not want to any more
+   */
+  public void teach(String what, Runnable accepted, Runnable left) {
+    workbench.show(id());
+    teaching.ask(what, accepted, left);
+  }
+
+  /** Goes by an installation: its home, its TCPs, and its features as frames to move along. */
+  public void setInstallation(Installation installation) {
+    presenter.home().follow(installation.homeRad());
+    Map<String, Pose> tools = new LinkedHashMap<>();
+    installation.tools().forEach(each -> tools.put(each.name(), each.inFlange()));
+    presenter.tool().named().install(tools);
+    Map<String, Pose> frames = new LinkedHashMap<>();
+    for (Feature each : installation.features()) {
+      if (each.joggable()) {
+        FeaturePoses.pose(each).ifPresent(pose -> frames.put(each.name(), pose));
+      }
+    }
+    frame.offer(frames);
+  }
+
+  /** Tells {@code listener} of each home that is set here. */
+  public void whenHomeSet(Consumer<Joints> listener) {
+    presenter.home().whenSet(listener);
+  }
+
+  @Override
+  public String id() {
+    return "move";
+  }
+
+  @Override
+  public String title() {
+    return "Move";
+  }
+
+  @Override
+  public JComponent component() {
+    return content;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    followRobot();
+    presenter.take(state, workbench.session().pace());
+    obstacle.refresh();
+    jog.refresh();
+    freedrive.refresh();
+    joints.refresh();
+    pose.refresh();
+    home.refresh();
+    frame.refresh();
+    tcp.refresh();
+    payload.refresh();
+  }
+
+  private void followRobot() {
+    String now = workbench.session().options().robotId();
+    if (!now.equals(robotId)) {
+      robotId = now;
+      presenter.setArm(ArmLibrary.load(robotId), workbench.session().options().safety());
+    }
+  }
+}

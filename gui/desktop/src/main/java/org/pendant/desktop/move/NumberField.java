@@ -1,0 +1,56 @@
+package org.pendant.desktop.move;
+
+import java.util.Objects;
+import javax.swing.JTextField;
+import javax.swing.SwingConstants;
+import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.Typed;
+
+/** A field for one number of a {@link Draft}; red-rimmed, with the reason as tip, if it is none. */
+@SuppressWarnings("serial") // never written to a stream
+final class NumberField extends JTextField {
+  private static final int COLUMNS = 7;
+  private final Draft draft;
+  private final int index;
+  private final String tip;
+  private boolean showing;
+
+  NumberField(Draft draft, int index, String name, String tip) {
+    super(COLUMNS);
+    this.draft = draft;
+    this.index = index;
+    this.tip = tip;
+    setHorizontalAlignment(SwingConstants.TRAILING);
+    Card.named(this, name, tip);
+    getDocument().addDocumentListener(new Typed(this::typed));
+  }
+
+  private void typed() {
+    if (!showing) {
+      draft.type(index, getText());
+    }
+  }
+
+  /** Shows the number as it is now, except where somebody has selected text to type over. */
+  void refresh() {
+    if (!getText().equals(draft.text(index)) && (!isFocusOwner() || !selected())) {
+      showing = true;
+      setText(draft.text(index));
+      showing = false;
+    }
+    String problem = draft.problem(index);
+    Object outline = problem.isEmpty() ? null : "error";
+    if (!Objects.equals(getClientProperty("JComponent.outline"), outline)) {
+      putClientProperty("JComponent.outline", outline);
+    }
+    String wanted = problem.isEmpty() ? tip : problem;
+    if (!wanted.equals(getToolTipText())) {
+      setToolTipText(wanted);
+      getAccessibleContext().setAccessibleDescription(problem);
+    }
+  }
+
+  private boolean selected() {
+    return getSelectionStart() != getSelectionEnd();
+  }
+}

@@ -1,0 +1,72 @@
+package org.pendant.desktop.move;
+
+import java.util.Optional;
+import org.pendant.controller.Command;
+import org.pendant.controller.Pace;
+import org.pendant.controller.safety.SafetyMode;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.Readiness;
+import org.pendant.script.vm.ProgramState;
+
+/**
+ * Why the arm cannot be moved by hand now, and what helps.
+ *
+ * @param text why, and what to do, in a sentence or two
+ * @param remedy what the button says; empty where none helps
+ * @param command what the button does; empty while it cannot be done
+ */
+record Obstacle(String text, String remedy, Optional<Command> command) {
+  /**
+   * The fastest pace at which the arm can be moved by hand: the screen repeats what is held 30
+   * times a second, and the arm waits a quarter of a second of robot time for it.
+   */
+  static final double MAX_PACE = 4;
+
+  /** What is in the way; empty if nothing is. */
+  static Optional<Obstacle> of(ControllerState state, Pace pace) {
+    Readiness readiness = Readiness.of(state);
+    boolean recovery = state.safety().safetyMode() == SafetyMode.RECOVERY;
+    if (readiness.light() != Readiness.Light.READY && !recovery) {
+      String text =
+          readiness.command().isPresent()
+              ? readiness.text() + ": the arm cannot be moved."
+              : readiness.text() + ". " + readiness.hint() + ".";
+      return Optional.of(new Obstacle(text, readiness.remedy(), readiness.command()));
+    }
+    if (state.program().state() != ProgramState.STOPPED) {
+      return Optional.of(program(state));
+    }
+    return pace(pace).or(() -> slider(state)).map(text -> new Obstacle(text, "", Optional.empty()));
+  }
+
+  private static Obstacle program(ControllerState state) {
+    boolean paused = state.program().state() == ProgramState.PAUSED;
+    return new Obstacle(
+        "Program "
+            + state.program().name()
+            + (paused ? " is paused" : " is running")
+            + ". Stop it to move the arm by hand.",
+        "Stop program",
+        Optional.of(new Command.StopProgram()));
+  }
+
+  private static Optional<String> pace(Pace pace) {
+    return switch (pace) {
+      case Pace.Paused paused ->
+          Optional.of("Robot time is paused. Let it go on to move the arm by hand.");
+      case Pace.Unlimited unlimited -> Optional.of(tooFast());
+      case Pace.Times times ->
+          times.factor() > MAX_PACE ? Optional.of(tooFast()) : Optional.empty();
+    };
+  }
+
+  private static String tooFast() {
+    return "Robot time runs too fast to move the arm by hand. Choose at most 4 times real time.";
+  }
+
+  private static Optional<String> slider(ControllerState state) {
+    return state.arm().speedFraction() == 0
+        ? Optional.of("The speed slider is at 0 %, which holds the arm. Move it up.")
+        : Optional.empty();
+  }
+}

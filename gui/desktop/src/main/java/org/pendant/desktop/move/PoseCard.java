@@ -1,0 +1,132 @@
+package org.pendant.desktop.move;
+
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.form.HoldButton;
+import org.pendant.kit.form.Remark;
+import org.pendant.kit.layout.Card;
+import org.pendant.kit.theme.Palette;
+
+/** The pose of the TCP: read it, type another one, and go there. */
+final class PoseCard {
+  private final MovePresenter presenter;
+  private final Card card = new Card("TCP pose", "[grow, fill]");
+  private final JLabel where = new JLabel();
+  private final PoseFields fields;
+  private final Remark problem = new Remark("move-pose-problem", Palette::error);
+  private final Remark note = new Remark("move-pose-note", Palette::warning);
+  private final Remark hint = new Remark("move-pose-hint", Palette::quiet);
+  private final HoldButton go;
+  private final HoldButton align;
+  private final JButton reset = new JButton("Discard");
+
+  /** A card; see {@link JointsCard} for the arguments. */
+  PoseCard(MovePresenter presenter, Consumer<String> copy, Consumer<String> waypoint) {
+    this.presenter = presenter;
+    fields = new PoseFields(presenter.goals().pose(), "move-pose-", "Pose of the TCP");
+    where.setName("move-pose-frame");
+    go = new HoldButton("Hold to go", null, presenter::holdPoseGoal, presenter.jog()::release);
+    Card.named(go, "move-go-pose", "Hold to move all joints to the pose that you have typed");
+    align =
+        new HoldButton("Hold to align", null, presenter::holdAlignment, presenter.jog()::release);
+    Card.named(
+        align, "move-align", "Hold to turn the tool parallel to the nearest axis of base or frame");
+    card.add(where);
+    card.add(choices(), "grow");
+    card.add(fields.component(), "grow, gaptop 8");
+    card.add(problem, Remark.LAYOUT);
+    card.add(note, Remark.LAYOUT);
+    card.add(hint, Remark.LAYOUT);
+    card.add(buttons(copy, waypoint), "grow, gaptop 8");
+  }
+
+  JComponent component() {
+    return card;
+  }
+
+  private JComponent choices() {
+    JPanel row = new JPanel(new MigLayout("insets 0, gap 8", "[][][grow]"));
+    row.setOpaque(false);
+    row.add(
+        choice(
+            "move-length-unit",
+            "Unit of lengths",
+            DisplayUnit.of(DisplayUnit.Kind.LENGTH).toArray(DisplayUnit[]::new),
+            presenter.form().length(),
+            unit -> new PoseForm(unit, presenter.form().angle(), presenter.form().rotation())));
+    row.add(
+        choice(
+            "move-angle-unit",
+            "Unit of angles",
+            DisplayUnit.of(DisplayUnit.Kind.ANGLE).toArray(DisplayUnit[]::new),
+            presenter.form().angle(),
+            unit -> new PoseForm(presenter.form().length(), unit, presenter.form().rotation())));
+    row.add(
+        choice(
+            "move-rotation-form",
+            "How rotations are written",
+            RotationForm.values(),
+            presenter.form().rotation(),
+            form -> new PoseForm(presenter.form().length(), presenter.form().angle(), form)));
+    return row;
+  }
+
+  private <T> JComboBox<T> choice(
+      String name, String tip, T[] values, T chosen, Function<T, PoseForm> form) {
+    JComboBox<T> box = new JComboBox<>(values);
+    box.setSelectedItem(chosen);
+    Card.named(box, name, tip);
+    box.addActionListener(
+        event -> presenter.setForm(form.apply(box.getItemAt(box.getSelectedIndex()))));
+    return box;
+  }
+
+  private JComponent buttons(Consumer<String> copy, Consumer<String> waypoint) {
+    Card.named(reset, "move-reset-pose", "Forget what you have typed and show the arm again");
+    reset.addActionListener(event -> presenter.goals().pose().reset());
+    JButton copyButton = new JButton("Copy");
+    Card.named(copyButton, "move-copy-pose", "Copy the pose in the base as URScript");
+    copyButton.addActionListener(event -> copy.accept(presenter.poseScript()));
+    JButton insert = new JButton("Insert");
+    Card.named(insert, "move-insert-movel", "Insert movel to the pose in the base in the program");
+    insert.addActionListener(event -> waypoint.accept("movel(" + presenter.poseScript() + ")"));
+    Card.compact(go, align, reset, copyButton, insert);
+    JPanel row = new JPanel(new MigLayout("insets 0, gap 6", "[][][grow][][]"));
+    row.setOpaque(false);
+    row.add(go);
+    row.add(reset);
+    row.add(align);
+    row.add(copyButton);
+    row.add(insert);
+    return row;
+  }
+
+  void refresh() {
+    GoalPresenter goals = presenter.goals();
+    Draft draft = goals.pose();
+    Draft joints = goals.joints();
+    where.setText(
+        presenter.jog().axes() == JogAxes.FRAME ? "In the frame" : "In the base of the robot");
+    fields.refresh(presenter.form());
+    align.setEnabled(presenter.movable());
+    go.setEnabled(presenter.movable() && draft.edited() && draft.valid() && goals.poseReachable());
+    reset.setEnabled(draft.edited());
+    boolean unreachable = draft.edited() && draft.valid() && !goals.poseReachable();
+    problem.say(unreachable ? goals.poseText() : fields.problem(presenter.form()));
+    note.say(unreachable ? "" : goals.poseText());
+    hint.say(hintText(draft, joints, unreachable));
+  }
+
+  private static String hintText(Draft draft, Draft joints, boolean unreachable) {
+    if (joints.edited()) {
+      return joints.valid() ? "Where the TCP is with the typed joints." : "";
+    }
+    return draft.edited() && draft.valid() && !unreachable ? Draft.GOAL : "";
+  }
+}

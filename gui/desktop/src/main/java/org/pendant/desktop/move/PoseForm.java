@@ -1,0 +1,43 @@
+package org.pendant.desktop.move;
+
+import java.util.List;
+import org.pendant.models.pose.Pose;
+
+/**
+ * How people read and type a pose.
+ *
+ * @param length unit of the position
+ * @param angle unit of the rotation
+ */
+record PoseForm(DisplayUnit length, DisplayUnit angle, RotationForm rotation) {
+  /** As it is shown at first. */
+  static final PoseForm STANDARD =
+      new PoseForm(DisplayUnit.MILLIMETRE, DisplayUnit.DEGREE, RotationForm.VECTOR);
+
+  /** Units of the six numbers. */
+  List<DisplayUnit> units() {
+    return List.of(length, length, length, angle, angle, angle);
+  }
+
+  /** Names of the six numbers. */
+  List<String> labels() {
+    List<String> turns = rotation.labels();
+    return List.of("X", "Y", "Z", turns.get(0), turns.get(1), turns.get(2));
+  }
+
+  /** The six numbers of a pose, in m and rad. */
+  double[] numbers(Pose pose) {
+    double[] numbers = pose.toArray();
+    double[] angles = new double[3];
+    rotation.fromVector(pose.rx(), pose.ry(), pose.rz(), angles);
+    System.arraycopy(angles, 0, numbers, 3, 3);
+    return numbers;
+  }
+
+  /** The pose of six numbers, in m and rad. */
+  Pose pose(double[] numbers) {
+    double[] vector = new double[3];
+    rotation.toVector(numbers[3], numbers[4], numbers[5], vector);
+    return new Pose(numbers[0], numbers[1], numbers[2], vector[0], vector[1], vector[2]);
+  }
+}

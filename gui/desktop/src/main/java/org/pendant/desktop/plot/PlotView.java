@@ -1,0 +1,170 @@
+package org.pendant.desktop.plot;
+
+import java.awt.BorderLayout;
+import java.awt.EventQueue;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JSplitPane;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.io.SignalLabels;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.export.SaveDialog;
+import org.pendant.kit.export.SaveRequest;
+
+/** The screen of charts: what can be drawn on the left, the charts on the right. */
+public final class PlotView implements View {
+  private static final String ID = "plot";
+
+  private final Workbench workbench;
+  private final PlotPresenter presenter;
+  private final ChartStack stack;
+  private final PlotBar bar;
+  private final QuantityTree tree;
+  private final JPanel content = new JPanel(new BorderLayout());
+
+  /**
+   * Charts that were there the last time; recording begins now.
+   *
+   * @param labels names of signals
+   */
+  public PlotView(Workbench workbench, SignalLabels labels) {
+    this.workbench = workbench;
+    PlotHistory plotHistory = new PlotHistory();
+    workbench.session().addFrameListener(plotHistory);
+    Quantities quantities = Quantities.standard(labels::of);
+    presenter = new PlotPresenter(quantities, new History(plotHistory), workbench.settings());
+    presenter.onRefusal(workbench::notify);
+    VariableTrace trace =
+        new VariableTrace(workbench.session()::submit, EventQueue::invokeLater, workbench::notify);
+    presenter.onTraced(trace::want);
+    workbench.session().addFrameListener(trace);
+    stack = new ChartStack(presenter, this::changed);
+    bar = new PlotBar(presenter, this::changed, this::export);
+    tree = new QuantityTree(presenter.quantities(), this::add);
+    JPanel right = new JPanel(new BorderLayout());
+    right.add(bar.component(), BorderLayout.NORTH);
+    right.add(stack, BorderLayout.CENTER);
+    JSplitPane split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right);
+    split.setBorder(BorderFactory.createEmptyBorder());
+    split.setName("plot-split");
+    split.setDividerLocation(tree.component().getPreferredSize().width);
+    content.add(split);
+    content.setName("plot-view");
+    content.getAccessibleContext().setAccessibleName(title());
+    declareActions();
+  }
+
+  private void declareActions() {
+    var actions = workbench.actions();
+    actions.add(Action.of(ID + ".search", "Plots: add a quantity", "", this::goToSearch));
+    actions.add(Action.of(ID + ".pause", "Plots: pause or resume", "", this::togglePause));
+    actions.add(Action.of(ID + ".cursors", "Plots: cursors on or off", "", this::toggleCursors));
+    actions.add(Action.of(ID + ".export", "Plots: export\u2026", "", this::export));
+  }
+
+  private void goToSearch() {
+    workbench.show(ID);
+    tree.focusSearch();
+  }
+
+  private void togglePause() {
+    presenter.pause(!presenter.paused());
+    changed();
+  }
+
+  private void toggleCursors() {
+    presenter.showCursors(presenter.cursors().isEmpty());
+    changed();
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Plots";
+  }
+
+  @Override
+  public JComponent component() {
+    return content;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    showVariables(state);
+    if (presenter.refresh()) {
+      stack.refresh();
+    }
+  }
+
+  private void showVariables(ControllerState state) {
+    if (presenter.quantities().variables().show(state.variables())) {
+      tree.refill();
+    }
+  }
+
+  /**
+   * Draws script variables, or the numbers in poses, lists and structs, and tells which.
+   *
+   * @param expressions such as {@code count} or {@code p[2]}
+   */
+  public void addVariables(List<String> expressions) {
+    showVariables(workbench.session().state());
+    List<Quantity> found =
+        expressions.stream()
+            .flatMap(each -> presenter.quantities().variables().of(each).stream())
+            .toList();
+    if (found.isEmpty()) {
+      workbench.notify(String.join(", ", expressions) + " has no number that could be drawn");
+      return;
+    }
+    add(found);
+    workbench.notify(
+        found.stream().map(Quantity::label).collect(Collectors.joining(", "))
+            + (found.size() == 1 ? " is" : " are")
+            + " drawn on the Plots screen");
+  }
+
+  private void add(List<Quantity> chosen) {
+    chosen.forEach(presenter::add);
+    stack.rebuild();
+  }
+
+  private void changed() {
+    presenter.refresh();
+    bar.refresh();
+    stack.refresh();
+  }
+
+  private void export() {
+    List<Quantity> drawn =
+        presenter.charts().stream()
+            .flatMap(chart -> chart.traces().stream())
+            .map(Trace::quantity)
+            .distinct()
+            .toList();
+    if (drawn.isEmpty()) {
+      workbench.notify("Nothing to export: no quantity is drawn");
+      return;
+    }
+    PlotCsv csv = PlotCsv.of(presenter.history(), drawn, presenter.window());
+    SaveDialog.open(
+        content,
+        new SaveRequest(
+            "Export " + csv.rows() + " samples",
+            Path.of("plot.csv"),
+            List.of("csv"),
+            workbench.openFiles()),
+        csv::write,
+        workbench::notify);
+  }
+}

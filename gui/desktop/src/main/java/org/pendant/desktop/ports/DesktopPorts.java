@@ -1,0 +1,215 @@
+package org.pendant.desktop.ports;
+
+import java.net.InetAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.locks.ReentrantLock;
+import org.pendant.command.service.PortWishes;
+import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.desktop.ports.PortsState.Trouble;
+import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.SwitchListener;
+import org.pendant.protocols.modbus.ModbusServer;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.PrivilegedPort;
+import org.pendant.protocols.server.RemoteControl;
+
+/**
+ * Opens and closes the ports of a session's controller. They follow it: with another controller
+ * they are closed and opened again. Any thread; nothing here waits but what says so.
+ */
+public final class DesktopPorts implements SwitchListener {
+  /** Where Modbus listens, beyond its standard port, when the system does not allow that. */
+  private static final int UNPRIVILEGED = 1000;
+
+  private final Session session;
+  private final Path logs;
+  private final ReentrantLock lock = new ReentrantLock(true);
+
+  // guarded by the lock
+  private Optional<Wanted> wanted = Optional.empty();
+  private Optional<OpenPorts> open = Optional.empty();
+  private boolean off;
+
+  /**
+   * What is wanted.
+   *
+   * @param host where to listen; empty if that is no address of this computer
+   */
+  private record Wanted(PortWishes wishes, Optional<InetAddress> host) {}
+
+  private volatile RemoteControl remote = new RemoteControl(true, true);
+  private volatile PortsState state = PortsState.CLOSED;
+
+  /**
+   * Closed ports.
+   *
+   * @param logs folder for log files and reports of clients
+   */
+  public DesktopPorts(Session session, Path logs) {
+    this.session = session;
+    this.logs = logs;
+    session.addSwitchListener(this);
+  }
+
+  /** Whether they are open, or why not. */
+  PortsState state() {
+    return state;
+  }
+
+  /** Whether clients may control the robot. */
+  boolean remote() {
+    return remote.remote();
+  }
+
+  /** Lets clients control the robot, or only ask; those that are connected notice. */
+  void setRemote(boolean allowed) {
+    remote.setRemote(allowed);
+  }
+
+  /** Begins to open them, as {@code wishes} say; {@link #state} tells what came of it. */
+  public void open(PortWishes wishes) {
+    state = new PortsState.Opening();
+    inBackground(
+        () -> {
+          try {
+            want(Optional.of(wishes));
+          } catch (RuntimeException | Error fault) {
+            // they are not open, and can be tried again
+            state = trouble(PortField.OFFSET, "internal error, " + fault);
+            throw fault;
+          }
+        });
+  }
+
+  /** Begins to close them. */
+  public void close() {
+    inBackground(() -> want(Optional.empty()));
+  }
+
+  private static void inBackground(Runnable task) {
+    Thread.ofVirtual().name("ports").start(task);
+  }
+
+  /** Opens them as they are wanted, or closes them; waits until that is done. */
+  void want(Optional<PortWishes> wishes) {
+    // Asks a name server perhaps, so without the lock: who closes the window must not wait for it.
+    Optional<Wanted> next = wishes.map(each -> new Wanted(each, local(each.host())));
+    lock.lock();
+    try {
+      wanted = next;
+      carryOut();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void carryOut() {
+    closeNow();
+    state = wanted.isPresent() && !off ? opened(wanted.get()) : PortsState.CLOSED;
+    if (state instanceof PortsState.Closed) {
+      // a later controller does not try again what has failed
+      wanted = off ? wanted : Optional.empty();
+    }
+  }
+
+  private void closeNow() {
+    open.ifPresent(OpenPorts::close);
+    open = Optional.empty();
+  }
+
+  private static Optional<InetAddress> local(String name) {
+    if (name.isBlank()) {
+      return Optional.empty();
+    }
+    try {
+      InetAddress host = InetAddress.getByName(name);
+      boolean here =
+          host.isLoopbackAddress()
+              || host.isAnyLocalAddress()
+              || NetworkInterface.getByInetAddress(host) != null;
+      return here ? Optional.of(host) : Optional.empty();
+    } catch (UnknownHostException | SocketException e) {
+      // told at the field, as an address that is another computer's
+      return Optional.empty();
+    }
+  }
+
+  private PortsState opened(Wanted now) {
+    PortWishes wishes = now.wishes();
+    if (!Files.isDirectory(wishes.programs())) {
+      return trouble(PortField.PROGRAMS, wishes.programs() + " is no folder");
+    }
+    if (now.host().isEmpty()) {
+      return trouble(PortField.HOST, wishes.host() + " is no address of this computer");
+    }
+    InetAddress host = now.host().get();
+    RemoteControl control = new RemoteControl(true, wishes.remote());
+    OpenPorts ports =
+        OpenPorts.open(
+            session,
+            numbers(host, wishes),
+            control,
+            ProgramsFolder.at(wishes.programs()),
+            logs,
+            () -> inBackground(this::switchingOff));
+    if (ports.ports().isEmpty()) {
+      ports.close();
+      return trouble(PortField.OFFSET, ports.missing().getFirst().why());
+    }
+    open = Optional.of(ports);
+    remote = control;
+    String address = host.getHostAddress();
+    return new PortsState.Open(
+        address.contains(":") ? "[" + address + "]" : address,
+        !host.isLoopbackAddress(),
+        ports.ports(),
+        ports.missing());
+  }
+
+  private static PortsState trouble(PortField field, String text) {
+    return new PortsState.Closed(Optional.of(new Trouble(field, text)));
+  }
+
+  private static PortNumbers numbers(InetAddress host, PortWishes wishes) {
+    PortNumbers numbers = new PortNumbers(host, wishes.offset(), false);
+    int standard = ModbusServer.STANDARD_PORT;
+    if (wishes.modbus().isPresent()) {
+      return numbers.with(standard, wishes.modbus().getAsInt());
+    }
+    return PrivilegedPort.forbidden(numbers, standard)
+        ? numbers.with(standard, UNPRIVILEGED + standard + wishes.offset())
+        : numbers;
+  }
+
+  /** Closes the ports; waits until that is done. */
+  @Override
+  public void switchingOff() {
+    lock.lock();
+    try {
+      off = true;
+      // the choice between local and remote control outlives the controller
+      wanted =
+          wanted.map(each -> new Wanted(each.wishes().withRemote(remote.remote()), each.host()));
+      carryOut();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Opens them again where they are wanted; waits until that is done. */
+  @Override
+  public void switchedOn() {
+    lock.lock();
+    try {
+      off = false;
+      carryOut();
+    } finally {
+      lock.unlock();
+    }
+  }
+}

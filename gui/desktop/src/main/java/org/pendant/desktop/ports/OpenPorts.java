@@ -1,0 +1,88 @@
+package org.pendant.desktop.ports;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.pendant.controller.Command;
+import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.desktop.session.Session;
+import org.pendant.protocols.BoxPorts;
+import org.pendant.protocols.egress.AllowedHosts;
+import org.pendant.protocols.externalcontrol.Drivers;
+import org.pendant.protocols.net.PeerLog;
+import org.pendant.protocols.net.StateBroadcaster;
+import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.server.MissingPort;
+import org.pendant.protocols.server.PortNumbers;
+import org.pendant.protocols.server.RemoteControl;
+import org.pendant.protocols.server.ServerContext;
+import org.pendant.protocols.teachpendant.PendantSetup;
+import org.pendant.protocols.teachpendant.RemotePendant;
+
+/** The ports of one controller, as long as they are open. */
+final class OpenPorts implements AutoCloseable {
+  private final StateBroadcaster frames;
+  private final BoxPorts box;
+
+  private OpenPorts(StateBroadcaster frames, BoxPorts box) {
+    this.frames = frames;
+    this.box = box;
+  }
+
+  /**
+   * Opens the ports of the session's present controller, as far as they can be had.
+   *
+   * @param shutDown runs once when the controller shuts itself down, in a thread that must not wait
+   */
+  static OpenPorts open(
+      Session session,
+      PortNumbers numbers,
+      RemoteControl remote,
+      ProgramsFolder programs,
+      Path logs,
+      Runnable shutDown) {
+    PeerLog log =
+        new PeerLog(
+            (level, text) -> {
+              // a line that finds no place among the commands of a frame is lost
+              var _ = session.submit(new Command.WriteLog(level, text));
+            });
+    StateBroadcaster frames = new StateBroadcaster(session.controller().feed(), log);
+    ServerContext serverContext = new ServerContext(session.controller(), frames, log, remote);
+    RemotePendant remotePendant =
+        new RemotePendant(
+            session.controller(),
+            new PendantSetup(
+                session.options().robotId(),
+                programs,
+                logs,
+                new Drivers(AllowedHosts.ANY, Optional.empty())));
+    BoxPorts box = BoxPorts.open(serverContext, numbers, remotePendant, session.toolSerial());
+    var _ = session.submit(new Command.SetProgramsFolder(programs));
+    AtomicBoolean told = new AtomicBoolean();
+    frames.add(
+        state -> {
+          if (state.safety().shutDown() && !told.getAndSet(true)) {
+            shutDown.run();
+          }
+        });
+    return new OpenPorts(frames, box);
+  }
+
+  /** The ports, in the order of the real box's documentation. */
+  List<TcpPort> ports() {
+    return box.ports();
+  }
+
+  /** What could not be had. */
+  List<MissingPort> missing() {
+    return box.missing();
+  }
+
+  @Override
+  public void close() {
+    box.close();
+    frames.close();
+  }
+}

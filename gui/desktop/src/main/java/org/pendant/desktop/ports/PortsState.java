@@ -1,0 +1,41 @@
+package org.pendant.desktop.ports;
+
+import java.util.List;
+import java.util.Optional;
+import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.server.MissingPort;
+
+/** Whether the ports are open. */
+sealed interface PortsState {
+  /** Nothing has been wrong. */
+  Closed CLOSED = new Closed(Optional.empty());
+
+  /**
+   * Why they could not be opened.
+   *
+   * @param field where it can be put right
+   */
+  record Trouble(PortField field, String text) {}
+
+  /** Nobody listens. */
+  record Closed(Optional<Trouble> trouble) implements PortsState {}
+
+  /** They are being opened. */
+  record Opening() implements PortsState {}
+
+  /**
+   * They listen, as far as they can be had.
+   *
+   * @param address of the interface, as people write it before a colon
+   * @param exposed whether other computers reach it
+   * @param ports in the order of the real box's documentation
+   * @param missing those that cannot be had
+   */
+  record Open(String address, boolean exposed, List<TcpPort> ports, List<MissingPort> missing)
+      implements PortsState {
+    public Open {
+      ports = List.copyOf(ports);
+      missing = List.copyOf(missing);
+    }
+  }
+}

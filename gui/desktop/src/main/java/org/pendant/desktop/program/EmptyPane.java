@@ -1,0 +1,42 @@
+package org.pendant.desktop.program;
+
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingConstants;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.action.Actions;
+import org.pendant.kit.theme.Palette;
+
+/** Says what will be here while the program in front is a script. */
+@SuppressWarnings("serial") // never written to a stream
+final class EmptyPane extends JPanel {
+  private final JLabel text = new JLabel("", SwingConstants.CENTER);
+
+  EmptyPane(Actions actions) {
+    super(new MigLayout("fill, wrap, insets 24", "[center]", "push[][]push"));
+    setName("program-empty");
+    add(text, "wmin 0");
+    JPanel buttons = new JPanel(new MigLayout("insets 0, gap 8"));
+    for (List<String> each :
+        List.of(
+            List.of("file.new", "New program"),
+            List.of("file.open", "Open program\u2026"),
+            List.of("view.script", "Show the script"))) {
+      JButton button = new JButton(each.get(1));
+      button.setName("program-empty-" + each.get(0).replace('.', '-'));
+      button.addActionListener(event -> actions.run(each.get(0)));
+      buttons.add(button);
+    }
+    add(buttons);
+  }
+
+  void show(String name) {
+    text.setForeground(Palette.quiet());
+    text.setText(
+        "<html><center>"
+            + name.replace("<", "&lt;")
+            + " is a script. Programs made of nodes are shown here.");
+  }
+}

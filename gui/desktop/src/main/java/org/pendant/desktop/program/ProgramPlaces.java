@@ -1,0 +1,95 @@
+package org.pendant.desktop.program;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.pendant.controller.installation.FeaturePoses;
+import org.pendant.controller.installation.Installation;
+import org.pendant.desktop.scene.WaypointMarkers;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.TreeNames;
+import org.pendant.project.program.WaypointPosition;
+import org.pendant.project.program.WaypointTarget;
+
+/** The places of a program as they are shown in 3D. */
+final class ProgramPlaces {
+  /**
+   * More frames than this are slow to draw without a graphics card, and nobody tells them apart.
+   */
+  private static final int MOST = 200;
+
+  private final ProgramTree tree;
+  private final Map<String, Integer> numbers = new LinkedHashMap<>();
+  private final Map<String, Pose> poses = new LinkedHashMap<>();
+
+  private ProgramPlaces(ProgramTree tree, Installation installation) {
+    this.tree = tree;
+    tree.waypoints()
+        .forEach(
+            (name, place) -> {
+              Optional<Pose> pose = inBase(place, installation);
+              if (pose.isPresent() && numbers.size() < MOST) {
+                numbers.put(name, numbers.size());
+                poses.put(name, pose.get());
+              }
+            });
+  }
+
+  /**
+   * Places and the order in which they are gone to.
+   *
+   * @param selected keys of nodes; the places that they name are marked
+   */
+  static WaypointMarkers of(ProgramTree tree, Installation installation, Set<Long> selected) {
+    return new ProgramPlaces(tree, installation).marks(selected);
+  }
+
+  private WaypointMarkers marks(Set<Long> selected) {
+    List<String> chosen =
+        tree.nodes().stream()
+            .filter(each -> selected.contains(each.key()))
+            .flatMap(each -> TreeNames.waypoints(each.step()).stream())
+            .toList();
+    List<WaypointMarkers.Mark> marks = new ArrayList<>();
+    poses.forEach(
+        (name, pose) -> marks.add(new WaypointMarkers.Mark(name, pose, chosen.contains(name))));
+    List<List<Integer>> ways = new ArrayList<>();
+    for (ProgramNode section : tree.sections()) {
+      List<Integer> way = new ArrayList<>();
+      follow(section, way);
+      if (way.size() > 1) {
+        ways.add(way);
+      }
+    }
+    return new WaypointMarkers(marks, ways);
+  }
+
+  private void follow(ProgramNode node, List<Integer> way) {
+    if (node.suppressed()) {
+      return;
+    }
+    if (node.step() instanceof MotionStep.Waypoint waypoint
+        && waypoint.target() instanceof WaypointTarget.Fixed fixed
+        && numbers.containsKey(fixed.name())) {
+      way.add(numbers.get(fixed.name()));
+    }
+    node.children().forEach(each -> follow(each, way));
+  }
+
+  private static Optional<Pose> inBase(WaypointPosition place, Installation installation) {
+    if (place.feature().equals(WaypointPosition.BASE)) {
+      return Optional.of(place.tcp());
+    }
+    return installation
+        .feature(place.feature())
+        .flatMap(FeaturePoses::pose)
+        .map(frame -> Poses.trans(frame, place.tcp()));
+  }
+}

@@ -1,0 +1,503 @@
+package org.pendant.desktop.program;
+
+import java.awt.BorderLayout;
+import java.awt.CardLayout;
+import java.awt.EventQueue;
+import java.awt.event.KeyEvent;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.Set;
+import java.util.function.Consumer;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
+import javax.swing.KeyStroke;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.move.JogHold;
+import org.pendant.desktop.program.form.NodeForms;
+import org.pendant.desktop.scene.WaypointMarkers;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.check.NodeProblem;
+
+/** The screen where programs are built as trees: palette, tree, and the form of a node. */
+public final class ProgramView implements View {
+  /** Its name in settings and commands. */
+  public static final String ID = "program";
+
+  private static final String EMPTY = "empty";
+  private static final String TEXT = "text";
+  private static final String TREE = "tree";
+  private static final String FOLLOW = "program.follow";
+
+  private final Workbench workbench;
+  private final Programs programs;
+  private final TreePrograms trees;
+  private final ScriptLink link;
+  private final Consumer<WaypointMarkers> scene;
+  private final CardLayout cards = new CardLayout();
+  private final JPanel content = new Content();
+  private final TreeList list = new TreeList();
+  private final TreeCommands commands;
+  private final ProgramHost host;
+  private final TreePane pane;
+  private final PalettePanel palette;
+  private final ThreeParts parts;
+  private final TextPane text;
+  private final EmptyPane empty;
+  private final ForeignBar foreignBar;
+  private final ScriptPreview preview = new ScriptPreview();
+  private final ValuesPane values = new ValuesPane();
+  private final JTabbedPane tabs = new JTabbedPane();
+  private final CommandTab command;
+  private final TreeProgram.Listener changes = new Changes();
+  private Optional<TreeProgram> program = Optional.empty();
+  private boolean asText;
+  private boolean follow;
+  private boolean fromScript;
+  private long followed;
+
+  /**
+   * The screen of the program in front; it adds its actions to the workbench.
+   *
+   * @param link leads to the script that the tree generates
+   * @param teacher where the arm is moved to teach places
+   * @param scene shows the places that the program goes to
+   */
+  public ProgramView(
+      Workbench workbench,
+      Programs programs,
+      TreePrograms trees,
+      ScriptLink link,
+      ArmTeacher teacher,
+      Consumer<WaypointMarkers> scene) {
+    assert EventQueue.isDispatchThread();
+    this.workbench = workbench;
+    this.programs = programs;
+    this.trees = trees;
+    this.link = link;
+    this.scene = scene;
+    follow = workbench.settings().get(FOLLOW).map(Boolean::parseBoolean).orElse(true);
+    commands = new TreeCommands(new Chosen(), new SystemClipboard(), workbench::notify);
+    host =
+        new ProgramHost(
+            workbench,
+            teacher,
+            new JogHold(workbench.session()::submit, EventQueue::invokeLater),
+            list::select,
+            () -> shownNode().map(ProgramNode::key).orElse(0L));
+    command = new CommandTab(new NodeForms(workbench, host), commands);
+    TreeDrag drag = new TreeDrag(list, commands::drop);
+    list.mouse().setDrag(drag);
+    list.onSelection(this::selectionChanged);
+    list.mouse().onOpen(this::focusForm);
+    list.onRefusal(workbench::notify);
+    list.mouse().onBreakpoint(key -> program.ifPresent(each -> link.toggleBreakpoint(each, key)));
+    list.registerKeyboardAction(
+        event -> focusForm(), KeyStroke.getKeyStroke("ENTER"), JComponent.WHEN_FOCUSED);
+    palette = new PalettePanel(commands::add, commands::make, drag);
+    SearchBar search = new SearchBar(this::searched, this::findNext, this::searchEnded);
+    IncompleteBar incomplete = new IncompleteBar(this::label, this::goTo);
+    pane = new TreePane(list, search, incomplete, workbench.actions(), this::toggleFollow);
+    pane.showFollow(follow);
+    text = new TextPane(this::showTree);
+    empty = new EmptyPane(workbench.actions());
+    foreignBar = new ForeignBar(workbench.actions());
+    parts = new ThreeParts(palette, pane, tabs, workbench.settings());
+    build();
+    TreeActions.addTo(workbench.actions(), this, commands);
+    programs.addListener(this::programChanged);
+    programChanged();
+  }
+
+  private void build() {
+    tabs.setName("program-tabs");
+    tabs.getAccessibleContext().setAccessibleName("Node, script and variables");
+    tabs.addTab("Command", command);
+    tabs.addTab("Script", preview);
+    tabs.addTab("Variables", values);
+    tabs.addChangeListener(event -> showScript());
+    content.setName("program-view");
+    content.getAccessibleContext().setAccessibleName(title());
+    content.setLayout(cards);
+    content.add(empty, EMPTY);
+    content.add(text, TEXT);
+    JPanel tree = new JPanel(new BorderLayout());
+    tree.add(foreignBar, BorderLayout.NORTH);
+    tree.add(parts);
+    content.add(tree, TREE);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Program";
+  }
+
+  @Override
+  public JComponent component() {
+    return content;
+  }
+
+  // --- the program in front
+
+  private void programChanged() {
+    Optional<TreeProgram> next = trees.current();
+    if (!next.equals(program)) {
+      program.ifPresent(each -> each.removeListener(changes));
+      program = next;
+      asText = false;
+      followed = 0;
+      program.ifPresent(each -> each.addListener(changes));
+      commands.setProgram(program);
+      host.setProgram(program);
+      list.setMarks(TreeMarks.NONE);
+      list.show(host.tree());
+      if (list.selected().isEmpty() && list.getModel().getSize() > 0) {
+        list.setSelectedIndex(0);
+      }
+    }
+    showAll();
+  }
+
+  private void showAll() {
+    if (program.isEmpty()) {
+      scene.accept(WaypointMarkers.NONE);
+      empty.show(programs.current().name());
+      cards.show(content, EMPTY);
+      return;
+    }
+    TreeProgram shown = program.get();
+    if (asText || !shown.textProblems().isEmpty()) {
+      asText = true;
+      text.show(shown);
+      cards.show(content, TEXT);
+      return;
+    }
+    cards.show(content, TREE);
+    foreignBar.show(shown.document());
+    palette.setUsable(commands.editable());
+    pane.setEditable(commands.editable());
+    if (!shown.tree().equals(list.tree())) {
+      list.show(shown.tree());
+    }
+    showChecked();
+    values.show(shown.tree(), shown.installation().variables());
+    searched(pane.search().wanted());
+  }
+
+  private void showChecked() {
+    list.setLabels(labels());
+    program.ifPresent(
+        shown -> {
+          Map<Long, List<NodeProblem>> problems = new HashMap<>();
+          shown.problems().forEach(each -> problems.put(each.key(), shown.problems(each.key())));
+          list.setProblems(problems);
+          pane.showProblems(shown.problems());
+        });
+    showForm();
+    showScript();
+  }
+
+  private void showForm() {
+    scene.accept(
+        program
+            .map(each -> ProgramPlaces.of(each.tree(), each.installation(), list.selected()))
+            .orElse(WaypointMarkers.NONE));
+    command.show(program, list.selected().size(), shownNode(), list.lead());
+  }
+
+  private Optional<ProgramNode> shownNode() {
+    Set<Long> selected = list.selected();
+    return selected.size() == 1 ? host.tree().find(selected.iterator().next()) : Optional.empty();
+  }
+
+  private void showScript() {
+    if (tabs.getSelectedComponent() == preview) {
+      program.ifPresent(each -> preview.show(each.script(), list.lead().orElse(0)));
+    }
+  }
+
+  private void selectionChanged() {
+    showForm();
+    showScript();
+    if (!fromScript && list.lead().isPresent()) {
+      program.ifPresent(each -> link.selected(each, list.lead().getAsLong()));
+    }
+  }
+
+  private void showTree() {
+    asText = false;
+    showAll();
+    list.requestFocusInWindow();
+  }
+
+  void editAsText() {
+    asText = true;
+    showAll();
+  }
+
+  /** Hears of the program in front. */
+  private final class Changes implements TreeProgram.Listener {
+    @Override
+    public void treeChanged() {
+      showAll();
+    }
+
+    @Override
+    public void checked() {
+      showChecked();
+    }
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    host.repeat();
+    if (program.isEmpty() || asText) {
+      return;
+    }
+    TreeProgram shown = program.get();
+    TreeMarks marks = link.marks(shown, state);
+    list.setMarks(marks);
+    if (follow && marks.execution() != 0 && marks.execution() != followed) {
+      list.reveal(marks.execution());
+    }
+    followed = marks.execution();
+    OptionalLong caret = link.caretMoved(shown);
+    if (caret.isPresent()) {
+      fromScript = true;
+      list.select(caret.getAsLong());
+      fromScript = false;
+    }
+    if (values.isShowing()) {
+      values.refresh(state.variables());
+    }
+  }
+
+  // --- running
+
+  /**
+   * Has a program run as soon as it is known that nothing keeps it from that; otherwise shows what
+   * does.
+   */
+  public void whenReady(ProgramDocument document, Runnable run) {
+    Optional<TreeProgram> wanted = trees.of(document);
+    if (wanted.isEmpty()) {
+      run.run();
+      return;
+    }
+    TreeProgram shown = wanted.get();
+    if (!shown.textProblems().isEmpty()) {
+      workbench.notify(document.name() + " cannot run: it has lines that cannot be understood");
+      programs.select(document);
+      workbench.show(ID);
+      return;
+    }
+    shown.whenChecked(
+        () -> {
+          if (shown.problems().isEmpty()) {
+            run.run();
+          } else {
+            block(shown);
+          }
+        });
+  }
+
+  /** The key of the selected node of the program in front; 0 for none. */
+  public long selected() {
+    return program.isPresent() && !asText ? list.lead().orElse(0) : 0;
+  }
+
+  /** Brings a node of an open program into view and selects it. */
+  public void show(RunNode node) {
+    programs.select(node.document());
+    workbench.show(ID);
+    asText = false;
+    showAll();
+    list.select(node.key());
+  }
+
+  private void block(TreeProgram shown) {
+    int count = shown.problems().size();
+    workbench.notify(
+        shown.document().name()
+            + " cannot run yet: "
+            + (count == 1 ? "1 thing is" : count + " things are")
+            + " to complete");
+    programs.select(shown.document());
+    workbench.show(ID);
+    asText = false;
+    showAll();
+    pane.incomplete().unfold(true);
+    goTo(shown.problems().getFirst());
+  }
+
+  private String label(long key) {
+    return host.tree().find(key).map(node -> labels().of(node.step())).orElse("");
+  }
+
+  private NodeLabels labels() {
+    return new NodeLabels(host.installation());
+  }
+
+  /** Selects a node and puts the keys into the field that has to be changed. */
+  private void goTo(NodeProblem problem) {
+    list.select(problem.key());
+    tabs.setSelectedComponent(command);
+    command.focus(problem.field());
+  }
+
+  /** Adds lines of URScript behind the selected node. */
+  public void insertScript(String code) {
+    commands.addScript(code);
+  }
+
+  /** Selects the node of a line of the generated script. */
+  public void showLine(int line) {
+    program.flatMap(each -> each.script().at(line)).ifPresent(place -> list.select(place.key()));
+  }
+
+  // --- what actions do
+
+  boolean hasProgram() {
+    return program.isPresent();
+  }
+
+  boolean canEditText() {
+    return hasProgram() && !programs.current().readOnly();
+  }
+
+  /**
+   * Whether keys that delete, copy and the like mean the tree: it has them, or a menu or the
+   * palette of actions, which act for it.
+   */
+  boolean keysMeanTree() {
+    return KeyTarget.now(list);
+  }
+
+  void toggleFold() {
+    list.lead().ifPresent(key -> list.setFolded(key, !list.isFolded(key)));
+  }
+
+  void foldAll(boolean wanted) {
+    list.foldAll(wanted);
+  }
+
+  void rename() {
+    if (commands.refused()) {
+      return;
+    }
+    list.lead()
+        .ifPresent(
+            key ->
+                host.tree()
+                    .find(key)
+                    .flatMap(node -> Renames.nameOf(node.step()))
+                    .ifPresentOrElse(
+                        name -> pane.rename(key, name, next -> commands.rename(key, next)),
+                        () -> workbench.notify("The node has no name; its form changes it")));
+  }
+
+  void find() {
+    pane.search().open();
+  }
+
+  private void searched(String wanted) {
+    List<Long> matches = TreeSearch.matches(host.tree(), wanted, labels());
+    list.setFound(matches);
+    pane.search().showCount(matches.size());
+  }
+
+  private void searchEnded() {
+    list.setFound(List.of());
+    list.requestFocusInWindow();
+  }
+
+  void findNext(boolean forward) {
+    List<Long> matches = TreeSearch.matches(host.tree(), pane.search().wanted(), labels());
+    TreeSearch.next(host.tree(), matches, list.lead().orElse(0), forward).ifPresent(list::select);
+  }
+
+  void toggleBreakpoint() {
+    program.ifPresent(each -> list.lead().ifPresent(key -> link.toggleBreakpoint(each, key)));
+  }
+
+  void focusPalette() {
+    parts.showPalette();
+    palette.focus();
+  }
+
+  void focusForm() {
+    tabs.setSelectedComponent(command);
+    command.focus("");
+  }
+
+  void focusTree() {
+    list.requestFocusInWindow();
+  }
+
+  void showInScript() {
+    selectionChanged();
+    workbench.actions().run("view.script");
+  }
+
+  /** The Script screen closes programs: it asks for what is not saved there. */
+  void close() {
+    boolean asks = programs.current().modified();
+    workbench.actions().run("view.script");
+    workbench.actions().run("editor.close");
+    if (!asks) {
+      workbench.show(ID);
+    }
+  }
+
+  void toggleFollow() {
+    follow = !follow;
+    workbench.settings().put(FOLLOW, String.valueOf(follow));
+    pane.showFollow(follow);
+  }
+
+  /** The tree's selection for commands. */
+  private final class Chosen implements TreeCommands.Selection {
+    @Override
+    public Set<Long> selected() {
+      return list.selected();
+    }
+
+    @Override
+    public OptionalLong lead() {
+      return list.lead();
+    }
+
+    @Override
+    public void select(Collection<Long> keys) {
+      list.select(keys);
+    }
+  }
+
+  /** The screen: keys that mean something on it come before those of the window. */
+  @SuppressWarnings("serial") // never written to a stream
+  private final class Content extends JPanel {
+    @Override
+    protected boolean processKeyBinding(
+        KeyStroke stroke, KeyEvent event, int condition, boolean pressed) {
+      if (condition == WHEN_ANCESTOR_OF_FOCUSED_COMPONENT
+          && !asText
+          && TreeActions.perform(workbench.actions(), stroke, keysMeanTree())) {
+        return true;
+      }
+      return super.processKeyBinding(stroke, event, condition, pressed);
+    }
+  }
+}

@@ -1,0 +1,12 @@
+package org.pendant.desktop.program;
+
+import org.pendant.desktop.session.ProgramDocument;
+
+/**
+ * The node that a program is at.
+ *
+ * @param key of the node
+ * @param number as it stands beside the node in the tree
+ * @param label as in the tree
+ */
+public record RunNode(ProgramDocument document, long key, int number, String label) {}

@@ -1,0 +1,166 @@
+package org.pendant.desktop.program;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+import javax.swing.KeyStroke;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.Actions;
+import org.pendant.project.program.NodeKind;
+
+/** What can be done on the Program screen, by name and key. */
+final class TreeActions {
+  /** Their ids begin so. */
+  static final String PREFIX = "tree.";
+
+  /** Those that add nodes begin so. */
+  static final String ADD = PREFIX + "add-";
+
+  /** What is meant for the tree alone: elsewhere on the screen its keys mean something else. */
+  private static final Set<String> IN_TREE =
+      Set.of(
+          "cut",
+          "copy",
+          "paste",
+          "delete",
+          "duplicate",
+          "move-up",
+          "move-down",
+          "suppress",
+          "rename",
+          "fold");
+
+  private final Actions actions;
+  private final ProgramView view;
+  private final TreeCommands commands;
+
+  private TreeActions(Actions actions, ProgramView view, TreeCommands commands) {
+    this.actions = actions;
+    this.view = view;
+    this.commands = commands;
+  }
+
+  static void addTo(Actions actions, ProgramView view, TreeCommands commands) {
+    TreeActions all = new TreeActions(actions, view, commands);
+    all.add(
+        "undo",
+        "Undo in the program",
+        "control Z",
+        () -> commands.undoes().isPresent(),
+        commands::undo);
+    all.add(
+        "redo",
+        "Do again in the program",
+        "control shift Z",
+        () -> commands.redoes().isPresent(),
+        commands::redo);
+    all.nodes();
+    all.going();
+    for (NodeKind kind : NodeKind.values()) {
+      if (kind.group() != NodeKind.Group.GIVEN) {
+        all.add(
+            "add-" + kind.name().toLowerCase(Locale.ROOT).replace('_', '-'),
+            "Add: " + kind.title(),
+            "",
+            commands::editable,
+            () -> commands.add(kind));
+      }
+    }
+  }
+
+  private void nodes() {
+    node("cut", "Cut nodes", "control X", commands::cut);
+    add(
+        "copy",
+        "Copy nodes",
+        "control C",
+        () -> commands.canCopy() && view.keysMeanTree(),
+        commands::copy);
+    add(
+        "paste",
+        "Paste nodes",
+        "control V",
+        () -> commands.editable() && view.keysMeanTree(),
+        commands::paste);
+    node("delete", "Delete nodes", "DELETE", commands::delete);
+    node("duplicate", "Duplicate nodes", "control D", commands::duplicate);
+    node("move-up", "Move nodes up", "alt UP", () -> commands.shift(false));
+    node("move-down", "Move nodes down", "alt DOWN", () -> commands.shift(true));
+    node("suppress", "Suppress nodes, or use them again", "control SLASH", commands::suppress);
+    node("rename", "Rename node", "F2", view::rename);
+    add(
+        "fold",
+        "Fold or unfold node",
+        "control PERIOD",
+        () -> commands.ready() && view.keysMeanTree(),
+        view::toggleFold);
+  }
+
+  private void going() {
+    add(
+        "fold-all",
+        "Fold all nodes",
+        "control alt OPEN_BRACKET",
+        commands::ready,
+        () -> view.foldAll(true));
+    add(
+        "unfold-all",
+        "Unfold all nodes",
+        "control alt CLOSE_BRACKET",
+        commands::ready,
+        () -> view.foldAll(false));
+    add("find", "Find in the program", "control F", commands::ready, view::find);
+    add("find-next", "Next match in the program", "F3", commands::ready, () -> view.findNext(true));
+    add(
+        "find-previous",
+        "Match before in the program",
+        "shift F3",
+        commands::ready,
+        () -> view.findNext(false));
+    add(
+        "breakpoint",
+        "Breakpoint at the node, or none",
+        "F9",
+        commands::ready,
+        view::toggleBreakpoint);
+    add("palette", "Find a node to add", "control shift A", commands::editable, view::focusPalette);
+    add("form", "Go to the form of the node", "", commands::ready, view::focusForm);
+    add("to-tree", "Go to the tree", "", commands::ready, view::focusTree);
+    add("script", "Show the node in the script", "", commands::ready, view::showInScript);
+    add("as-text", "Edit the program file as text", "", view::canEditText, view::editAsText);
+    add("close", "Close the program in front", "control W", () -> view.hasProgram(), view::close);
+    add("follow", "Follow the program in the tree, or not", "", () -> true, view::toggleFollow);
+  }
+
+  private void node(String id, String title, String keys, Runnable run) {
+    add(id, title, keys, () -> commands.canChange() && view.keysMeanTree(), run);
+  }
+
+  private void add(String id, String title, String keys, BooleanSupplier enabled, Runnable run) {
+    actions.add(
+        new Action(
+            PREFIX + id,
+            title,
+            keys,
+            () -> view.component().isShowing() && enabled.getAsBoolean(),
+            run));
+  }
+
+  /**
+   * Does what a key is for on this screen, whatever it means elsewhere.
+   *
+   * @param inTree whether keys go to the tree itself
+   */
+  static boolean perform(Actions actions, KeyStroke stroke, boolean inTree) {
+    List<Action> meant =
+        actions.all().stream()
+            .filter(each -> each.id().startsWith(PREFIX))
+            .filter(each -> inTree || !IN_TREE.contains(each.id().substring(PREFIX.length())))
+            .filter(each -> stroke.equals(KeyStroke.getKeyStroke(actions.keysOf(each.id()))))
+            .filter(each -> each.enabled().getAsBoolean())
+            .toList();
+    meant.stream().findFirst().ifPresent(each -> actions.run(each.id()));
+    return !meant.isEmpty();
+  }
+}

@@ -1,0 +1,52 @@
+package org.pendant.desktop.program;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.ToLongFunction;
+import org.pendant.desktop.editor.Execution;
+import org.pendant.desktop.editor.LineIcon;
+
+/**
+ * What stands beside the nodes of a tree, by their keys.
+ *
+ * @param breakpoints how each looks
+ * @param execution the node where the program is; 0 for none
+ * @param state what the program does there
+ * @param note why it is held or has failed; empty for nothing to say
+ * @param threads nodes where other threads of the program are
+ */
+record TreeMarks(
+    Map<Long, LineIcon.Dot> breakpoints,
+    long execution,
+    Execution.State state,
+    String note,
+    Set<Long> threads) {
+  static final TreeMarks NONE = new TreeMarks(Map.of(), 0, Execution.State.RUNNING, "", Set.of());
+
+  TreeMarks {
+    breakpoints = Map.copyOf(breakpoints);
+    threads = Set.copyOf(threads);
+  }
+
+  /** The same beside other nodes, such as those that are not hidden in folded ones. */
+  TreeMarks at(ToLongFunction<Long> place) {
+    Map<Long, LineIcon.Dot> dots = new HashMap<>();
+    breakpoints.forEach((key, dot) -> dots.putIfAbsent(place.applyAsLong(key), dot));
+    Set<Long> others = new HashSet<>();
+    threads.forEach(key -> others.add(place.applyAsLong(key)));
+    return new TreeMarks(
+        dots, execution == 0 ? 0 : place.applyAsLong(execution), state, note, others);
+  }
+
+  /** What is drawn beside a node; empty for nothing. */
+  Optional<LineIcon> icon(long key) {
+    Optional<LineIcon.Dot> dot = Optional.ofNullable(breakpoints.get(key));
+    Optional<Execution.State> arrow = key == execution ? Optional.of(state) : Optional.empty();
+    return dot.isEmpty() && arrow.isEmpty()
+        ? Optional.empty()
+        : Optional.of(new LineIcon(dot, arrow, false));
+  }
+}

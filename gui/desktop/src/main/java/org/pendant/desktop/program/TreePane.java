@@ -1,0 +1,235 @@
+package org.pendant.desktop.program;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Rectangle;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JMenuItem;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.JToggleButton;
+import javax.swing.KeyStroke;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.action.Actions;
+import org.pendant.kit.action.KeyText;
+import org.pendant.kit.layout.WrappingRow;
+import org.pendant.project.program.check.NodeProblem;
+
+/** The tree with what is around it: buttons, search, and what is not complete. */
+@SuppressWarnings("serial") // never written to a stream
+final class TreePane extends JPanel {
+  /** Not one of this screen: the window's, but meant for the node. */
+  private static final String RUN_FROM = "program.run-from";
+
+  private final TreeList list;
+  private final SearchBar search;
+  private final IncompleteBar incomplete;
+  private final JToggleButton follow = new JToggleButton(new ToolIcon(ToolIcon.Sign.FOLLOW));
+  private final transient Actions actions;
+  private final List<JButton> edits = new ArrayList<>();
+
+  TreePane(
+      TreeList list,
+      SearchBar search,
+      IncompleteBar incomplete,
+      Actions actions,
+      Runnable followToggled) {
+    super(new BorderLayout());
+    this.list = list;
+    this.search = search;
+    this.incomplete = incomplete;
+    this.actions = actions;
+    JPanel tools = new JPanel(new WrappingRow(2));
+    tools.setName("program-tools");
+    for (ToolIcon.Sign sign : ToolIcon.Sign.values()) {
+      if (sign != ToolIcon.Sign.FOLLOW) {
+        tools.add(tool(sign));
+      }
+    }
+    follow.setName("program-follow");
+    follow.setToolTipText("Follow: keeps the node that runs in sight");
+    follow.getAccessibleContext().setAccessibleName("Follow the program");
+    follow.putClientProperty("JButton.buttonType", "toolBarButton");
+    follow.setFocusable(false);
+    follow.addActionListener(event -> followToggled.run());
+    tools.add(follow);
+    JPanel head = new JPanel(new BorderLayout());
+    head.add(tools, BorderLayout.NORTH);
+    head.add(search, BorderLayout.SOUTH);
+    JScrollPane scroll = new JScrollPane(list);
+    scroll.setName("program-tree-scroll");
+    scroll.setBorder(BorderFactory.createEmptyBorder());
+    scroll.getVerticalScrollBar().setUnitIncrement(UIScale.scale(22));
+    add(head, BorderLayout.NORTH);
+    add(scroll);
+    add(incomplete, BorderLayout.SOUTH);
+    list.setComponentPopupMenu(menu());
+    key("LEFT", () -> list.turn(false));
+    key("RIGHT", () -> list.turn(true));
+  }
+
+  private void key(String keys, Runnable run) {
+    list.registerKeyboardAction(
+        event -> run.run(), KeyStroke.getKeyStroke(keys), JComponent.WHEN_FOCUSED);
+  }
+
+  private JButton tool(ToolIcon.Sign sign) {
+    JButton button =
+        new JButton(new ToolIcon(sign)) {
+          @Override
+          public String getToolTipText() {
+            String keys = KeyText.shown(actions.keysOf(TreeActions.PREFIX + sign.action()));
+            return keys.isEmpty() ? sign.title() : sign.title() + " (" + keys + ")";
+          }
+        };
+    button.setName("program-" + sign.action());
+    button.putClientProperty("JButton.buttonType", "toolBarButton");
+    // The tree keeps the keys.
+    button.setFocusable(false);
+    button.getAccessibleContext().setAccessibleName(sign.title());
+    button.setToolTipText(sign.title());
+    button.addActionListener(event -> run(sign.action()));
+    if (sign != ToolIcon.Sign.COPY) {
+      edits.add(button);
+    }
+    return button;
+  }
+
+  private void run(String action) {
+    list.requestFocusInWindow();
+    // Whatever is enabled where keys go is so for the tree, which has them in a moment.
+    actions.all().stream()
+        .filter(each -> each.id().equals(TreeActions.PREFIX + action))
+        .forEach(each -> each.run().run());
+  }
+
+  private JPopupMenu menu() {
+    JPopupMenu menu = new JPopupMenu();
+    menu.setName("program-menu");
+    menu.addPopupMenuListener(new Opening(() -> fill(menu)));
+    return menu;
+  }
+
+  private void fill(JPopupMenu menu) {
+    menu.removeAll();
+    for (List<String> group :
+        List.of(
+            List.of("cut", "copy", "paste", "duplicate", "delete"),
+            List.of("move-up", "move-down", "suppress", "rename"),
+            List.of(RUN_FROM, "breakpoint", "script"),
+            List.of("fold", "fold-all", "unfold-all", "as-text"))) {
+      if (menu.getComponentCount() > 0) {
+        menu.addSeparator();
+      }
+      for (String each : group) {
+        actions.all().stream()
+            .filter(
+                action ->
+                    action.id().equals(each.equals(RUN_FROM) ? each : TreeActions.PREFIX + each))
+            .forEach(action -> menu.add(item(action)));
+      }
+    }
+  }
+
+  private JMenuItem item(Action action) {
+    String keys = KeyText.shown(actions.keysOf(action.id()));
+    JMenuItem item = new JMenuItem(action.title());
+    item.setName("menu-" + action.id());
+    item.setText(keys.isEmpty() ? action.title() : action.title() + "   " + keys);
+    if (action.id().equals(RUN_FROM)) {
+      item.setEnabled(action.enabled().getAsBoolean());
+      String reason = actions instanceof ActionTable table ? table.reason(RUN_FROM) : "";
+      if (!reason.isEmpty()) {
+        item.setToolTipText(action.title() + ": " + reason);
+      }
+    }
+    item.addActionListener(event -> action.run().run());
+    return item;
+  }
+
+  /** Whether the tree can be changed. */
+  void setEditable(boolean editable) {
+    edits.forEach(each -> each.setEnabled(editable));
+  }
+
+  void showFollow(boolean on) {
+    follow.setSelected(on);
+  }
+
+  SearchBar search() {
+    return search;
+  }
+
+  void showProblems(List<NodeProblem> problems) {
+    incomplete.show(problems);
+  }
+
+  IncompleteBar incomplete() {
+    return incomplete;
+  }
+
+  @Override
+  public Dimension getMinimumSize() {
+    return new Dimension(UIScale.scale(150), UIScale.scale(120));
+  }
+
+  /**
+   * Has somebody write another name over a node.
+   *
+   * @param done takes the name
+   */
+  void rename(long key, String now, Consumer<String> done) {
+    list.reveal(key);
+    list.textOf(key).ifPresent(place -> edit(place, now, done));
+  }
+
+  private void edit(Rectangle place, String now, Consumer<String> done) {
+    JTextField field = new JTextField(now);
+    field.setName("program-rename");
+    field.getAccessibleContext().setAccessibleName("Name of the node");
+    field.setBounds(place);
+    boolean[] over = {false};
+    Consumer<Boolean> end =
+        accepted -> {
+          if (!over[0]) {
+            over[0] = true;
+            String text = field.getText().strip();
+            boolean focused = field.hasFocus();
+            list.remove(field);
+            list.repaint();
+            if (focused) {
+              list.requestFocusInWindow();
+            }
+            if (accepted) {
+              done.accept(text);
+            }
+          }
+        };
+    field.registerKeyboardAction(
+        event -> end.accept(true), KeyStroke.getKeyStroke("ENTER"), JComponent.WHEN_FOCUSED);
+    field.registerKeyboardAction(
+        event -> end.accept(false), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_FOCUSED);
+    field.addFocusListener(
+        new FocusAdapter() {
+          @Override
+          public void focusLost(FocusEvent event) {
+            end.accept(!event.isTemporary());
+          }
+        });
+    list.add(field);
+    field.selectAll();
+    field.requestFocusInWindow();
+    list.repaint();
+  }
+}

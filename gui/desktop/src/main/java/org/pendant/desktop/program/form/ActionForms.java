@@ -1,0 +1,351 @@
+package org.pendant.desktop.program.form;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.desktop.program.form.Item.Option;
+import org.pendant.kit.form.Measure;
+import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.Section;
+import org.pendant.project.program.WaitFor;
+
+/** The forms of nodes that do something else than moving; settings have a class of their own. */
+final class ActionForms {
+  static final String NO_SIGNAL = "is no such signal";
+
+  private ActionForms() {}
+
+  static Form of(FormContext context, ActionStep step) {
+    return switch (step) {
+      case ActionStep.Wait wait -> waiting(context, wait.what());
+      case ActionStep.SetAction set -> SettingForm.of(context, set.setting());
+      case ActionStep.Popup popup -> popup(context, popup);
+      case ActionStep.Halt _ ->
+          new FormBuilder(context, "halt", "Halt", "Ends the program at once.")
+              .quiet("hint", "There is nothing to set.")
+              .build();
+      case ActionStep.Comment comment -> comment(context, comment);
+      case ActionStep.Folder folder ->
+          new FormBuilder(context, "folder", "Folder", "Keeps nodes together; they run in order.")
+              .text("name", "Name", folder.name(), "such as Pick", ActionStep.Folder::new)
+              .build();
+      case ActionStep.Assignment assignment -> assignment(context, assignment);
+      case ActionStep.OperatorInput input -> operatorInput(context, input);
+      case ActionStep.Call call -> call(context, call);
+      case ActionStep.ScriptLine line -> scriptLine(context, line);
+      case ActionStep.ScriptFile file -> FileParts.scriptFile(context, file);
+      case ActionStep.Timer timer -> timer(context, timer);
+    };
+  }
+
+  private static Form waiting(FormContext context, WaitFor what) {
+    context.kept().keep(what);
+    FormBuilder form =
+        new FormBuilder(context, "wait", "Wait", "Goes on when the time or signal has come.");
+    form.sides(
+        "what",
+        "Wait for",
+        List.of(
+            new Option("nothing", "Nothing"),
+            new Option("time", "Time"),
+            new Option("digital", "Digital"),
+            new Option("analog", "Analog"),
+            new Option("expression", "Expression")),
+        switch (what) {
+          case WaitFor.Nothing _ -> "nothing";
+          case WaitFor.Time _ -> "time";
+          case WaitFor.Digital _ -> "digital";
+          case WaitFor.Analog _ -> "analog";
+          case WaitFor.Expression _ -> "expression";
+        },
+        chosen -> new ActionStep.Wait(waitFor(context.kept(), chosen)));
+    SignalChoices signals = context.signals();
+    switch (what) {
+      case WaitFor.Nothing _ -> form.quiet("nothing", "The program goes on at once.");
+      case WaitFor.Time(double timeS) ->
+          form.number(
+              "what.timeS",
+              "Time",
+              timeS,
+              Measure.SECOND,
+              Range.FROM_ZERO,
+              value -> new ActionStep.Wait(new WaitFor.Time(value)));
+      case WaitFor.Digital(String signal, boolean level) ->
+          form.choice(
+                  "what.signal",
+                  "Signal",
+                  signals.digital(),
+                  signal,
+                  NO_SIGNAL,
+                  value -> new ActionStep.Wait(new WaitFor.Digital(value, level)))
+              .either(
+                  "what.level",
+                  "To be",
+                  "High",
+                  "Low",
+                  level,
+                  value -> new ActionStep.Wait(new WaitFor.Digital(signal, value)));
+      case WaitFor.Analog(String signal, boolean above, double value) ->
+          form.choice(
+                  "what.signal",
+                  "Signal",
+                  signals.analog(),
+                  signal,
+                  NO_SIGNAL,
+                  chosen -> new ActionStep.Wait(new WaitFor.Analog(chosen, above, value)))
+              .either(
+                  "what.above",
+                  "To be",
+                  "Above",
+                  "Below",
+                  above,
+                  chosen -> new ActionStep.Wait(new WaitFor.Analog(signal, chosen, value)))
+              .number(
+                  "what.value",
+                  "Value",
+                  value,
+                  signals.measure(signal),
+                  signals.range(signal),
+                  chosen -> new ActionStep.Wait(new WaitFor.Analog(signal, above, chosen)));
+      case WaitFor.Expression(String condition) ->
+          form.condition(
+              "what.condition",
+              "Condition",
+              condition,
+              "such as get_standard_digital_in(0)",
+              value -> new ActionStep.Wait(new WaitFor.Expression(value)));
+    }
+    return form.build();
+  }
+
+  private static WaitFor waitFor(Kept kept, String chosen) {
+    return switch (chosen) {
+      case "nothing" -> new WaitFor.Nothing();
+      case "time" -> kept.recall(WaitFor.Time.class, new WaitFor.Time(1));
+      case "digital" ->
+          kept.recall(WaitFor.Digital.class, new WaitFor.Digital("digital_in[0]", true));
+      case "analog" ->
+          kept.recall(WaitFor.Analog.class, new WaitFor.Analog("analog_in[0]", true, 5));
+      default -> kept.recall(WaitFor.Expression.class, new WaitFor.Expression(""));
+    };
+  }
+
+  private static Form popup(FormContext context, ActionStep.Popup popup) {
+    FormBuilder form =
+        new FormBuilder(context, "popup", "Popup", "Shows a message and waits for Continue.");
+    context.kept().keep(popup.isExpression() ? "expression" : "words", popup.text());
+    form.part("Message")
+        .sides(
+            "isExpression",
+            "Says",
+            List.of(new Option("words", "A text"), new Option("expression", "An expression")),
+            popup.isExpression() ? "expression" : "words",
+            chosen ->
+                new ActionStep.Popup(
+                    context.kept().recall(chosen, String.class).orElse(""),
+                    chosen.equals("expression"),
+                    popup.kind(),
+                    popup.halts()));
+    if (popup.isExpression()) {
+      form.expression(
+          "text", "Expression", popup.text(), "such as count", text -> popup(popup, text));
+    } else {
+      form.add(
+          new Item.Prose("text", "Text", popup.text(), text -> context.with(popup(popup, text))));
+    }
+    return form.oneOf(
+            "kind",
+            "Kind",
+            popup.kind(),
+            kind ->
+                switch (kind) {
+                  case MESSAGE -> "Message";
+                  case WARNING -> "Warning";
+                  case ERROR -> "Error";
+                },
+            kind -> new ActionStep.Popup(popup.text(), popup.isExpression(), kind, popup.halts()))
+        .check(
+            "halts",
+            "End the program after it",
+            popup.halts(),
+            halts -> new ActionStep.Popup(popup.text(), popup.isExpression(), popup.kind(), halts))
+        .part("Preview")
+        .drawing(
+            "preview",
+            new Sketch.Message(popup.text(), popup.kind(), popup.halts()),
+            "The popup as operators see it")
+        .build();
+  }
+
+  private static ActionStep.Popup popup(ActionStep.Popup was, String text) {
+    return new ActionStep.Popup(text, was.isExpression(), was.kind(), was.halts());
+  }
+
+  private static Form comment(FormContext context, ActionStep.Comment comment) {
+    return new FormBuilder(context, "comment", "Comment", "A remark for people; nothing runs.")
+        .add(
+            new Item.Prose(
+                "text", "Text", comment.text(), text -> context.with(new ActionStep.Comment(text))))
+        .build();
+  }
+
+  private static FormBuilder source(FormContext context, String variable, boolean operator) {
+    FormBuilder form =
+        new FormBuilder(context, "assignment", "Assignment", "Gives a variable a value.");
+    return form.add(
+        new Item.Choice(
+            "source",
+            "Value from",
+            List.of(new Option("expression", "Expression"), new Option("operator", "Operator")),
+            operator ? "operator" : "expression",
+            true,
+            "",
+            chosen -> context.with(assigned(context.kept(), variable, chosen))));
+  }
+
+  private static ActionStep assigned(Kept kept, String variable, String chosen) {
+    if (chosen.equals("operator")) {
+      ActionStep.OperatorInput input =
+          kept.recall(
+              ActionStep.OperatorInput.class,
+              new ActionStep.OperatorInput(variable, ActionStep.InputKind.FLOAT, ""));
+      return new ActionStep.OperatorInput(variable, input.kind(), input.message());
+    }
+    String expression =
+        kept.recall(ActionStep.Assignment.class, new ActionStep.Assignment(variable, ""))
+            .expression();
+    return new ActionStep.Assignment(variable, expression);
+  }
+
+  /** Variables that can be given values. */
+  private static List<String> assignable(FormContext context) {
+    List<String> names = new ArrayList<>(ProgramNames.ownVariables(context.tree()));
+    context.installation().variables().stream()
+        .map(each -> each.name())
+        .filter(each -> !names.contains(each))
+        .forEach(names::add);
+    return names;
+  }
+
+  private static Form assignment(FormContext context, ActionStep.Assignment step) {
+    context.kept().keep(step);
+    return source(context, step.variable(), false)
+        .variable(
+            "variable",
+            "Variable",
+            step.variable(),
+            assignable(context),
+            name -> new ActionStep.Assignment(name, step.expression()))
+        .expression(
+            "expression",
+            "Value",
+            step.expression(),
+            "such as count + 1",
+            text -> new ActionStep.Assignment(step.variable(), text))
+        .build();
+  }
+
+  private static Form operatorInput(FormContext context, ActionStep.OperatorInput step) {
+    context.kept().keep(step);
+    return source(context, step.variable(), true)
+        .variable(
+            "variable",
+            "Variable",
+            step.variable(),
+            assignable(context),
+            name -> new ActionStep.OperatorInput(name, step.kind(), step.message()))
+        .oneOf(
+            "kind",
+            "Asks for",
+            step.kind(),
+            kind ->
+                switch (kind) {
+                  case BOOLEAN -> "Yes or no";
+                  case INTEGER -> "Whole number";
+                  case FLOAT -> "Number";
+                  case TEXT -> "Text";
+                },
+            kind -> new ActionStep.OperatorInput(step.variable(), kind, step.message()))
+        .add(
+            new Item.Prose(
+                "message",
+                "Question",
+                step.message(),
+                text ->
+                    context.with(new ActionStep.OperatorInput(step.variable(), step.kind(), text))))
+        .build();
+  }
+
+  private static Form call(FormContext context, ActionStep.Call call) {
+    List<String> subs = ProgramNames.subPrograms(context.tree());
+    FormBuilder form =
+        new FormBuilder(context, "call", "Call", "Runs a sub program, then goes on.")
+            .choice(
+                "subProgram",
+                "Sub program",
+                FormContext.plain(subs),
+                call.subProgram(),
+                "is no sub program of this program",
+                ActionStep.Call::new);
+    if (subs.isEmpty()) {
+      form.quiet("none", "The program has no sub program yet: the palette adds one.");
+    }
+    context.tree().sections().stream()
+        .filter(node -> isSub(node, call.subProgram()))
+        .findFirst()
+        .ifPresent(
+            node ->
+                form.presses(
+                    "show",
+                    "",
+                    FormBuilder.press(
+                        "show-sub",
+                        "Show it",
+                        "Select the sub program in the tree",
+                        true,
+                        () -> context.host().select(node.key()))));
+    return form.build();
+  }
+
+  private static boolean isSub(ProgramNode node, String name) {
+    return node.step() instanceof Section.SubProgram sub && sub.name().equals(name);
+  }
+
+  private static Form scriptLine(FormContext context, ActionStep.ScriptLine line) {
+    return new FormBuilder(
+            context, "script-line", "Script", "URScript that runs as it is typed, one line.")
+        .add(
+            new Item.Code(
+                "code",
+                "Code",
+                line.code(),
+                true,
+                Optional.of(
+                    text -> context.with(new ActionStep.ScriptLine(text.replace('\n', ' '))))))
+        .build();
+  }
+
+  private static Form timer(FormContext context, ActionStep.Timer timer) {
+    return new FormBuilder(
+            context, "timer", "Timer", "A stop watch: a variable that counts seconds.")
+        .variable(
+            "name",
+            "Timer",
+            timer.name(),
+            ProgramNames.timers(context.tree()),
+            name -> new ActionStep.Timer(name, timer.action()))
+        .oneOf(
+            "action",
+            "Do",
+            timer.action(),
+            action ->
+                switch (action) {
+                  case START -> "Start";
+                  case STOP -> "Stop";
+                  case RESET -> "Reset";
+                },
+            action -> new ActionStep.Timer(timer.name(), action))
+        .build();
+  }
+}

@@ -1,0 +1,161 @@
+package org.pendant.desktop.program.form;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import org.pendant.kit.form.Measure;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.Step;
+
+/** The form of a straight way in a direction. */
+final class DirectionForm {
+  private static final List<String> AXES = List.of("X", "Y", "Z");
+
+  private DirectionForm() {}
+
+  static Form of(FormContext context, MotionStep.Direction step) {
+    FormBuilder form =
+        new FormBuilder(
+            context,
+            "direction",
+            "Direction",
+            "Moves the tool straight on until one of the Until nodes below it says stop.");
+    form.part("Direction")
+        .choice(
+            "feature",
+            "Feature",
+            context.features(),
+            step.feature(),
+            MotionForms.NO_FEATURE,
+            feature -> in(step, feature));
+    vector(
+        form, List.of(step.x(), step.y(), step.z()), List.of("x", "y", "z"), v -> along(step, v));
+    form.expression(
+        "expression",
+        "or computed",
+        step.expression(),
+        "such as [1, 0, -0.5]",
+        text -> computed(step, text));
+    if (step.expression().isBlank()) {
+      form.drawing(
+          "direction-drawing",
+          new Sketch.Arrow(step.x(), step.y(), step.z()),
+          "The direction in " + step.feature());
+    }
+    Ranges ranges = new Ranges(context.host().state().arm().description());
+    form.part("Motion")
+        .optional(
+            "speedMPerS",
+            "Tool speed",
+            step.speedMPerS(),
+            Measure.MILLIMETRE_PER_S,
+            ranges.speeds(false),
+            "as the move",
+            value -> motion(step, value, step.accelerationMPerS2()))
+        .optional(
+            "accelerationMPerS2",
+            "Acceleration",
+            step.accelerationMPerS2(),
+            Measure.MILLIMETRE_PER_S2,
+            Ranges.accelerations(false),
+            "as the move",
+            value -> motion(step, step.speedMPerS(), value));
+    boolean ends =
+        context.node().children().stream()
+            .anyMatch(each -> each.step() instanceof MotionStep.Until && !each.suppressed());
+    return form.note(
+            "until", Item.Tone.WARNING, ends ? "" : "Nothing ends it: add an Until below it.")
+        .build();
+  }
+
+  private static MotionStep.Direction in(MotionStep.Direction was, String feature) {
+    return new MotionStep.Direction(
+        feature,
+        was.x(),
+        was.y(),
+        was.z(),
+        was.expression(),
+        was.speedMPerS(),
+        was.accelerationMPerS2());
+  }
+
+  /** The numbers take the place of an expression. */
+  private static MotionStep.Direction along(MotionStep.Direction was, List<Double> vector) {
+    return new MotionStep.Direction(
+        was.feature(),
+        vector.get(0),
+        vector.get(1),
+        vector.get(2),
+        was.speedMPerS(),
+        was.accelerationMPerS2());
+  }
+
+  private static MotionStep.Direction computed(MotionStep.Direction was, String expression) {
+    return new MotionStep.Direction(
+        was.feature(),
+        was.x(),
+        was.y(),
+        was.z(),
+        expression,
+        was.speedMPerS(),
+        was.accelerationMPerS2());
+  }
+
+  private static MotionStep.Direction motion(
+      MotionStep.Direction was, OptionalDouble speed, OptionalDouble acceleration) {
+    return new MotionStep.Direction(
+        was.feature(), was.x(), was.y(), was.z(), was.expression(), speed, acceleration);
+  }
+
+  /** A step for a vector. */
+  @FunctionalInterface
+  interface OfVector {
+    Step step(List<Double> vector);
+  }
+
+  /** Buttons for the axes both ways, and three numbers. */
+  static void vector(FormBuilder form, List<Double> now, List<String> names, OfVector step) {
+    FormContext context = form.context();
+    List<Item.Press> buttons = new ArrayList<>();
+    for (int axis = 0; axis < 3; axis++) {
+      for (int sign : new int[] {1, -1}) {
+        List<Double> unit = new ArrayList<>(List.of(0.0, 0.0, 0.0));
+        unit.set(axis, (double) sign);
+        String text = (sign > 0 ? "+" : "\u2212") + AXES.get(axis);
+        buttons.add(
+            FormBuilder.press(
+                "along-"
+                    + (sign > 0 ? "plus-" : "minus-")
+                    + AXES.get(axis).toLowerCase(Locale.ROOT),
+                text,
+                "Along " + (sign > 0 ? "" : "negative ") + AXES.get(axis) + " of the feature",
+                true,
+                () -> context.change("Change direction", context.with(step.step(unit)))));
+      }
+    }
+    form.add(new Item.Presses("axes", "Along", buttons));
+    List<Item.Quantity> numbers = new ArrayList<>();
+    for (int axis = 0; axis < 3; axis++) {
+      int changed = axis;
+      numbers.add(
+          form.numberOf(
+              names.get(axis),
+              AXES.get(axis),
+              now.get(axis),
+              Measure.PLAIN,
+              Range.of(-1e6, 1e6),
+              value -> {
+                List<Double> vector = new ArrayList<>(now);
+                vector.set(changed, value);
+                return step.step(vector);
+              }));
+    }
+    form.add(new Item.Grid("vector", "Vector", 3, numbers));
+    boolean none = now.stream().allMatch(each -> Math.abs(each) < 1e-9);
+    form.note(
+        "vector-zero",
+        Item.Tone.WARNING,
+        none ? "The direction has no length: at least one number must not be 0." : "");
+  }
+}

@@ -1,0 +1,21 @@
+package org.pendant.desktop.program.form;
+
+import javax.swing.JComponent;
+
+/** Shows one item of a form and hands on what people do with it. */
+interface FieldView {
+
+  /** The control, or all of them. */
+  JComponent component();
+
+  /** What gets the focus; the same as {@link #component} or in it. */
+  default JComponent focus() {
+    return component();
+  }
+
+  /** Shows the item as it is now, without disturbing whoever types the same. */
+  void show(Item item);
+
+  /** Says what is wrong with it; empty for nothing. */
+  default void setProblem(String problem) {}
+}

@@ -1,0 +1,274 @@
+package org.pendant.desktop.program.form;
+
+import java.util.List;
+import java.util.function.Predicate;
+import org.pendant.desktop.program.form.Item.Option;
+import org.pendant.project.program.FlowStep;
+import org.pendant.project.program.LoopRule;
+import org.pendant.project.program.ProgramNode;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Step;
+
+/** The forms of nodes that decide which nodes run. */
+final class FlowForms {
+  private static final String CONDITION = "such as get_standard_digital_in(0)";
+
+  private FlowForms() {}
+
+  static Form of(FormContext context, FlowStep step) {
+    return switch (step) {
+      case FlowStep.If when -> when(context, when);
+      case FlowStep.ElseIf other -> otherwise(context, other);
+      case FlowStep.Else _ ->
+          new FormBuilder(
+                  context, "else", "Else", "Runs its nodes if nothing before it in the group did.")
+              .quiet("hint", "There is nothing to set.")
+              .build();
+      case FlowStep.Loop(LoopRule rule) -> loop(context, rule);
+      case FlowStep.Switch(String expression) -> choose(context, expression);
+      case FlowStep.Case(String value) ->
+          new FormBuilder(context, "case", "Case", "Runs its nodes if the switch has this value.")
+              .add(
+                  new Item.Text(
+                      "value",
+                      "Value",
+                      value,
+                      "a number, such as 1",
+                      List.of(),
+                      FlowForms::noNumber,
+                      text -> context.with(new FlowStep.Case(text.strip()))))
+              .build();
+      case FlowStep.DefaultCase _ ->
+          new FormBuilder(
+                  context, "default-case", "Default", "Runs its nodes if no case has the value.")
+              .quiet("hint", "There is nothing to set.")
+              .build();
+    };
+  }
+
+  private static String noNumber(String text) {
+    if (text.isBlank()) {
+      return "";
+    }
+    return text.strip().matches("[+-]?\\d+(\\.\\d+)?")
+        ? ""
+        : "'" + text.strip() + "' is not a number";
+  }
+
+  private static Form when(FormContext context, FlowStep.If when) {
+    FormBuilder form =
+        new FormBuilder(context, "if", "If", "Runs its nodes if the condition is true.")
+            .condition(
+                "condition",
+                "Condition",
+                when.condition(),
+                CONDITION,
+                text -> new FlowStep.If(text, when.continuously()))
+            .check(
+                "continuously",
+                "Check continuously",
+                when.continuously(),
+                value -> new FlowStep.If(when.condition(), value));
+    continuously(form, when.continuously());
+    return branches(form).build();
+  }
+
+  private static Form otherwise(FormContext context, FlowStep.ElseIf other) {
+    FormBuilder form =
+        new FormBuilder(
+                context,
+                "else-if",
+                "Else if",
+                "Runs its nodes if nothing before it in the group did and the condition is true.")
+            .condition(
+                "condition",
+                "Condition",
+                other.condition(),
+                CONDITION,
+                text -> new FlowStep.ElseIf(text, other.continuously()))
+            .check(
+                "continuously",
+                "Check continuously",
+                other.continuously(),
+                value -> new FlowStep.ElseIf(other.condition(), value));
+    continuously(form, other.continuously());
+    return branches(form).build();
+  }
+
+  private static void continuously(FormBuilder form, boolean on) {
+    form.quiet(
+        "continuously-hint",
+        on
+            ? "The nodes below end as soon as the condition is no longer true."
+            : "The condition is looked at once, before the nodes below run.");
+  }
+
+  /** Buttons for more branches behind this one. */
+  private static FormBuilder branches(FormBuilder form) {
+    FormContext context = form.context();
+    return form.presses(
+        "branches",
+        "",
+        form.edit(
+            "add-else-if",
+            "Add Else if",
+            "Add a branch with another condition behind this one",
+            tree -> behind(tree, context.key(), new FlowStep.ElseIf(""))),
+        FormBuilder.press(
+            "add-else",
+            "Add Else",
+            "Add a branch for when no condition is true",
+            !hasElse(context),
+            () -> context.change("Add Else", atEnd(context.host().tree(), context.key()))));
+  }
+
+  private static int place(ProgramTree tree, long key) {
+    List<ProgramNode> beside = beside(tree, key);
+    for (int i = 0; i < beside.size(); i++) {
+      if (beside.get(i).key() == key) {
+        return i;
+      }
+    }
+    return beside.size() - 1;
+  }
+
+  private static List<ProgramNode> beside(ProgramTree tree, long key) {
+    return tree.parentOf(key).map(tree::childrenOf).orElse(List.of());
+  }
+
+  private static ProgramTree behind(ProgramTree tree, long key, Step step) {
+    return tree.parentOf(key)
+        .map(parent -> tree.insert(parent, place(tree, key) + 1, List.of(ProgramTree.node(step))))
+        .orElse(tree);
+  }
+
+  /** Where the branches that belong together with a node end. */
+  private static int end(ProgramTree tree, long key) {
+    List<ProgramNode> beside = beside(tree, key);
+    int end = place(tree, key) + 1;
+    while (end < beside.size() && beside.get(end).step() instanceof FlowStep.ElseIf) {
+      end++;
+    }
+    return end;
+  }
+
+  private static boolean hasElse(FormContext context) {
+    List<ProgramNode> beside = beside(context.tree(), context.key());
+    int end = end(context.tree(), context.key());
+    return end < beside.size() && beside.get(end).step() instanceof FlowStep.Else;
+  }
+
+  private static ProgramTree atEnd(ProgramTree tree, long key) {
+    return tree.parentOf(key)
+        .map(
+            parent ->
+                tree.insert(parent, end(tree, key), List.of(ProgramTree.node(new FlowStep.Else()))))
+        .orElse(tree);
+  }
+
+  private static Form loop(FormContext context, LoopRule rule) {
+    Kept kept = context.kept();
+    kept.keep(rule);
+    FormBuilder form =
+        new FormBuilder(context, "loop", "Loop", "Runs its nodes again and again.")
+            .sides(
+                "rule",
+                "Goes on",
+                List.of(
+                    new Option("forever", "For ever"),
+                    new Option("times", "A number of times"),
+                    new Option("while", "While")),
+                switch (rule) {
+                  case LoopRule.Forever _ -> "forever";
+                  case LoopRule.Times _ -> "times";
+                  case LoopRule.While _ -> "while";
+                },
+                chosen ->
+                    new FlowStep.Loop(
+                        switch (chosen) {
+                          case "forever" -> new LoopRule.Forever();
+                          case "times" ->
+                              kept.recall(LoopRule.Times.class, new LoopRule.Times("2", ""));
+                          default ->
+                              kept.recall(LoopRule.While.class, new LoopRule.While("", false));
+                        }));
+    switch (rule) {
+      case LoopRule.Forever _ -> {}
+      case LoopRule.Times(String count, String variable) ->
+          form.expression(
+                  "rule.count",
+                  "How often",
+                  count,
+                  "such as 5",
+                  text -> new FlowStep.Loop(new LoopRule.Times(text, variable)))
+              .add(
+                  new Item.Text(
+                      "rule.variable",
+                      "Counter",
+                      variable,
+                      "by itself",
+                      ProgramNames.ownVariables(context.tree()),
+                      FormBuilder::notLegal,
+                      text ->
+                          context.with(new FlowStep.Loop(new LoopRule.Times(count, text.strip())))))
+              .quiet("counter-hint", "The counter begins at 0; without a name it gets one.");
+      case LoopRule.While(String condition, boolean continuously) -> {
+        form.condition(
+                "rule.condition",
+                "Condition",
+                condition,
+                "such as count < 10",
+                text -> new FlowStep.Loop(new LoopRule.While(text, continuously)))
+            .check(
+                "rule.continuously",
+                "Check continuously",
+                continuously,
+                value -> new FlowStep.Loop(new LoopRule.While(condition, value)));
+        continuously(form, continuously);
+      }
+    }
+    return form.build();
+  }
+
+  private static Form choose(FormContext context, String expression) {
+    Predicate<ProgramNode> isDefault = child -> child.step() instanceof FlowStep.DefaultCase;
+    boolean whole = context.node().children().stream().anyMatch(isDefault);
+    FormBuilder form =
+        new FormBuilder(context, "switch", "Switch", "Runs the case below it that has the value.");
+    return form.expression(
+            "expression", "Value", expression, "such as part_kind", FlowStep.Switch::new)
+        .presses(
+            "cases",
+            "",
+            form.edit(
+                "add-case",
+                "Add Case",
+                "Add a case before the default",
+                tree -> withCase(tree, context.key(), isDefault)),
+            FormBuilder.press(
+                "add-default",
+                "Add Default",
+                "Add what runs if no case has the value",
+                !whole,
+                () -> {
+                  ProgramTree tree = context.host().tree();
+                  int end = tree.childrenOf(context.key()).size();
+                  context.change(
+                      "Add Default", within(tree, context.key(), end, new FlowStep.DefaultCase()));
+                }))
+        .build();
+  }
+
+  private static ProgramTree withCase(
+      ProgramTree tree, long key, Predicate<ProgramNode> isDefault) {
+    List<ProgramNode> cases = tree.childrenOf(key);
+    int place = (int) cases.stream().takeWhile(isDefault.negate()).count();
+    return within(tree, key, place, new FlowStep.Case(""));
+  }
+
+  /** The tree with a node more, or as it is where that would be too deep. */
+  private static ProgramTree within(ProgramTree tree, long parent, int index, Step step) {
+    List<ProgramNode> added = List.of(ProgramTree.node(step));
+    return tree.whyTooDeep(parent, added).isPresent() ? tree : tree.insert(parent, index, added);
+  }
+}

@@ -1,0 +1,18 @@
+package org.pendant.desktop.program.form;
+
+import java.nio.file.Path;
+import java.util.function.Consumer;
+
+/** Chooses and reads files for forms. */
+interface FormFiles {
+
+  /** Asks for a file; {@code chosen} hears of it unless nobody chooses one. */
+  void choose(String title, String ending, Consumer<Path> chosen);
+
+  /**
+   * Reads a text, not on the dispatch thread; the answer comes on it.
+   *
+   * @param failed told why it cannot be read
+   */
+  void read(Path file, Consumer<String> text, Consumer<String> failed);
+}

@@ -1,0 +1,56 @@
+package org.pendant.desktop.program.form;
+
+import java.awt.Color;
+import java.awt.EventQueue;
+import java.awt.Rectangle;
+import java.util.function.Supplier;
+import javax.swing.BorderFactory;
+import javax.swing.JTextArea;
+
+/** Wrapped sentences; never a reason for a form to be wider. */
+@SuppressWarnings("serial") // never written to a stream
+final class FormText extends JTextArea {
+  private final transient Supplier<Color> color;
+
+  FormText(String name, Supplier<Color> color) {
+    this.color = color;
+    setName(name);
+    setEditable(false);
+    setFocusable(false);
+    setOpaque(false);
+    setBorder(BorderFactory.createEmptyBorder());
+    setLineWrap(true);
+    setWrapStyleWord(true);
+    setColumns(10);
+    setVisible(false);
+  }
+
+  /** Shows sentences; empty for none. */
+  void say(String text) {
+    if (!getText().equals(text)) {
+      setText(text);
+      getAccessibleContext().setAccessibleName(text);
+      setVisible(!text.isEmpty());
+      revalidate();
+    }
+  }
+
+  /** The height that the lines need is known only with the width. */
+  @Override
+  public void setBounds(int x, int y, int width, int height) {
+    boolean other = width != getWidth();
+    super.setBounds(x, y, width, height);
+    if (other) {
+      EventQueue.invokeLater(this::revalidate);
+    }
+  }
+
+  /** New words are no reason to scroll. */
+  @Override
+  public void scrollRectToVisible(Rectangle wanted) {}
+
+  @Override
+  public Color getForeground() {
+    return color == null ? super.getForeground() : color.get();
+  }
+}

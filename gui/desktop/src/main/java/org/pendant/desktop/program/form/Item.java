@@ -1,0 +1,206 @@
+package org.pendant.desktop.program.form;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
+import org.pendant.kit.form.Measure;
+import org.pendant.project.program.ProgramTree;
+
+/**
+ * A part of a form, with the value that it has now. Those that can be changed know the program that
+ * comes of another value. Names are their own within a form; what is before the first point of one
+ * is the component of the step's record that it is about.
+ */
+sealed interface Item {
+
+  /** Stable name, such as {@code speed} or {@code what.timeS}. */
+  String name();
+
+  /** What people read beside it; empty for nothing. */
+  String label();
+
+  /**
+   * A number.
+   *
+   * @param value in SI; empty if there is none
+   * @param whenEmpty what no number means; empty if there must be one
+   */
+  record Quantity(
+      String name,
+      String label,
+      OptionalDouble value,
+      Measure measure,
+      Range range,
+      String whenEmpty,
+      Function<OptionalDouble, ProgramTree> edit)
+      implements Item {
+    /** The text of the value. */
+    String text() {
+      return value.isPresent() ? measure.text(value.getAsDouble()) : "";
+    }
+  }
+
+  /**
+   * One line of text.
+   *
+   * @param hint what to type, shown while it is empty
+   * @param suggestions texts that can be chosen
+   * @param refusal why a text cannot be taken; empty text if it can
+   */
+  record Text(
+      String name,
+      String label,
+      String value,
+      String hint,
+      List<String> suggestions,
+      UnaryOperator<String> refusal,
+      Function<String, ProgramTree> edit)
+      implements Item {
+    public Text {
+      suggestions = List.copyOf(suggestions);
+    }
+  }
+
+  /**
+   * An expression of the language.
+   *
+   * @param hint what to type, shown while it is empty
+   * @param condition whether it has to be true or false
+   */
+  record Expression(
+      String name,
+      String label,
+      String value,
+      String hint,
+      boolean condition,
+      Function<String, ProgramTree> edit)
+      implements Item {}
+
+  /** Several lines for people to read. */
+  record Prose(String name, String label, String value, Function<String, ProgramTree> edit)
+      implements Item {}
+
+  /**
+   * Several lines of a file.
+   *
+   * @param script whether it is URScript
+   * @param edit empty if it can only be read
+   */
+  record Code(
+      String name,
+      String label,
+      String value,
+      boolean script,
+      Optional<Function<String, ProgramTree>> edit)
+      implements Item {}
+
+  /**
+   * One of several.
+   *
+   * @param value of one of {@code options}, or of none: then it is missing
+   * @param side whether the options stand beside each other, otherwise they fold out
+   * @param missing what is said when the value is none of the options, after the value itself
+   */
+  record Choice(
+      String name,
+      String label,
+      List<Option> options,
+      String value,
+      boolean side,
+      String missing,
+      Function<String, ProgramTree> edit)
+      implements Item {
+    public Choice {
+      options = List.copyOf(options);
+    }
+
+    /** Why the value cannot stay; empty if it can. */
+    String problem() {
+      boolean known = options.stream().anyMatch(each -> each.value().equals(value));
+      return known || value.isEmpty() ? "" : "'" + value + "' " + missing;
+    }
+  }
+
+  /** What can be chosen, and how people read it. */
+  record Option(String value, String text) {
+    /** What keys search for in a combo box, and what screen readers say. */
+    @Override
+    public String toString() {
+      return text;
+    }
+  }
+
+  /** Yes or no. */
+  record Check(String name, String label, boolean value, Function<Boolean, ProgramTree> edit)
+      implements Item {}
+
+  /** Buttons beside each other. */
+  record Presses(String name, String label, List<Press> buttons) implements Item {
+    public Presses {
+      buttons = List.copyOf(buttons);
+    }
+  }
+
+  /**
+   * A button.
+   *
+   * @param tip what it does, also for people who cannot see it
+   * @param enabled whether it can be pressed now
+   * @param press what happens
+   * @param release what happens when it is let go; empty if it need not be held
+   */
+  record Press(
+      String name,
+      String text,
+      String tip,
+      boolean enabled,
+      Runnable press,
+      Optional<Runnable> release) {}
+
+  /** A sentence. */
+  record Note(String name, Tone tone, String text) implements Item {
+    @Override
+    public String label() {
+      return "";
+    }
+  }
+
+  /** How much a {@link Note} matters. */
+  enum Tone {
+    QUIET,
+    GOOD,
+    WARNING
+  }
+
+  /**
+   * A picture.
+   *
+   * @param words for people who cannot see it
+   */
+  record Drawing(String name, Sketch sketch, String words) implements Item {
+    @Override
+    public String label() {
+      return "";
+    }
+  }
+
+  /**
+   * Numbers in columns.
+   *
+   * @param columns how many are beside each other at most
+   */
+  record Grid(String name, String label, int columns, List<Quantity> numbers) implements Item {
+    public Grid {
+      numbers = List.copyOf(numbers);
+    }
+  }
+
+  /** Several things beside each other. */
+  record Line(String name, String label, List<Item> items) implements Item {
+    public Line {
+      items = List.copyOf(items);
+    }
+  }
+}

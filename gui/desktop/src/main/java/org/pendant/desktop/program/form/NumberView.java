@@ -1,0 +1,108 @@
+package org.pendant.desktop.program.form;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingConstants;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.layout.Squeeze;
+import org.pendant.kit.theme.Palette;
+
+/** A number with its unit, and what is legal where there is room for it. */
+final class NumberView implements FieldView {
+  private static final int COLUMNS = 7;
+  private static final int FEW_COLUMNS = 5;
+
+  private final TypedField field;
+  private final JLabel unit = new JLabel();
+  private final JLabel legal = new JLabel();
+  private final JPanel row = new JPanel(new MigLayout("insets 0, gap 6, hidemode 3", "[][][grow]"));
+  private final FieldPanel panel;
+  private final Squeeze squeeze;
+  private final boolean hinted;
+  private Item.Quantity item;
+
+  /**
+   * A field for a number.
+   *
+   * @param hinted whether it may say what is legal
+   */
+  NumberView(FieldViews views, Item.Quantity number, boolean hinted) {
+    item = number;
+    this.hinted = hinted;
+    field =
+        new TypedField(
+            hinted ? COLUMNS : FEW_COLUMNS,
+            typed -> views.presenter().typeNumber(item.name(), typed),
+            this::canonical,
+            views.refused());
+    field.setHorizontalAlignment(SwingConstants.TRAILING);
+    views.named(field, number);
+    unit.setLabelFor(field);
+    row.setOpaque(false);
+    row.add(field, "wmin pref");
+    row.add(unit);
+    legal.setForeground(Palette.quiet());
+    row.add(legal);
+    squeeze = new Squeeze(row, List.of(legal::setVisible));
+    panel = new FieldPanel(row, field.getName(), field::refusal);
+    show(number);
+  }
+
+  private String canonical(String typed) {
+    if (typed.isBlank()) {
+      return "";
+    }
+    try {
+      return item.measure().text(item.measure().parse(typed));
+    } catch (IllegalArgumentException notANumber) {
+      return typed;
+    }
+  }
+
+  @Override
+  public JComponent component() {
+    return panel;
+  }
+
+  @Override
+  public JComponent focus() {
+    return field;
+  }
+
+  @Override
+  public void show(Item shown) {
+    item = (Item.Quantity) shown;
+    field.follow(item.text());
+    field.putClientProperty(
+        "JTextField.placeholderText", item.whenEmpty().isEmpty() ? null : item.whenEmpty());
+    unit.setText(item.measure().symbol());
+    String range = range();
+    if (!legal.getText().equals(range)) {
+      legal.setText(range);
+      squeeze.fitLater();
+    }
+    setProblem("");
+  }
+
+  private String range() {
+    Range range = item.range();
+    OptionalDouble largest =
+        range.max() < 1e6 ? OptionalDouble.of(range.max()) : OptionalDouble.empty();
+    if (!hinted || largest.isEmpty() || range.min() == Double.NEGATIVE_INFINITY) {
+      return "";
+    }
+    String max = item.measure().brief(range.max());
+    return range.min() == 0 ? "up to " + max : item.measure().brief(range.min()) + " to " + max;
+  }
+
+  @Override
+  public void setProblem(String problem) {
+    String said = panel.say(problem);
+    field.outline(!said.isEmpty());
+    String words = item.range().equals(Range.ANY) ? "" : item.range().words(item.measure());
+    FieldViews.describe(field, said, words);
+  }
+}

@@ -1,0 +1,275 @@
+package org.pendant.desktop.program.form;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BiFunction;
+import org.pendant.desktop.program.form.Item.Option;
+import org.pendant.project.program.Pattern;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.TemplateStep.Palletizing;
+
+/** The form of a pattern of places. */
+final class PalletizingForm {
+  private static final int CORNERS = 4;
+
+  private PalletizingForm() {}
+
+  static Form of(FormContext context, Palletizing step) {
+    Pattern pattern = step.pattern();
+    context.kept().keep(pattern);
+    FormBuilder form =
+        new FormBuilder(
+            context,
+            "palletizing",
+            "Palletizing",
+            "Goes to the next place of a pattern each time when it is reached.");
+    form.part("Pallet")
+        .variable(
+            "name",
+            "Name",
+            step.name(),
+            List.of(),
+            name -> new Palletizing(name, pattern, step.feature(), step.remember()))
+        .quiet("count-hint", TemplateForms.countHint(step.name()))
+        .choice(
+            "feature",
+            "Feature",
+            context.features(),
+            step.feature(),
+            MotionForms.NO_FEATURE,
+            feature -> new Palletizing(step.name(), pattern, feature, step.remember()))
+        .check(
+            "remember",
+            "Keep the count for the next start",
+            step.remember(),
+            value -> new Palletizing(step.name(), pattern, step.feature(), value));
+    form.part("Pattern")
+        .sides(
+            "pattern",
+            "Kind",
+            List.of(
+                new Option("line", "Line"),
+                new Option("square", "Square"),
+                new Option("box", "Box"),
+                new Option("places", "List")),
+            switch (pattern) {
+              case Pattern.Line _ -> "line";
+              case Pattern.Square _ -> "square";
+              case Pattern.Box _ -> "box";
+              case Pattern.Places _ -> "places";
+            },
+            chosen -> with(step, pattern(context.kept(), pattern, chosen)));
+    switch (pattern) {
+      case Pattern.Line line ->
+          form.count(
+              "pattern.count",
+              "Places",
+              line.count(),
+              2,
+              count -> with(step, new Pattern.Line(line.first(), line.last(), count)));
+      case Pattern.Square square -> {
+        form.count(
+            "pattern.columns",
+            "In a row",
+            square.columns(),
+            1,
+            count -> with(step, new Pattern.Square(square.corners(), count, square.rows())));
+        form.count(
+            "pattern.rows",
+            "Rows",
+            square.rows(),
+            1,
+            count -> with(step, new Pattern.Square(square.corners(), square.columns(), count)));
+      }
+      case Pattern.Box box -> {
+        form.count(
+            "pattern.columns",
+            "In a row",
+            box.columns(),
+            1,
+            n -> with(step, new Pattern.Box(box.corners(), n, box.rows(), box.layers())));
+        form.count(
+            "pattern.rows",
+            "Rows",
+            box.rows(),
+            1,
+            n -> with(step, new Pattern.Box(box.corners(), box.columns(), n, box.layers())));
+        form.count(
+            "pattern.layers",
+            "Layers",
+            box.layers(),
+            1,
+            n -> with(step, new Pattern.Box(box.corners(), box.columns(), box.rows(), n)));
+      }
+      case Pattern.Places _ -> {}
+    }
+    form.drawing("pattern-drawing", new Sketch.Places(pattern), words(pattern));
+    corners(form, step, pattern);
+    return form.build();
+  }
+
+  private static Palletizing with(Palletizing was, Pattern pattern) {
+    return new Palletizing(was.name(), pattern, was.feature(), was.remember());
+  }
+
+  private static String words(Pattern pattern) {
+    return switch (pattern) {
+      case Pattern.Line line -> line.count() + " places on a line";
+      case Pattern.Square square -> square.rows() + " rows of " + square.columns() + " places";
+      case Pattern.Box box ->
+          box.layers() + " layers of " + box.rows() + " rows of " + box.columns() + " places";
+      case Pattern.Places places -> places.places().size() + " places";
+    };
+  }
+
+  /** Corners that two kinds have in common go over. */
+  private static Pattern pattern(Kept kept, Pattern was, String chosen) {
+    List<String> corners = names(was);
+    return switch (chosen) {
+      case "line" ->
+          kept.recall(Pattern.Line.class, new Pattern.Line(at(corners, 0), at(corners, 1), 4));
+      case "square" ->
+          kept.recall(Pattern.Square.class, new Pattern.Square(some(corners, CORNERS), 3, 2));
+      case "box" ->
+          kept.recall(Pattern.Box.class, new Pattern.Box(some(corners, 2 * CORNERS), 3, 2, 2));
+      default -> kept.recall(Pattern.Places.class, new Pattern.Places(corners));
+    };
+  }
+
+  private static List<String> names(Pattern pattern) {
+    return switch (pattern) {
+      case Pattern.Line line -> List.of(line.first(), line.last());
+      case Pattern.Square square -> square.corners();
+      case Pattern.Box box -> box.corners();
+      case Pattern.Places places -> places.places();
+    };
+  }
+
+  private static String at(List<String> names, int index) {
+    return index < names.size() ? names.get(index) : "";
+  }
+
+  private static List<String> some(List<String> names, int count) {
+    List<String> all = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      all.add(at(names, i));
+    }
+    return all;
+  }
+
+  private static void corners(FormBuilder form, Palletizing step, Pattern pattern) {
+    form.part(
+        switch (pattern) {
+          case Pattern.Line _ -> "Ends";
+          case Pattern.Square _, Pattern.Box _ -> "Corners";
+          case Pattern.Places _ -> "Places";
+        });
+    switch (pattern) {
+      case Pattern.Line line -> {
+        corner(
+            form,
+            "pattern.first",
+            "1, first",
+            line.first(),
+            (_, name) -> with(step, new Pattern.Line(name, line.last(), line.count())));
+        corner(
+            form,
+            "pattern.last",
+            "2, last",
+            line.last(),
+            (_, name) -> with(step, new Pattern.Line(line.first(), name, line.count())));
+      }
+      case Pattern.Square square -> {
+        List<String> corners = some(square.corners(), CORNERS);
+        for (int i = 0; i < CORNERS; i++) {
+          int at = i;
+          corner(
+              form,
+              "pattern.corners." + i,
+              "Corner " + (i + 1),
+              corners.get(i),
+              (_, name) ->
+                  with(
+                      step,
+                      new Pattern.Square(
+                          replaced(corners, at, name), square.columns(), square.rows())));
+        }
+      }
+      case Pattern.Box box -> {
+        List<String> corners = some(box.corners(), 2 * CORNERS);
+        for (int i = 0; i < 2 * CORNERS; i++) {
+          int at = i;
+          corner(
+              form,
+              "pattern.corners." + i,
+              "Corner " + (i + 1) + (i < CORNERS ? ", bottom" : ", top"),
+              corners.get(i),
+              (_, name) ->
+                  with(
+                      step,
+                      new Pattern.Box(
+                          replaced(corners, at, name), box.columns(), box.rows(), box.layers())));
+        }
+      }
+      case Pattern.Places places -> places(form, step, places.places());
+    }
+  }
+
+  private static void places(FormBuilder form, Palletizing step, List<String> places) {
+    if (places.isEmpty()) {
+      form.quiet("no-places", "No place yet.");
+    }
+    for (int i = 0; i < places.size(); i++) {
+      int at = i;
+      corner(
+          form,
+          "pattern.places." + i,
+          "Place " + (i + 1),
+          places.get(i),
+          (_, name) -> with(step, new Pattern.Places(replaced(places, at, name))));
+    }
+    List<String> more = new ArrayList<>(places);
+    more.add("");
+    List<Item.Press> buttons = new ArrayList<>();
+    buttons.add(
+        form.edit(
+            "add-place",
+            "Add a place",
+            "Add a place at the end of the list",
+            tree -> tree.withStep(form.context().key(), with(step, new Pattern.Places(more)))));
+    if (!places.isEmpty()) {
+      List<String> fewer = places.subList(0, places.size() - 1);
+      buttons.add(
+          form.edit(
+              "remove-place",
+              "Remove the last",
+              "Take the last place out of the list",
+              tree -> tree.withStep(form.context().key(), with(step, new Pattern.Places(fewer)))));
+    }
+    form.add(new Item.Presses("places", "", buttons));
+  }
+
+  private static List<String> replaced(List<String> names, int index, String name) {
+    List<String> all = new ArrayList<>(names);
+    all.set(index, name);
+    return all;
+  }
+
+  private static void corner(
+      FormBuilder form,
+      String name,
+      String label,
+      String waypoint,
+      BiFunction<ProgramTree, String, Palletizing> step) {
+    FormContext context = form.context();
+    String prefix = context.node().step() instanceof Palletizing own ? own.name() : "";
+    new Teachable(
+            context,
+            name,
+            label,
+            waypoint,
+            (ProgramNames.legal(prefix) ? prefix : "Pallet") + "_corner_",
+            (now, chosen) -> now.withStep(context.key(), step.apply(now, chosen)))
+        .addTo(form);
+  }
+}

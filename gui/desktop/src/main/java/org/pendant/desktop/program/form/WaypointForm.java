@@ -1,0 +1,381 @@
+package org.pendant.desktop.program.form;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import org.pendant.controller.installation.Installation;
+import org.pendant.desktop.program.form.Item.Option;
+import org.pendant.kit.form.Measure;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.MotionStep.Waypoint;
+import org.pendant.project.program.PlaceNames;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.Timing;
+import org.pendant.project.program.WaypointPosition;
+import org.pendant.project.program.WaypointTarget;
+
+/** The form of a waypoint. */
+final class WaypointForm {
+  private static final List<String> POSE = List.of("X", "Y", "Z", "RX", "RY", "RZ");
+
+  private WaypointForm() {}
+
+  static Form of(FormContext context, Waypoint waypoint) {
+    Kept kept = context.kept();
+    kept.keep(waypoint.target());
+    kept.keep(waypoint.timing());
+    FormBuilder form =
+        new FormBuilder(context, "waypoint", "Waypoint", "A place that the move goes to.");
+    form.part("Waypoint")
+        .sides(
+            "target",
+            "Kind",
+            List.of(
+                new Option("fixed", "Fixed"),
+                new Option("relative", "Relative"),
+                new Option("variable", "Variable")),
+            switch (waypoint.target()) {
+              case WaypointTarget.Fixed _ -> "fixed";
+              case WaypointTarget.Relative _ -> "relative";
+              case WaypointTarget.Variable _ -> "variable";
+            },
+            chosen -> at(waypoint, target(context, chosen)));
+    switch (waypoint.target()) {
+      case WaypointTarget.Fixed fixed -> fixed(form, waypoint, fixed);
+      case WaypointTarget.Relative relative -> relative(form, waypoint, relative);
+      case WaypointTarget.Variable(String expression) ->
+          form.expression(
+                  "target.expression",
+                  "Position",
+                  expression,
+                  "such as pick_pose",
+                  text -> at(waypoint, new WaypointTarget.Variable(text)))
+              .quiet(
+                  "variable-hint",
+                  "A pose in " + context.moveFeature() + ", or a list of six joint positions.");
+    }
+    timing(form, waypoint);
+    MotionForms.blend(
+        form,
+        waypoint.blendRadiusM(),
+        radius -> new Waypoint(waypoint.target(), waypoint.timing(), radius));
+    return form.build();
+  }
+
+  private static Waypoint at(Waypoint was, WaypointTarget target) {
+    return new Waypoint(target, was.timing(), was.blendRadiusM());
+  }
+
+  private static WaypointTarget target(FormContext context, String chosen) {
+    Kept kept = context.kept();
+    ProgramTree tree = context.tree();
+    return switch (chosen) {
+      case "fixed" ->
+          kept.recall(WaypointTarget.Fixed.class)
+              .orElseGet(() -> new WaypointTarget.Fixed(WaypointNames.free(tree, "Waypoint_")));
+      case "relative" ->
+          kept.recall(WaypointTarget.Relative.class)
+              .orElseGet(
+                  () -> new WaypointTarget.Relative(WaypointNames.free(tree, "Waypoint_"), "", ""));
+      default -> kept.recall(WaypointTarget.Variable.class, new WaypointTarget.Variable(""));
+    };
+  }
+
+  private static void fixed(FormBuilder form, Waypoint waypoint, WaypointTarget.Fixed fixed) {
+    FormContext context = form.context();
+    ProgramTree tree = context.tree();
+    String name = fixed.name();
+    form.add(
+        new Item.Text(
+            "target.name",
+            "Name",
+            name,
+            "such as Waypoint_1",
+            List.of(),
+            text -> nameRefusal(tree, name, text.strip()),
+            text -> renamed(context, waypoint, name, text.strip())));
+    Teachable place =
+        new Teachable(
+            context,
+            "position",
+            "Position of",
+            name,
+            "Waypoint_",
+            (now, chosen) ->
+                now.withStep(context.key(), at(waypoint, new WaypointTarget.Fixed(chosen))));
+    form.add(place.choice());
+    long uses = WaypointNames.uses(tree, name);
+    if (uses > 1) {
+      form.quiet("shared", uses + " nodes share this position and its name.");
+      form.presses(
+          "own",
+          "",
+          form.edit(
+              "make-own",
+              "Make a position of its own",
+              "Copy the position under a new name, for this node alone",
+              now -> own(context, waypoint, now, name)));
+    }
+    form.part("Position").add(withoutLabel(place.buttons()));
+    WaypointPosition position = tree.waypoints().get(name);
+    if (position == null) {
+      form.note(
+          "untaught",
+          Item.Tone.WARNING,
+          "Not taught yet. Put the tool there and press Set here, or Teach\u2026");
+    } else {
+      position(form, name, position);
+    }
+  }
+
+  private static Item withoutLabel(Item.Presses buttons) {
+    return new Item.Presses(buttons.name(), "", buttons.buttons());
+  }
+
+  /** Why a name cannot be given to a place; empty if it can. */
+  static String nameRefusal(ProgramTree tree, String was, String name) {
+    if (name.isEmpty()) {
+      return "empty, must be a name";
+    }
+    if (!name.equals(was) && WaypointNames.of(tree).contains(name)) {
+      return "'" + name + "' is another waypoint; choose it under Position of to share its place";
+    }
+    return FormBuilder.notLegal(name);
+  }
+
+  private static ProgramTree renamed(
+      FormContext context, Waypoint waypoint, String from, String to) {
+    return from.isEmpty()
+        ? context.with(at(waypoint, new WaypointTarget.Fixed(to)))
+        : PlaceNames.renamed(context.tree(), from, to);
+  }
+
+  private static ProgramTree own(
+      FormContext context, Waypoint waypoint, ProgramTree now, String name) {
+    String free = WaypointNames.free(now, "Waypoint_");
+    ProgramTree next = now.withStep(context.key(), at(waypoint, new WaypointTarget.Fixed(free)));
+    WaypointPosition position = now.waypoints().get(name);
+    return position == null ? next : next.withWaypoint(free, position);
+  }
+
+  /** The numbers of a place that was taught. */
+  private static void position(FormBuilder form, String name, WaypointPosition position) {
+    FormContext context = form.context();
+    Installation installation = context.installation();
+    ArmDescription arm = context.host().state().arm().description();
+    List<Item.Quantity> joints = new ArrayList<>();
+    for (int i = 0; i < Joints.COUNT; i++) {
+      int joint = i;
+      joints.add(
+          number(
+              context,
+              name,
+              "joint-" + i,
+              Taught.joint(i),
+              position.jointsRad().get(i),
+              Measure.DEGREE,
+              Taught.range(arm, i),
+              value ->
+                  Taught.withJoints(
+                      position, position.jointsRad().with(joint, value), arm, installation)));
+    }
+    form.add(new Item.Grid("joints", "Joints", 2, joints));
+    form.add(
+        pose(
+            context,
+            name,
+            "pose",
+            "Pose",
+            position.tcp(),
+            pose -> Taught.withTcp(position, pose, arm, installation)));
+    boolean known = Taught.frame(installation, position.feature()).isPresent();
+    form.quiet(
+        "frame",
+        "In "
+            + position.feature()
+            + ", with the TCP at "
+            + place(position.toolInFlange())
+            + " mm from the flange.");
+    form.note(
+        "frame-missing",
+        Item.Tone.WARNING,
+        known
+            ? ""
+            : "'"
+                + position.feature()
+                + "' is missing in the installation, or not taught: the place is unknown.");
+    form.note("reach", Item.Tone.WARNING, known ? Taught.remark(position, arm, installation) : "");
+  }
+
+  private static String place(Pose pose) {
+    return Measure.MILLIMETRE.text(pose.x())
+        + ", "
+        + Measure.MILLIMETRE.text(pose.y())
+        + ", "
+        + Measure.MILLIMETRE.text(pose.z());
+  }
+
+  /** A position for a pose. */
+  @FunctionalInterface
+  interface OfPose {
+    WaypointPosition position(Pose pose);
+  }
+
+  private static Item.Grid pose(
+      FormContext context, String waypoint, String name, String label, Pose pose, OfPose position) {
+    List<Item.Quantity> numbers = new ArrayList<>();
+    for (int i = 0; i < Pose.SIZE; i++) {
+      int changed = i;
+      numbers.add(
+          number(
+              context,
+              waypoint,
+              name + "-" + POSE.get(i).toLowerCase(Locale.ROOT),
+              POSE.get(i),
+              pose.get(i),
+              i < 3 ? Measure.MILLIMETRE : Measure.DEGREE,
+              i < 3 ? Range.of(-10, 10) : Range.of(-20, 20),
+              value -> position.position(pose.with(changed, value))));
+    }
+    return new Item.Grid(name, label, 2, numbers);
+  }
+
+  /** A position for a number. */
+  @FunctionalInterface
+  private interface OfNumber {
+    WaypointPosition position(double value);
+  }
+
+  private static Item.Quantity number(
+      FormContext context,
+      String waypoint,
+      String name,
+      String label,
+      double value,
+      Measure measure,
+      Range range,
+      OfNumber position) {
+    return new Item.Quantity(
+        name,
+        label,
+        OptionalDouble.of(value),
+        measure,
+        range,
+        "",
+        typed -> context.tree().withWaypoint(waypoint, position.position(typed.orElse(value))));
+  }
+
+  private static void relative(
+      FormBuilder form, Waypoint waypoint, WaypointTarget.Relative relative) {
+    FormContext context = form.context();
+    form.text(
+            "target.name",
+            "Name",
+            relative.name(),
+            "for people",
+            name -> at(waypoint, new WaypointTarget.Relative(name, relative.from(), relative.to())))
+        .quiet(
+            "relative-hint",
+            "Goes as far from where the tool is as the second place is from the first.");
+    String prefix = ProgramNames.legal(relative.name()) ? relative.name() : "Waypoint";
+    form.part("Places");
+    new Teachable(
+            context,
+            "target.from",
+            "From",
+            relative.from(),
+            prefix + "_from_",
+            (now, chosen) ->
+                now.withStep(
+                    context.key(),
+                    at(
+                        waypoint,
+                        new WaypointTarget.Relative(relative.name(), chosen, relative.to()))))
+        .addTo(form);
+    new Teachable(
+            context,
+            "target.to",
+            "To",
+            relative.to(),
+            prefix + "_to_",
+            (now, chosen) ->
+                now.withStep(
+                    context.key(),
+                    at(
+                        waypoint,
+                        new WaypointTarget.Relative(relative.name(), relative.from(), chosen))))
+        .addTo(form);
+  }
+
+  private static void timing(FormBuilder form, Waypoint waypoint) {
+    FormContext context = form.context();
+    Kept kept = context.kept();
+    boolean joint = context.joint();
+    Ranges ranges = new Ranges(context.host().state().arm().description());
+    form.part("Speed")
+        .sides(
+            "timing",
+            "",
+            List.of(
+                new Option("move", "As the move"),
+                new Option("own", "Own speed"),
+                new Option("time", "In a time")),
+            switch (waypoint.timing()) {
+              case Timing.AsMove _ -> "move";
+              case Timing.Own _ -> "own";
+              case Timing.Duration _ -> "time";
+            },
+            chosen ->
+                timed(
+                    waypoint,
+                    switch (chosen) {
+                      case "move" -> new Timing.AsMove();
+                      case "own" -> kept.recall(Timing.Own.class, ofMove(context, joint));
+                      default -> kept.recall(Timing.Duration.class, new Timing.Duration(2));
+                    }));
+    switch (waypoint.timing()) {
+      case Timing.AsMove _ -> {}
+      case Timing.Own(double speed, double acceleration) ->
+          form.number(
+                  "timing.speed",
+                  joint ? "Joint speed" : "Tool speed",
+                  speed,
+                  Ranges.speed(joint),
+                  ranges.speeds(joint),
+                  value -> timed(waypoint, new Timing.Own(value, acceleration)))
+              .number(
+                  "timing.acceleration",
+                  "Acceleration",
+                  acceleration,
+                  Ranges.acceleration(joint),
+                  Ranges.accelerations(joint),
+                  value -> timed(waypoint, new Timing.Own(speed, value)));
+      case Timing.Duration(double timeS) ->
+          form.number(
+              "timing.timeS",
+              "Time",
+              timeS,
+              Measure.SECOND,
+              Range.ABOVE_ZERO,
+              value -> timed(waypoint, new Timing.Duration(value)));
+    }
+  }
+
+  private static Waypoint timed(Waypoint was, Timing timing) {
+    return new Waypoint(was.target(), timing, was.blendRadiusM());
+  }
+
+  private static Timing.Own ofMove(FormContext context, boolean joint) {
+    return context
+        .above(MotionStep.Move.class)
+        .map(move -> new Timing.Own(move.speed(), move.acceleration()))
+        .orElse(
+            joint
+                ? new Timing.Own(Ranges.JOINT_SPEED_RAD_PER_S, Ranges.JOINT_ACCELERATION_RAD_PER_S2)
+                : new Timing.Own(Ranges.TOOL_SPEED_M_PER_S, Ranges.TOOL_ACCELERATION_M_PER_S2));
+  }
+}

@@ -1,0 +1,216 @@
+package org.pendant.desktop.scene;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.pendant.controller.state.ArmState;
+import org.pendant.controller.world.Scene;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.pose.Pose;
+
+/**
+ * What there is to see at one instant. Immutable; two that are equal look the same.
+ *
+ * @param arm the arm; its shape is known by its id
+ * @param kinematics of this very arm, calibration included
+ * @param positionRad where its joints are, rad
+ * @param ghostRad where a translucent second arm is, rad: a target or a preview
+ * @param tcpInFlange the tool centre point, m and rad
+ * @param framesInBase frames to draw besides those of the base and the tool centre point
+ * @param payload a ball as heavy as what programs have declared to hang on the flange, around its
+ *     centre of gravity; empty for none to draw
+ * @param world what stands around the arm
+ * @param touched names of the objects of the world that the tool touches
+ * @param trace where the tool centre point has been
+ * @param theme colours
+ * @param waypointMarkers the places that a program goes to
+ */
+public record SceneModel(
+    ArmDescription arm,
+    ForwardKinematics kinematics,
+    Joints positionRad,
+    Optional<Joints> ghostRad,
+    Pose tcpInFlange,
+    List<Pose> framesInBase,
+    Optional<Ball> payload,
+    Scene world,
+    Set<String> touched,
+    Trace trace,
+    Theme theme,
+    WaypointMarkers waypointMarkers) {
+
+  /** Copies the collections. */
+  public SceneModel {
+    framesInBase = List.copyOf(framesInBase);
+    touched = Set.copyOf(touched);
+  }
+
+  /** An arm alone, its tool centre point on the flange. */
+  public static SceneModel of(ArmDescription arm, Joints positionRad) {
+    return new SceneModel(
+        arm,
+        new ForwardKinematics(arm.dh()),
+        positionRad,
+        Optional.empty(),
+        Pose.ZERO,
+        List.of(),
+        Optional.empty(),
+        Scene.EMPTY,
+        Set.of(),
+        Trace.EMPTY,
+        Theme.LIGHT,
+        WaypointMarkers.NONE);
+  }
+
+  /** The arm as a snapshot of the controller has it, with its active tool centre point. */
+  public SceneModel at(ArmState state) {
+    return new SceneModel(
+        arm,
+        state.kinematics(),
+        state.actualPositionRad(),
+        ghostRad,
+        state.tool().inFlange(),
+        framesInBase,
+        payload,
+        world,
+        touched,
+        trace,
+        theme,
+        waypointMarkers);
+  }
+
+  public SceneModel withGhost(Optional<Joints> positionOfGhostRad) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        positionOfGhostRad,
+        tcpInFlange,
+        framesInBase,
+        payload,
+        world,
+        touched,
+        trace,
+        theme,
+        waypointMarkers);
+  }
+
+  public SceneModel withTool(Pose tcp) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcp,
+        framesInBase,
+        payload,
+        world,
+        touched,
+        trace,
+        theme,
+        waypointMarkers);
+  }
+
+  public SceneModel withFrames(List<Pose> frames) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        frames,
+        payload,
+        world,
+        touched,
+        trace,
+        theme,
+        waypointMarkers);
+  }
+
+  public SceneModel withPayload(Optional<Ball> ball) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        framesInBase,
+        ball,
+        world,
+        touched,
+        trace,
+        theme,
+        waypointMarkers);
+  }
+
+  public SceneModel withWorld(Scene surroundings, Set<String> touchedNames) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        framesInBase,
+        payload,
+        surroundings,
+        touchedNames,
+        trace,
+        theme,
+        waypointMarkers);
+  }
+
+  public SceneModel withTrace(Trace way) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        framesInBase,
+        payload,
+        world,
+        touched,
+        way,
+        theme,
+        waypointMarkers);
+  }
+
+  public SceneModel withTheme(Theme colours) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        framesInBase,
+        payload,
+        world,
+        touched,
+        trace,
+        colours,
+        waypointMarkers);
+  }
+
+  public SceneModel withWaymarks(WaypointMarkers marks) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        framesInBase,
+        payload,
+        world,
+        touched,
+        trace,
+        theme,
+        marks);
+  }
+
+  /** Pose of the tool centre point in the base frame. */
+  public Pose tcpInBase() {
+    return kinematics.tcpPose(positionRad, tcpInFlange);
+  }
+}

@@ -1,0 +1,101 @@
+package org.pendant.desktop.scene;
+
+import java.util.Optional;
+import org.pendant.controller.state.ArmState;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Remembers the last points that the tool centre point went through; the oldest are forgotten.
+ * Belongs to one thread.
+ */
+public final class TraceRing {
+  /** Points nearer to the one before are left out, m. */
+  private static final double SPACING_M = 1e-3;
+
+  private final float[] ring;
+  private final int capacity;
+  private long count;
+  private double lastX;
+  private double lastY;
+  private double lastZ;
+  private double lastS = Double.NaN;
+  private Pose tool = Pose.ZERO;
+  private Optional<Trace> snapshot = Optional.of(Trace.EMPTY);
+
+  /**
+   * @param capacity points that are remembered, at least 2
+   */
+  public TraceRing(int capacity) {
+    if (capacity < 2) {
+      throw new IllegalArgumentException("trace: capacity is " + capacity + ", must be at least 2");
+    }
+    this.capacity = capacity;
+    ring = new float[Trace.STRIDE * capacity];
+  }
+
+  /** Adds where the tool centre point is at a robot time, s, if it has moved. */
+  public void add(ArmState arm, double timeS) {
+    add(arm.actualTcpInBase(), arm.tool().inFlange(), timeS);
+  }
+
+  /**
+   * Adds a point. One of another tool begins a new line: nothing has moved there.
+   *
+   * @param timeS robot time, s
+   */
+  void add(Pose tcpInBase, Pose tcpInFlange, double timeS) {
+    double stepM =
+        Math.sqrt(
+            square(tcpInBase.x() - lastX)
+                + square(tcpInBase.y() - lastY)
+                + square(tcpInBase.z() - lastZ));
+    boolean begins = Double.isNaN(lastS) || timeS < lastS || !tool.equals(tcpInFlange);
+    if (!begins && (stepM < SPACING_M || timeS == lastS)) {
+      return;
+    }
+    double elapsedS = timeS - lastS;
+    int at = (int) (count % capacity) * Trace.STRIDE;
+    ring[at] = (float) tcpInBase.x();
+    ring[at + 1] = (float) tcpInBase.y();
+    ring[at + 2] = (float) tcpInBase.z();
+    ring[at + 3] = begins ? -1 : (float) (stepM / elapsedS);
+    count++;
+    lastX = tcpInBase.x();
+    lastY = tcpInBase.y();
+    lastZ = tcpInBase.z();
+    lastS = timeS;
+    tool = tcpInFlange;
+    snapshot = Optional.empty();
+  }
+
+  /** Forgets everything. */
+  public void clear() {
+    count = 0;
+    lastS = Double.NaN;
+    snapshot = Optional.of(Trace.EMPTY);
+  }
+
+  /** What is remembered, oldest first; the same object until something is added. */
+  public Trace trace() {
+    if (snapshot.isEmpty()) {
+      snapshot = Optional.of(copy());
+    }
+    return snapshot.get();
+  }
+
+  private Trace copy() {
+    int size = (int) Math.min(count, capacity);
+    float[] points = new float[Trace.STRIDE * size];
+    double fastest = 0;
+    for (int i = 0; i < size; i++) {
+      int from = (int) ((count - size + i) % capacity) * Trace.STRIDE;
+      System.arraycopy(ring, from, points, Trace.STRIDE * i, Trace.STRIDE);
+      fastest = Math.max(fastest, points[Trace.STRIDE * i + 3]);
+    }
+    return new Trace(points, fastest, capacity);
+  }
+
+  private static double square(double x) {
+    return x * x;
+  }
+}

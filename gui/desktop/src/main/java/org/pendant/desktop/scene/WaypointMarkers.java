@@ -1,0 +1,61 @@
+package org.pendant.desktop.scene;
+
+import java.util.List;
+import org.pendant.desktop.scene.mesh.Lines;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Waypoint markers: the places that a program moves to, and their order; immutable.
+ *
+ * @param marks each place once
+ * @param ways numbers of marks that follow each other, from 0
+ */
+public record WaypointMarkers(List<Mark> marks, List<List<Integer>> ways) {
+  /** No places. */
+  public static final WaypointMarkers NONE = new WaypointMarkers(List.of(), List.of());
+
+  private static final double DASH_M = 0.02;
+  private static final int MAX_DASHES = 100;
+  private static final int LIGHT_RGB = 0x6A45B5;
+  private static final int DARK_RGB = 0xC4AEFF;
+
+  /**
+   * A place.
+   *
+   * @param inBase pose of the TCP there
+   * @param chosen whether somebody looks at it just now
+   */
+  public record Mark(String name, Pose inBase, boolean chosen) {}
+
+  /** Copies the lists. */
+  public WaypointMarkers {
+    marks = List.copyOf(marks);
+    ways = ways.stream().map(List::copyOf).toList();
+  }
+
+  /** Dashed lines from each place to the next one. */
+  public Lines lines(Theme theme) {
+    Lines lines = new Lines();
+    int rgb = theme == Theme.LIGHT ? LIGHT_RGB : DARK_RGB;
+    for (List<Integer> way : ways) {
+      for (int i = 1; i < way.size(); i++) {
+        dash(marks.get(way.get(i - 1)).inBase(), marks.get(way.get(i)).inBase(), rgb, lines);
+      }
+    }
+    return lines;
+  }
+
+  private static void dash(Pose from, Pose to, int rgb, Lines lines) {
+    double[] way = {to.x() - from.x(), to.y() - from.y(), to.z() - from.z()};
+    double lengthM = Math.hypot(Math.hypot(way[0], way[1]), way[2]);
+    // An odd number of stretches, so that both ends have a dash.
+    int stretches = 2 * Math.clamp(Math.round(lengthM / (2 * DASH_M)), 0, MAX_DASHES) + 1;
+    for (int i = 0; i < stretches; i += 2) {
+      double begin = i / (double) stretches;
+      double end = (i + 1) / (double) stretches;
+      lines.from(
+          from.x() + begin * way[0], from.y() + begin * way[1], from.z() + begin * way[2], rgb, 1);
+      lines.to(from.x() + end * way[0], from.y() + end * way[1], from.z() + end * way[2], rgb, 1);
+    }
+  }
+}

@@ -1,0 +1,114 @@
+package org.pendant.desktop.scene.gl;
+
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.joml.Matrix4f;
+import org.pendant.controller.world.Scene;
+import org.pendant.desktop.scene.LinkPlaces;
+import org.pendant.desktop.scene.SceneModel;
+import org.pendant.desktop.scene.mesh.ArmMeshes;
+import org.pendant.desktop.scene.mesh.Detail;
+import org.pendant.desktop.scene.mesh.Link;
+import org.pendant.desktop.scene.mesh.Marks;
+import org.pendant.desktop.scene.mesh.Mesh;
+import org.pendant.desktop.scene.mesh.WorldMesh;
+import org.pendant.models.shape.ArmShapes;
+
+/** The meshes of a model in the memory of the graphics, made again when they have to be. */
+final class Bodies implements AutoCloseable {
+  private static final double ROD_RADIUS_M = 0.004;
+
+  private final Detail detail;
+  private final GpuMesh frame;
+  private final GpuMesh rod;
+  private final GpuMesh ball;
+  private String armId = "";
+  private ArmMeshes armMeshes;
+  private final Map<Link, Mesh.Box> armBoxes = new EnumMap<>(Link.class);
+  private GpuMesh arm = new GpuMesh(List.of());
+  private Scene scene = Scene.EMPTY;
+  private Set<String> touched = Set.of();
+  private Mesh.Box worldBox = new Mesh.Box(0, 0, 0, -1, -1, -1);
+  private GpuMesh world = new GpuMesh(List.of());
+
+  /**
+   * @param detail how finely they are cut
+   */
+  Bodies(Detail detail) {
+    this.detail = detail;
+    frame = new GpuMesh(List.of(Marks.frame(detail)));
+    rod = new GpuMesh(List.of(Marks.rod(ROD_RADIUS_M, detail)));
+    ball = new GpuMesh(List.of(Marks.ball(detail)));
+  }
+
+  /** Has what this model needs. */
+  void load(SceneModel model) {
+    if (!armId.equals(model.arm().id())) {
+      armId = model.arm().id();
+      armMeshes = new ArmMeshes(ArmShapes.load(armId), model.arm().dh(), detail);
+      for (Link link : Link.values()) {
+        armBoxes.put(link, armMeshes.of(link).box());
+      }
+      arm.close();
+      arm = new GpuMesh(Arrays.stream(Link.values()).map(armMeshes::of).toList());
+    }
+    if (!scene.equals(model.world()) || !touched.equals(model.touched())) {
+      scene = model.world();
+      touched = model.touched();
+      Mesh mesh = WorldMesh.of(scene.objects(), touched, detail);
+      worldBox = mesh.box();
+      world.close();
+      world = new GpuMesh(List.of(mesh));
+    }
+  }
+
+  /** Counts all that throws a shadow. */
+  void addTo(ShadowReach reach, LinkPlaces places) {
+    for (Link link : Link.values()) {
+      reach.add(armBoxes.get(link), places.of(link));
+    }
+    reach.add(worldBox, new Matrix4f());
+  }
+
+  /** The meshes of the arm that was loaded last. */
+  ArmMeshes armMeshes() {
+    return armMeshes;
+  }
+
+  /** The arm, one place for each link. */
+  GpuMesh arm() {
+    return arm;
+  }
+
+  /** Boxes and balls, in place 0. */
+  GpuMesh world() {
+    return world;
+  }
+
+  /** Arrows of length 1, in place 0. */
+  GpuMesh frame() {
+    return frame;
+  }
+
+  /** A rod of length 1 along z, in place 0. */
+  GpuMesh rod() {
+    return rod;
+  }
+
+  /** A ball of radius 1, in place 0. */
+  GpuMesh ball() {
+    return ball;
+  }
+
+  @Override
+  public void close() {
+    arm.close();
+    world.close();
+    frame.close();
+    rod.close();
+    ball.close();
+  }
+}

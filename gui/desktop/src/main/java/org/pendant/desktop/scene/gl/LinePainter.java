@@ -1,0 +1,132 @@
+package org.pendant.desktop.scene.gl;
+
+import static org.lwjgl.opengl.GL33C.*;
+
+import java.util.Optional;
+import org.joml.Matrix4fc;
+import org.pendant.desktop.scene.Camera;
+import org.pendant.desktop.scene.Ground;
+import org.pendant.desktop.scene.SceneModel;
+import org.pendant.desktop.scene.Theme;
+import org.pendant.desktop.scene.Trace;
+import org.pendant.desktop.scene.WaypointMarkers;
+import org.pendant.desktop.scene.mesh.BoxEdges;
+import org.pendant.desktop.scene.mesh.Finish;
+import org.pendant.desktop.scene.mesh.FloorScale;
+import org.pendant.desktop.scene.mesh.Lines;
+
+/** Draws the lines of a model: the trace, the edges of boxes, the metres on the floor. */
+final class LinePainter implements AutoCloseable {
+  private static final float TRACE_PX_AT_800 = 2.6f;
+  private static final float EDGE_PX_AT_800 = 1.3f;
+  private static final float MIN_TRACE_PX = 1.5f;
+  private static final float MIN_EDGE_PX = 1.1f;
+  private static final float HIDDEN_TRACE_OPACITY = 0.16f;
+  private static final float HIDDEN_WAY_OPACITY = 0.3f;
+  private static final float EDGE_OPACITY = 0.75f;
+  private static final float SCALE_OPACITY = 0.85f;
+
+  private final ShaderProgram line;
+  private final LineStrip trace = new LineStrip();
+  private final LineStrip edges = new LineStrip();
+  private final LineStrip scale = new LineStrip();
+  private final LineStrip ways = new LineStrip();
+  private Trace tracedNow = Trace.EMPTY;
+  private Optional<EdgesOf> edged = Optional.empty();
+  private Optional<ScaleOf> scaled = Optional.empty();
+  private Optional<WaysOf> waysNow = Optional.empty();
+
+  private record EdgesOf(Object world, Object touched, Theme theme) {}
+
+  private record WaysOf(WaypointMarkers marks, Theme theme) {}
+
+  private record ScaleOf(double reachM, double heightM, int quarters, Theme theme) {}
+
+  LinePainter(Shaders shaders) {
+    line = shaders.line();
+  }
+
+  /**
+   * Draws what the depths that were drawn before leave to be seen.
+   *
+   * @param ground the floor; the scale on it is drawn where its upper side is seen
+   */
+  void draw(
+      SceneModel model, Ground ground, Camera camera, Matrix4fc toClip, int width, int height) {
+    load(model, ground, camera);
+    Surroundings.blend();
+    glDisable(GL_CULL_FACE);
+    glDepthMask(false);
+    line.use().set("toClip", toClip);
+    line.set("halfPixels", width / 2f, height / 2f);
+    line.set("width", Math.max(MIN_EDGE_PX, EDGE_PX_AT_800 * height / 800f));
+    if (camera.looksDownOn(ground.heightM())) {
+      line.set("opacity", SCALE_OPACITY);
+      scale.draw();
+    }
+    line.set("opacity", EDGE_OPACITY);
+    edges.draw();
+    ways.draw();
+    line.set("width", Math.max(MIN_TRACE_PX, TRACE_PX_AT_800 * height / 800f));
+    line.set("opacity", 1);
+    trace.draw();
+    glDepthFunc(GL_GREATER);
+    line.set("opacity", HIDDEN_TRACE_OPACITY);
+    trace.draw();
+    line.set("width", Math.max(MIN_EDGE_PX, EDGE_PX_AT_800 * height / 800f));
+    line.set("opacity", HIDDEN_WAY_OPACITY);
+    ways.draw();
+    glDepthFunc(GL_LESS);
+    glDepthMask(true);
+  }
+
+  private void load(SceneModel model, Ground ground, Camera camera) {
+    if (model.trace() != tracedNow) {
+      tracedNow = model.trace();
+      trace.load(LineStrip.lines(tracedNow));
+    }
+    Theme theme = model.theme();
+    EdgesOf newEdges = new EdgesOf(model.world(), model.touched(), theme);
+    if (!edged.equals(Optional.of(newEdges))) {
+      edged = Optional.of(newEdges);
+      edges.load(
+          BoxEdges.of(
+              model.world().objects(),
+              model.touched(),
+              theme.edgeRgb(),
+              theme.rgb(Finish.TOUCHED)));
+    }
+    WaysOf newWays = new WaysOf(model.waypointMarkers(), theme);
+    if (!waysNow.equals(Optional.of(newWays))) {
+      waysNow = Optional.of(newWays);
+      ways.load(newWays.marks().lines(theme));
+    }
+    ScaleOf newScale =
+        new ScaleOf(
+            Surroundings.FLOOR_REACH * model.arm().reachM(),
+            ground.heightM(),
+            FloorScale.quarters(camera.azimuthRad()),
+            theme);
+    if (!scaled.equals(Optional.of(newScale))) {
+      scaled = Optional.of(newScale);
+      scale.load(scale(newScale));
+    }
+  }
+
+  private static Lines scale(ScaleOf of) {
+    return FloorScale.of(
+        of.reachM(),
+        of.heightM(),
+        of.quarters(),
+        of.theme().rgb(Finish.AXIS_X),
+        of.theme().rgb(Finish.AXIS_Y));
+  }
+
+  @Override
+  public void close() {
+    trace.close();
+    edges.close();
+    scale.close();
+    ways.close();
+  }
+}

@@ -1,0 +1,63 @@
+package org.pendant.desktop.scene.mesh;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Turns outlines around the z axis of the part's frame. */
+final class Lathe {
+  /** Corners of what is round, at best; at this number nobody sees them. */
+  static final int AROUND = 48;
+
+  private Lathe() {}
+
+  static void turn(MeshBuilder mesh, Profile profile) {
+    turn(mesh, profile, AROUND);
+  }
+
+  static void turn(MeshBuilder mesh, Profile profile, int around) {
+    turn(mesh, profile.points(mesh.detail()), mesh.detail().around(around));
+  }
+
+  private static void turn(MeshBuilder mesh, List<Profile.Point> points, int around) {
+    int first = -1;
+    for (Profile.Point point : points) {
+      for (int j = 0; j < around; j++) {
+        float cos = (float) Math.cos(2 * Math.PI * j / around);
+        float sin = (float) Math.sin(2 * Math.PI * j / around);
+        float r = (float) point.r();
+        float nr = (float) point.nr();
+        int vertex =
+            mesh.vertex(
+                r * cos, r * sin, (float) point.z(), nr * cos, nr * sin, (float) point.nz());
+        first = first < 0 ? vertex : first;
+      }
+    }
+    mesh.skin(first, points.size(), around);
+  }
+
+  /** A cylinder with rounded edges, from {@code fromM} to {@code toM} on the axis. */
+  static void cylinder(
+      MeshBuilder mesh, double radiusM, double fromM, double toM, double roundingM, int around) {
+    Profile profile =
+        new Profile()
+            .to(0, fromM)
+            .to(radiusM, fromM, roundingM)
+            .to(radiusM, toM, roundingM)
+            .to(0, toM);
+    turn(mesh, profile, around);
+  }
+
+  /** A ball around the origin. */
+  static void ball(MeshBuilder mesh, double radiusM, int around) {
+    int meridians = mesh.detail().around(around);
+    int parallels = meridians / 2;
+    List<Profile.Point> points = new ArrayList<>();
+    for (int i = 0; i <= parallels; i++) {
+      double angle = Math.PI * i / parallels;
+      // exact at the poles: there the ring is one point
+      double nr = i % parallels == 0 ? 0 : Math.sin(angle);
+      points.add(new Profile.Point(radiusM * nr, -radiusM * Math.cos(angle), nr, -Math.cos(angle)));
+    }
+    turn(mesh, points, meridians);
+  }
+}

@@ -1,0 +1,36 @@
+package org.pendant.desktop.scene.view;
+
+import java.awt.BorderLayout;
+import java.awt.Font;
+import javax.swing.BorderFactory;
+import javax.swing.JPanel;
+import javax.swing.JTextArea;
+import javax.swing.UIManager;
+
+/** Stands in place of the picture where nothing can draw one; its text can be copied. */
+final class MissingGraphics extends JPanel {
+  private static final long serialVersionUID = 1L;
+
+  MissingGraphics(String reason) {
+    super(new BorderLayout(0, 8));
+    setBorder(BorderFactory.createEmptyBorder(16, 16, 16, 16));
+    JTextArea title = text("No 3D view");
+    title.setFont(title.getFont().deriveFont(Font.BOLD));
+    JTextArea note = text(reason + "\n\nEverything else works without it.");
+    note.setName("scene-unavailable");
+    note.getAccessibleContext().setAccessibleName("Why there is no 3D view");
+    add(title, BorderLayout.NORTH);
+    add(note, BorderLayout.CENTER);
+  }
+
+  private static JTextArea text(String words) {
+    JTextArea text = new JTextArea(words);
+    text.setEditable(false);
+    text.setLineWrap(true);
+    text.setWrapStyleWord(true);
+    text.setOpaque(false);
+    text.setBorder(null);
+    text.setFont(UIManager.getFont("Label.font"));
+    return text;
+  }
+}

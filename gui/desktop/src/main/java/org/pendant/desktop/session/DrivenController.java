@@ -1,0 +1,98 @@
+package org.pendant.desktop.session;
+
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.FrameLoop;
+import org.pendant.controller.Pace;
+import org.pendant.controller.Reply;
+import org.pendant.controller.SteerableClock;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.fault.Faults;
+import org.pendant.protocols.toolserial.ToolSerialLine;
+import org.pendant.recording.RecordingRing;
+import org.pendant.recording.replay.Journal;
+
+/** One controller with the thread that drives it, until it is switched off. */
+final class DrivenController implements AutoCloseable {
+  private final SwitchedOn on;
+  private final Controller controller;
+  private final SteerableClock clock;
+  private final FrameLoop loop;
+  private volatile boolean closed;
+
+  /**
+   * Starts driving a controller.
+   *
+   * @param listeners told of every frame; may change at any time, so it must allow that
+   */
+  DrivenController(SwitchedOn on, Pace pace, List<? extends FrameListener> listeners) {
+    this.on = on;
+    controller = on.controller();
+    clock = new SteerableClock(pace);
+    loop =
+        FrameLoop.start(
+            controller,
+            clock,
+            () -> {
+              ControllerState state = controller.state();
+              // A fault here would end the loop, and with it the robot.
+              Faults.guard(() -> on.ring().take(state));
+              listeners.forEach(each -> Faults.guard(() -> each.frame(state)));
+            });
+  }
+
+  ControllerOptions options() {
+    return on.options();
+  }
+
+  Controller controller() {
+    return controller;
+  }
+
+  Journal journal() {
+    return on.journal();
+  }
+
+  RecordingRing ring() {
+    return on.ring();
+  }
+
+  ToolSerialLine tool() {
+    return on.tool();
+  }
+
+  SteerableClock clock() {
+    return clock;
+  }
+
+  FrameLoop loop() {
+    return loop;
+  }
+
+  CompletableFuture<Reply> submit(Command command) {
+    CompletableFuture<Reply> reply = controller.submit(command);
+    clock.commandArrived();
+    // What was left too late for the last frame gets its answer here.
+    if (closed) {
+      reply.complete(new Reply.Refused("the controller is switched off"));
+    } else if (loop.failure().isPresent()) {
+      reply.complete(
+          new Reply.Refused("the controller has failed: " + loop.failure().get().getMessage()));
+    }
+    return reply;
+  }
+
+  /** Switches off; every command that has arrived has its reply then. */
+  @Override
+  public void close() {
+    loop.close();
+    closed = true;
+    if (loop.failure().isEmpty()) {
+      controller.advance();
+    }
+    on.close();
+  }
+}

@@ -1,0 +1,123 @@
+package org.pendant.desktop.session;
+
+import java.util.Optional;
+import org.pendant.controller.Command;
+import org.pendant.controller.safety.SafetyMode;
+import org.pendant.controller.safety.SafetyStop;
+import org.pendant.controller.state.ControllerState;
+
+/**
+ * Whether the arm is ready for programs, and the next thing that brings it there.
+ *
+ * @param light how it looks from afar
+ * @param text what is the case, such as {@code Power off}
+ * @param remedy what the button says, such as {@code Switch on}; empty where nothing is to be done
+ * @param command what the button does; empty while it cannot be done yet
+ * @param hint what the button does or why it has to wait, as a sentence
+ */
+public record Readiness(
+    Light light, String text, String remedy, Optional<Command> command, String hint) {
+  /** Shortest time between a protective stop and its end, s. */
+  private static final double UNLOCK_S = 5;
+
+  /** How it looks from afar. */
+  public enum Light {
+    /** Programs can run. */
+    READY,
+    /** On the way, or waiting for something harmless. */
+    WAITING,
+    /** Without power. */
+    OFF,
+    /** Stopped by a safety function. */
+    STOPPED
+  }
+
+  /** How ready the arm is in {@code state}. */
+  public static Readiness of(ControllerState state) {
+    if (state.safety().shutDown()) {
+      return new Readiness(
+          Light.OFF,
+          "Shut down",
+          "",
+          Optional.empty(),
+          "A program has switched the controller off; the menu Robot switches it on again");
+    }
+    Optional<SafetyStop> stop = state.safety().stop();
+    return stop.isPresent() ? stopped(stop.get(), state) : power(state);
+  }
+
+  private static Readiness stopped(SafetyStop stop, ControllerState state) {
+    String text = Words.capital(Words.of(stop.mode()));
+    return switch (stop.mode()) {
+      case PROTECTIVE_STOP -> unlock(text, stop.timeS() + UNLOCK_S - state.timeS());
+      case VIOLATION, FAULT ->
+          new Readiness(
+              Light.STOPPED,
+              text,
+              "Restart safety",
+              Optional.of(new Command.RestartSafety()),
+              "Starts the safety functions again; the arm is without power then");
+      default ->
+          new Readiness(
+              Light.STOPPED,
+              text,
+              "",
+              Optional.empty(),
+              "Lasts until its safety input is released, on the I/O screen");
+    };
+  }
+
+  private static Readiness unlock(String text, double leftS) {
+    if (leftS > 1e-6) {
+      long seconds = (long) Math.ceil(leftS);
+      return new Readiness(
+          Light.STOPPED,
+          text,
+          "Unlock in " + seconds + " s",
+          Optional.empty(),
+          "A protective stop can be unlocked 5 s of robot time after it happened");
+    }
+    return new Readiness(
+        Light.STOPPED,
+        text,
+        "Unlock",
+        Optional.of(new Command.UnlockProtectiveStop(false)),
+        "Ends the protective stop; a program stays paused");
+  }
+
+  private static Readiness power(ControllerState state) {
+    String text = Words.capital(Words.of(state.safety().robotMode()));
+    return switch (state.safety().robotMode()) {
+      case RUNNING ->
+          state.safety().safetyMode() == SafetyMode.RECOVERY
+              ? new Readiness(
+                  Light.WAITING,
+                  "Recovery",
+                  "",
+                  Optional.empty(),
+                  "The arm is beyond a safety limit: bring it back by hand, on the Move screen")
+              : new Readiness(
+                  Light.READY,
+                  "Ready",
+                  "Switch off",
+                  Optional.of(new Command.PowerOff()),
+                  "Cuts the arm's power; a program ends");
+      case POWER_OFF, IDLE ->
+          new Readiness(
+              Light.OFF,
+              text,
+              "Switch on",
+              Optional.of(new Command.ReleaseBrakes()),
+              "Powers the arm on and releases its brakes");
+      case BACKDRIVE ->
+          new Readiness(
+              Light.WAITING,
+              text,
+              "End backdrive",
+              Optional.of(new Command.EndBackdrive()),
+              "Closes the brakes again");
+      case NO_CONTROLLER, DISCONNECTED, CONFIRM_SAFETY, BOOTING, POWER_ON, UPDATING_FIRMWARE ->
+          new Readiness(Light.WAITING, text, "", Optional.empty(), "The arm is being switched on");
+    };
+  }
+}

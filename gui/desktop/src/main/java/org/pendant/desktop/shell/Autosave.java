@@ -1,0 +1,230 @@
+package org.pendant.desktop.shell;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.ProgramFile;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.RecoveryFolder;
+import org.pendant.desktop.shell.Notices.Choice;
+import org.pendant.kit.background.Background;
+import org.pendant.kit.fault.Faults;
+import org.pendant.project.installation.text.InstallationText;
+
+/** Autosave: keeps unsaved texts in case of a crash, and offers them at the next start. */
+final class Autosave {
+  private final Programs programs;
+  private final ActiveInstallation installation;
+  private final RecoveryFolder recovery;
+  private final Notices notices;
+  private final Consumer<String> tell;
+  private final IdentityHashMap<ProgramDocument, Kept> kept = new IdentityHashMap<>();
+  private boolean busy;
+  private boolean troubleTold;
+  private int programsKept;
+
+  /**
+   * What was kept of a program.
+   *
+   * @param number of the program
+   */
+  private record Kept(int number, Optional<Path> file, String text) {}
+
+  /** Something that reads or writes. */
+  @FunctionalInterface
+  private interface IoAction {
+    void run() throws IOException;
+  }
+
+  Autosave(
+      Programs programs,
+      ActiveInstallation installation,
+      RecoveryFolder recovery,
+      Notices notices,
+      Consumer<String> tell) {
+    this.programs = programs;
+    this.installation = installation;
+    this.recovery = recovery;
+    this.notices = notices;
+    this.tell = tell;
+  }
+
+  // --- what was left behind
+
+  /** Offers what was left behind by a Pendant that did not end properly. */
+  void offerLeftBehind() {
+    Background.run(
+        recovery::leftBehind,
+        found -> found.forEach(this::offer),
+        failed ->
+            tell.accept(
+                "Texts kept from the last time cannot be read: " + FileTrouble.reason(failed)));
+  }
+
+  private void offer(RecoveryFolder.LeftBehind left) {
+    String where = left.file().map(Object::toString).orElse(left.name());
+    notices.ask(
+        "recovery-" + left.kept().getFileName(),
+        "Pendant ended before " + where + " was saved.",
+        List.of(
+            new Choice("Restore", () -> restore(left)),
+            new Choice("Discard", () -> forget(left)),
+            Choice.nothing("Ask next time")));
+  }
+
+  private void restore(RecoveryFolder.LeftBehind left) {
+    Optional<ProgramDocument> open =
+        left.file().flatMap(this::open).filter(program -> !program.modified());
+    if (open.isPresent()) {
+      restore(left, open.get());
+      return;
+    }
+    Background.run(
+        () -> document(left),
+        document -> restore(left, document),
+        failed -> notices.tell("not-restored", "Not restored: " + failed.getMessage()));
+  }
+
+  /** What is open already of a file. */
+  private Optional<ProgramDocument> open(Path file) {
+    return installation.document().file().equals(Optional.of(file))
+        ? Optional.of(installation.document())
+        : programs.of(file);
+  }
+
+  private void restore(RecoveryFolder.LeftBehind left, ProgramDocument document) {
+    if (document.name().endsWith(InstallationText.ENDING)) {
+      document.setText(left.text());
+      installation.open(document);
+    } else {
+      programs.select(document);
+      document.setText(left.text());
+    }
+    List<IoAction> work = new ArrayList<>();
+    // Kept anew before the old one goes: there is no moment without it.
+    keep(document, work);
+    work.add(() -> recovery.forget(left));
+    run(work, () -> {});
+  }
+
+  /** The program that a text belongs to, as it is on disk. */
+  private static ProgramDocument document(RecoveryFolder.LeftBehind left) throws IOException {
+    if (left.file().isEmpty()) {
+      return ProgramDocument.untitled(left.name(), "");
+    }
+    Path file = left.file().get();
+    return ProgramDocument.of(
+        Files.exists(file) ? ProgramFile.read(file) : ProgramFile.create(file, ""));
+  }
+
+  private void forget(RecoveryFolder.LeftBehind left) {
+    run(List.of(() -> recovery.forget(left)), () -> {});
+  }
+
+  // --- keeping
+
+  /** Looks at all open programs; called every few seconds. */
+  void look() {
+    if (busy) {
+      return;
+    }
+    List<IoAction> work = new ArrayList<>();
+    all().forEach(each -> keep(each, work));
+    List.copyOf(kept.keySet()).stream()
+        .filter(each -> !all().contains(each))
+        .forEach(closed -> drop(closed, work));
+    if (!work.isEmpty()) {
+      busy = true;
+      run(work, () -> busy = false);
+    }
+  }
+
+  private List<ProgramDocument> all() {
+    List<ProgramDocument> all = new ArrayList<>(programs.all());
+    all.add(installation.document());
+    return all;
+  }
+
+  private void keep(ProgramDocument document, List<IoAction> work) {
+    if (!document.modified()) {
+      drop(document, work);
+      return;
+    }
+    Kept before = kept.get(document);
+    int number = before == null ? programsKept++ : before.number();
+    Kept now = new Kept(number, document.file(), document.text());
+    if (!now.equals(before)) {
+      kept.put(document, now);
+      String name = document.name();
+      work.add(() -> recovery.keep(number, now.file(), name, now.text()));
+    }
+  }
+
+  private void drop(ProgramDocument document, List<IoAction> work) {
+    Kept before = kept.remove(document);
+    if (before != null) {
+      work.add(() -> recovery.forget(before.number()));
+    }
+  }
+
+  /** The window closes: nothing has to be kept any more. */
+  void end() {
+    List<IoAction> work = new ArrayList<>();
+    List.copyOf(kept.keySet()).forEach(each -> drop(each, work));
+    for (IoAction each : work) {
+      try {
+        each.run();
+      } catch (IOException e) {
+        // It is offered at the next start, which is better than lost.
+        tell.accept("Not removed: " + FileTrouble.reason(e));
+      }
+    }
+  }
+
+  /** Does all of the work: what fails of one text does not keep the others from being kept. */
+  private static void each(List<IoAction> work) throws IOException {
+    Optional<IOException> trouble = Optional.empty();
+    for (IoAction each : work) {
+      try {
+        each.run();
+      } catch (IOException e) {
+        trouble = Optional.of(e);
+      } catch (RuntimeException e) {
+        Faults.report(e);
+        trouble = Optional.of(new IOException("internal error, " + e, e));
+      }
+    }
+    if (trouble.isPresent()) {
+      throw trouble.get();
+    }
+  }
+
+  private void run(List<IoAction> work, Runnable then) {
+    Background.run(
+        () -> {
+          each(work);
+          return true;
+        },
+        done -> {
+          then.run();
+          troubleTold = false;
+        },
+        failed -> {
+          then.run();
+          // The next look tries again; saying it once is enough.
+          kept.replaceAll((document, before) -> new Kept(before.number(), before.file(), ""));
+          if (!troubleTold) {
+            troubleTold = true;
+            tell.accept("Unsaved texts cannot be kept against a crash: " + failed.getMessage());
+          }
+        });
+  }
+}

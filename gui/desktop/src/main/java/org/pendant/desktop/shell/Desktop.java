@@ -1,0 +1,230 @@
+package org.pendant.desktop.shell;
+
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.StartInstallation;
+import org.pendant.command.service.StateFolder;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.InstallationCheck;
+import org.pendant.controller.installation.InstallationProblem;
+import org.pendant.controller.message.Operator;
+import org.pendant.desktop.session.OpenFiles;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.ProgramFile;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.RecoveryFolder;
+import org.pendant.desktop.session.Session;
+import org.pendant.kit.fault.FaultFile;
+import org.pendant.kit.fault.Faults;
+import org.pendant.kit.settings.ConfigurationFolder;
+import org.pendant.kit.settings.FileSettings;
+import org.pendant.kit.settings.Settings;
+import org.pendant.kit.theme.Look;
+import org.pendant.kit.theme.SystemTheme;
+import org.pendant.models.arm.ArmLibrary;
+
+/** The desktop as a whole, from its start until its window is closed. */
+public final class Desktop {
+  private static final String EXAMPLE = "pick_and_place.script";
+
+  private final Path folder;
+  private final FileSettings settings;
+  private final List<String> missing = new CopyOnWriteArrayList<>();
+  private final CompletableFuture<Boolean> closed = new CompletableFuture<>();
+
+  /** What the controller is set up with; written before the window is made. */
+  private volatile Optional<StartInstallation> start = Optional.empty();
+
+  private Desktop(Path folder) {
+    this.folder = folder;
+    settings = FileSettings.open(folder.resolve("settings.txt"));
+  }
+
+  /** As the other one, with the programs and the installation of last time, and closed ports. */
+  public static Desktop open() {
+    return open(List.of(), Optional.empty(), Optional.empty());
+  }
+
+  /**
+   * Opens the window, with a controller of its own, and returns while that is under way.
+   *
+   * @param files programs to open besides those that were open last time; the window tells which of
+   *     them cannot be
+   * @param ports where others reach the controller from the start; empty for nowhere
+   * @param installation how the controller is set up from the start, empty for as last time; with
+   *     one that is for another arm than that of last time there is that arm, and with one that
+   *     cannot be used the window tells why
+   * @throws java.awt.HeadlessException if there is no display
+   * @throws java.awt.AWTError if the display cannot be used
+   */
+  public static Desktop open(
+      List<Path> files, Optional<PortWishes> ports, Optional<StartInstallation> installation) {
+    Desktop desktop = new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()));
+    // The arm's files are read while the look is set up.
+    CompletableFuture<Session> session =
+        CompletableFuture.supplyAsync(
+            () -> {
+              installation
+                  .or(desktop::installationOfLastTime)
+                  .ifPresent(start -> desktop.start = Optional.of(start));
+              return Session.start(desktop.options(installation));
+            });
+    Look look = new Look(desktop.settings);
+    Programs programs = desktop.lastTime();
+    EventQueue.invokeLater(
+        () -> {
+          try {
+            look.install();
+            desktop.show(session.join(), look, programs, files, ports);
+          } catch (RuntimeException | Error fault) {
+            // There is no window that could tell it: whoever waits does.
+            desktop.closed.completeExceptionally(fault);
+          }
+        });
+    return desktop;
+  }
+
+  /** The installation that was open at the end. */
+  private Optional<StartInstallation> installationOfLastTime() {
+    Optional<Path> file = InstallationFiles.openLastTime(settings);
+    if (file.isEmpty()) {
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(
+          new StartInstallation(file.get(), InstallationFiles.load(file.get()).installation()));
+    } catch (IOException e) {
+      missing.add("Not opened again: " + e.getMessage());
+      return Optional.empty();
+    }
+  }
+
+  /**
+   * Options of the controller.
+   *
+   * @param wanted the installation that somebody asked for; one of last time gives way to the robot
+   */
+  private ControllerOptions options(Optional<StartInstallation> wanted) {
+    ControllerOptions bare = options(settings);
+    Optional<Installation> installation = start.map(StartInstallation::installation);
+    if (installation.isEmpty()) {
+      return bare;
+    }
+    String robot = installation.get().robot();
+    ControllerOptions options =
+        wanted.isPresent() && ArmLibrary.find(robot).isPresent() ? bare.withRobot(robot) : bare;
+    Optional<InstallationProblem> refusal =
+        InstallationCheck.refusal(installation.get(), ArmLibrary.load(options.robotId()));
+    if (refusal.isPresent()) {
+      missing.add("The installation cannot be used: " + refusal.get());
+      return bare;
+    }
+    return options.withInstallation(installation.get());
+  }
+
+  private static ControllerOptions options(Settings settings) {
+    return ControllerOptions.headless()
+        .withRobot(
+            settings
+                .get("robot.id")
+                .flatMap(ArmLibrary::find)
+                .orElse(ControllerOptions.DEFAULT_ROBOT))
+        .withOperator(Operator.present())
+        .withSystemTime(InstantSource.system())
+        .withPower(settings.get("robot.power-at-start").map(Boolean::parseBoolean).orElse(true));
+  }
+
+  /** The programs that were open last time, or an example. */
+  private Programs lastTime() {
+    List<ProgramDocument> open = new ArrayList<>();
+    Optional<Path> last = ProgramFiles.recent(settings).stream().findFirst();
+    Optional<ProgramDocument> front = Optional.empty();
+    for (Path each : ProgramFiles.openLastTime(settings)) {
+      try {
+        ProgramDocument program = ProgramDocument.of(ProgramFile.read(each));
+        open.add(program);
+        front = last.equals(Optional.of(each)) ? Optional.of(program) : front;
+      } catch (IOException e) {
+        missing.add("Not opened again: " + e.getMessage());
+      }
+    }
+    Programs programs = new Programs(open.isEmpty() ? example() : open.getFirst());
+    open.forEach(programs::select);
+    front.ifPresent(programs::select);
+    return programs;
+  }
+
+  private static ProgramDocument example() {
+    try (InputStream in = Desktop.class.getResourceAsStream(EXAMPLE)) {
+      if (in == null) {
+        throw new IllegalStateException("resource " + EXAMPLE + " is missing");
+      }
+      return ProgramDocument.untitled(
+          EXAMPLE, new String(in.readAllBytes(), StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      throw new UncheckedIOException("resource " + EXAMPLE, e);
+    }
+  }
+
+  private void show(
+      Session session, Look look, Programs programs, List<Path> files, Optional<PortWishes> ports) {
+    DesktopWindow window =
+        new DesktopWindow(
+            session,
+            settings,
+            look,
+            programs,
+            new RecoveryFolder(folder.resolve("recovery")),
+            new OpenFiles(StateFolder.of(System.getenv()).resolve("windows")),
+            () -> close(session));
+    Faults.keepIn(
+        new FaultFile(folder.resolve("errors.txt")),
+        text -> EventQueue.invokeLater(() -> window.tell(text)));
+    window.open();
+    settings.notice().ifPresent(window::warn);
+    settings.onTrouble(text -> EventQueue.invokeLater(() -> window.warn(text)));
+    start.ifPresent(window::begin);
+    missing.forEach(window::warn);
+    files.forEach(window::open);
+    ports.ifPresent(window::openPorts);
+    Thread.ofVirtual()
+        .name("system theme")
+        .start(
+            () ->
+                SystemTheme.ask()
+                    .ifPresent(dark -> EventQueue.invokeLater(() -> look.setSystemDark(dark))));
+  }
+
+  private void close(Session session) {
+    Faults.guard(session::close);
+    Faults.guard(settings::close);
+    closed.complete(true);
+  }
+
+  /**
+   * Waits until the window has been closed and everything is written.
+   *
+   * @throws InterruptedException if the waiting thread is interrupted
+   * @throws IllegalStateException if the window could not be made, an internal error
+   */
+  public void awaitClosed() throws InterruptedException {
+    try {
+      closed.get();
+    } catch (ExecutionException e) {
+      throw new IllegalStateException("the window could not be made", e.getCause());
+    }
+  }
+}

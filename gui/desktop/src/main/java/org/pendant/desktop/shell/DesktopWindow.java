@@ -1,0 +1,327 @@
+package org.pendant.desktop.shell;
+
+import java.awt.BorderLayout;
+import java.awt.EventQueue;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JFrame;
+import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.StartInstallation;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.InstallationLink;
+import org.pendant.desktop.session.OpenFiles;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.RecoveryFolder;
+import org.pendant.desktop.session.Session;
+import org.pendant.desktop.shell.chrome.Footer;
+import org.pendant.desktop.shell.chrome.Header;
+import org.pendant.desktop.shell.chrome.ProgramMenu;
+import org.pendant.desktop.shell.chrome.Rail;
+import org.pendant.desktop.shell.chrome.StatusLine;
+import org.pendant.desktop.shell.prompt.PromptPanel;
+import org.pendant.desktop.shell.start.StartPanel;
+import org.pendant.desktop.timeline.TimelineView;
+import org.pendant.desktop.workbench.View;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.dock.DockFrame;
+import org.pendant.kit.dock.DockPlan;
+import org.pendant.kit.fault.Faults;
+import org.pendant.kit.settings.Settings;
+import org.pendant.kit.theme.Look;
+
+/** The window: makes its parts, puts them together and shows them the newest snapshot. */
+final class DesktopWindow {
+  private static final int REFRESH_MS = 33;
+
+  /** How often what is not saved is kept against a crash. */
+  static final int KEEP_MS = 2_000;
+
+  /** How many warnings are shown at a time; they take room from the views. */
+  private static final int WARNINGS = 3;
+
+  private final Session session;
+  private final Look look;
+  private final Programs programs;
+  private final ActionTable actions;
+  private final ProgramRunner runner;
+  private final ProgramFiles files;
+  private final InstallationFiles installationFiles;
+  private final ShellWorkbench workbench;
+  private final Views views;
+  private final DockFrame docks;
+  private final Autosave autosave;
+  private final DiskWatch disk;
+  private final OtherWindows others;
+  private final CloseDialog closeDialog;
+  private final PromptPanel prompts;
+  private final StartPanel startPanel;
+  private final StopNotice stopNotice;
+  private final WindowFrame window;
+  private final Typing typing = new Typing();
+  private final Notices notices = new Notices();
+  private final StatusLine status = new StatusLine(text -> notices.tell(Notices.WHOLE, text));
+  private final Header header;
+  private final RobotChange robot;
+  private final Footer footer;
+  private final Timer refresh = Faults.timer(REFRESH_MS, this::refresh);
+  private final Timer keep = Faults.timer(KEEP_MS, this::keep);
+  private final Runnable closed;
+  private boolean failureTold;
+  private int warnings;
+
+  /**
+   * The window, not visible yet.
+   *
+   * @param closed runs when it has been closed
+   */
+  DesktopWindow(
+      Session session,
+      Settings settings,
+      Look look,
+      Programs programs,
+      RecoveryFolder recovery,
+      OpenFiles openFiles,
+      Runnable closed) {
+    assert EventQueue.isDispatchThread();
+    this.session = session;
+    this.look = look;
+    this.programs = programs;
+    this.closed = closed;
+    actions = new ActionTable(settings);
+    workbench = new ShellWorkbench(session, actions, settings, status::tell, typing);
+    runner = new ProgramRunner(session, programs, status::tell, workbench::showSource);
+    ProgramActions programActions = new ProgramActions(actions, session, runner);
+    programActions.addProgram();
+    programActions.addRobot();
+    views = new Views(workbench, programs, runner);
+    workbench.openFilesAre(() -> EditedFiles.of(programs, views.installation()));
+    status.alsoTell(views::told);
+    var _ =
+        new InstallationLink(
+            session,
+            views.installation(),
+            EventQueue::invokeLater,
+            status::tell,
+            runner::startByInput);
+    docks = new DockFrame(new DockPlan(settings, views.home()), views.all(), views.home());
+    workbench.attach(docks);
+    SaveQueue saves = new SaveQueue();
+    DocumentSaver saver = new DocumentSaver(saves, notices, status::tell, this::warn);
+    files =
+        new ProgramFiles(
+            programs, saver, settings, notices, status::tell, this::warn, docks.component());
+    installationFiles =
+        new InstallationFiles(
+            views.installation(),
+            saver,
+            settings,
+            notices,
+            status::tell,
+            this::warn,
+            docks.component());
+    header =
+        new Header(
+            new ProgramMenu(actions, programs, files::recent, files::open), this::chooseRobot);
+    robot = new RobotChange(session, settings, notices, status::tell, header::showRobot);
+    autosave = new Autosave(programs, views.installation(), recovery, notices, this::warn);
+    disk = new DiskWatch(programs, views.installation(), saves, notices, status::tell);
+    others = new OtherWindows(programs, views.installation(), openFiles, notices, status::tell);
+    closeDialog =
+        new CloseDialog(
+            programs,
+            files,
+            views.installation(),
+            installationFiles,
+            saves,
+            notices,
+            this::dispose);
+    window = new WindowFrame(settings, closeDialog::ask);
+    addActions(programActions);
+    footer = new Footer(session, actions, runner::send);
+    prompts = new PromptPanel(docks.component(), actions, runner::send);
+    startPanel = new StartPanel(docks.component(), views.start());
+    stopNotice = new StopNotice(notices, () -> views.showing("run"), () -> docks.show("run"));
+    KeyBindings.bind(window.frame().getRootPane(), actions);
+    build();
+    follow();
+  }
+
+  private void addActions(ProgramActions programActions) {
+    programActions.addFiles(files, programs);
+    installationFiles.addActions(actions);
+    actions.add(
+        Action.of("file.recent", "Open a recent program\u2026", "control E", header::openPrograms));
+    actions.add(Action.of("file.quit", "Quit", "control Q", closeDialog::ask));
+    actions.add(Action.of("robot.restart", "Switch the controller off and on", "", robot::restart));
+    actions.add(Action.of("robot.choose", "Choose another robot\u2026", "", header::openRobots));
+    programActions.addSpeed();
+    WindowActions windowActions = new WindowActions(actions);
+    windowActions.addViews(docks, List.copyOf(views.screens().keySet()));
+    windowActions.addDocks(docks);
+    windowActions.addLook(look);
+    windowActions.addHelp(docks.component(), notices, status::text);
+  }
+
+  private void build() {
+    JPanel middle = new JPanel(new BorderLayout());
+    JPanel above = new JPanel(new BorderLayout());
+    above.add(notices, BorderLayout.NORTH);
+    above.add(views.past().banner(), BorderLayout.SOUTH);
+    middle.add(above, BorderLayout.NORTH);
+    middle.add(docks.component(), BorderLayout.CENTER);
+    JPanel south = new JPanel(new BorderLayout());
+    south.add(status, BorderLayout.NORTH);
+    south.add(footer, BorderLayout.CENTER);
+    JFrame frame = window.frame();
+    frame.getRootPane().setTransferHandler(new FileDrop(this::open));
+    frame.add(header, BorderLayout.NORTH);
+    frame.add(rail(), BorderLayout.WEST);
+    frame.add(middle, BorderLayout.CENTER);
+    frame.add(south, BorderLayout.SOUTH);
+    frame.setJMenuBar(new Menus(actions, files::recent, files::open, installationFiles).bar());
+  }
+
+  private Rail rail() {
+    Rail rail = new Rail(actions, docks::show, docks::moveMenu);
+    for (View view : views.all()) {
+      if (views.screens().containsKey(view.id())) {
+        rail.add(view, views.screens().get(view.id()));
+      }
+    }
+    Runnable mark = () -> rail.mark(docks.mainView().orElse(""));
+    docks.addListener(mark);
+    mark.run();
+    return rail;
+  }
+
+  private void follow() {
+    ProgramDocument.Listener changed =
+        new ProgramDocument.Listener() {
+          @Override
+          public void fileChanged() {
+            showProgram();
+          }
+        };
+    programs.addListener(
+        () -> {
+          programs.current().removeListener(changed);
+          programs.current().addListener(changed);
+          showProgram();
+        });
+    programs.current().addListener(changed);
+    look.addListener(this::updateHiddenViews);
+  }
+
+  private void showProgram() {
+    header.show(programs.current());
+    String mark = programs.current().modified() ? "\u2022 " : "";
+    window.frame().setTitle(mark + programs.current().name() + " - Pendant");
+  }
+
+  /** Views that are not in front are not reached by a change of the look. */
+  private void updateHiddenViews() {
+    for (View view : views.all()) {
+      if (SwingUtilities.getWindowAncestor(view.component()) == null) {
+        SwingUtilities.updateComponentTreeUI(view.component());
+      }
+    }
+  }
+
+  /** Shows the window. */
+  void open() {
+    showProgram();
+    header.showRobot(session.options().robotId());
+    refresh();
+    typing.start();
+    window.frame().setVisible(true);
+    docks.mainView().ifPresent(docks::show);
+    refresh.start();
+    keep.start();
+    autosave.offerLeftBehind();
+    programs.addListener(others::look);
+    others.look();
+    installationFiles.offerBeside(programs);
+  }
+
+  /** Opens a program. */
+  void open(Path file) {
+    if (TimelineView.isRecording(file)) {
+      views.past().open(file);
+      return;
+    }
+    files.open(file);
+  }
+
+  /** Goes on with the installation that the controller has begun with. */
+  void begin(StartInstallation start) {
+    installationFiles.begin(start);
+  }
+
+  /** Lets others reach the controller. */
+  void openPorts(PortWishes wishes) {
+    views.openPorts(wishes);
+    docks.show("ports");
+  }
+
+  /** Tells something at the edge of the window. */
+  void tell(String text) {
+    status.tell(text);
+  }
+
+  /** Tells something that must not be overlooked; a few of these are enough at a time. */
+  void warn(String text) {
+    views.told(text);
+    warnings++;
+    notices.tell("warning-" + warnings, text);
+    notices.close("warning-" + (warnings - WARNINGS));
+  }
+
+  private void refresh() {
+    ControllerState state = session.state();
+    Faults.guard(() -> header.refresh(state));
+    Faults.guard(() -> footer.refresh(state));
+    Faults.guard(() -> status.refresh(session.lateness(), state.behindS(), state.debug().held()));
+    Faults.guard(() -> prompts.refresh(state));
+    Faults.guard(() -> stopNotice.refresh(state));
+    Faults.guard(() -> views.follow(state));
+    Faults.guard(() -> startPanel.refresh(state));
+    for (View view : views.all()) {
+      if (view.component().isShowing()) {
+        Faults.guard(() -> view.refresh(views.past().shown(view, state)));
+      }
+    }
+    Optional<Throwable> failure = session.failure();
+    if (failure.isPresent() && !failureTold) {
+      status.tell("The controller has failed, an internal error: " + failure.get());
+    }
+    failureTold = failure.isPresent();
+  }
+
+  /** What is done every few seconds: one part goes on when another has failed. */
+  private void keep() {
+    Faults.guard(autosave::look);
+    Faults.guard(disk::look);
+    Faults.guard(others::look);
+  }
+
+  private void chooseRobot(String id) {
+    robot.choose(id);
+  }
+
+  private void dispose() {
+    refresh.stop();
+    keep.stop();
+    typing.stop();
+    // Whatever these throw, the window closes.
+    Faults.guard(autosave::end);
+    Faults.guard(others::end);
+    window.end();
+    closed.run();
+  }
+}

@@ -1,0 +1,373 @@
+package org.pendant.desktop.shell;
+
+import java.awt.Component;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.pendant.command.service.StartInstallation;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.controller.installation.Installation;
+import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.ProgramFile;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.shell.Notices.Choice;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.background.Background;
+import org.pendant.kit.export.SaveDialog;
+import org.pendant.kit.export.SaveRequest;
+import org.pendant.kit.settings.Settings;
+import org.pendant.project.installation.file.InstallationFile;
+import org.pendant.project.installation.file.InstallationTrouble;
+import org.pendant.project.installation.file.LoadedInstallation;
+import org.pendant.project.installation.text.InstallationText;
+import org.pendant.project.program.text.ProgramText;
+
+/** Opens and saves the installation; what touches the disk is done elsewhere. */
+final class InstallationFiles {
+  private static final String RECENT = "installation.recent";
+  private static final String OPEN = "installation.open";
+  private static final String BESIDE = "installation-beside";
+  private static final int MAX_RECENT = 10;
+  private static final int SHOWN_REMARKS = 3;
+
+  private final ActiveInstallation active;
+  private final DocumentSaver saver;
+  private final Settings settings;
+  private final Notices notices;
+  private final Consumer<String> tell;
+  private final Consumer<String> warn;
+  private final Component parent;
+
+  /**
+   * Files of {@code active}.
+   *
+   * @param tell tells what was done
+   * @param warn tells what was not done, so that it cannot be overlooked
+   * @param parent dialogs belong to its window
+   */
+  InstallationFiles(
+      ActiveInstallation active,
+      DocumentSaver saver,
+      Settings settings,
+      Notices notices,
+      Consumer<String> tell,
+      Consumer<String> warn,
+      Component parent) {
+    this.active = active;
+    this.saver = saver;
+    this.settings = settings;
+    this.notices = notices;
+    this.tell = tell;
+    this.warn = warn;
+    this.parent = parent;
+    active.addFileListener(this::rememberOpen);
+  }
+
+  /** Offers the installation that a program tree names, when it stands beside that. */
+  void offerBeside(Programs programs) {
+    programs.addListener(() -> offerBeside(programs.current()));
+    offerBeside(programs.current());
+  }
+
+  private void offerBeside(ProgramDocument program) {
+    notices.close(BESIDE);
+    Optional<Path> folder = program.file().map(Path::toAbsolutePath).map(Path::getParent);
+    if (!program.isTree() || folder.isEmpty()) {
+      return;
+    }
+    String text = program.text();
+    Background.run(
+        () -> beside(folder.get(), ProgramText.read(text).tree().installation()),
+        found -> found.filter(file -> !isActive(file)).ifPresent(file -> offer(program, file)),
+        this::notOpened);
+  }
+
+  private static Optional<Path> beside(Path folder, String name) {
+    try {
+      return name.isEmpty()
+          ? Optional.empty()
+          : InstallationFile.namesOf(name).stream()
+              .map(folder::resolve)
+              .filter(Files::isRegularFile)
+              .findFirst();
+    } catch (InvalidPathException e) {
+      // Nothing on this machine can have that name.
+      return Optional.empty();
+    }
+  }
+
+  private boolean isActive(Path file) {
+    return active
+        .document()
+        .file()
+        .filter(path -> path.toAbsolutePath().normalize().equals(file.normalize()))
+        .isPresent();
+  }
+
+  private void offer(ProgramDocument program, Path file) {
+    notices.ask(
+        BESIDE,
+        program.name() + " is made for the installation " + file.getFileName() + " beside it.",
+        List.of(new Choice("Open it", () -> open(file)), Choice.nothing("Go on with this one")));
+  }
+
+  /** What can be done with them. */
+  void addActions(ActionTable actions) {
+    actions.add(Action.of("installation.new", "New installation", "", this::create));
+    actions.add(Action.of("installation.open", "Open installation\u2026", "", this::open));
+    actions.add(
+        new Action(
+            "installation.save",
+            "Save installation",
+            "",
+            () -> active.document().modified() || active.document().file().isEmpty(),
+            () -> save(saved -> {})),
+        () -> "Nothing has changed");
+    actions.add(
+        Action.of(
+            "installation.save-as",
+            "Save installation as\u2026",
+            "",
+            () -> saveAs(active.document(), saved -> {})));
+    actions.add(
+        new Action(
+            "installation.reload",
+            "Read installation from disk again",
+            "",
+            () -> active.document().file().isPresent(),
+            this::reload),
+        () -> "The installation was never saved");
+  }
+
+  private void create() {
+    unlessUnsaved(
+        () ->
+            active.open(
+                ProgramDocument.untitled(
+                    ActiveInstallation.UNTITLED, InstallationText.write(Installation.NONE))));
+  }
+
+  private void open() {
+    OpenDialog.show(
+        parent,
+        "Open installation",
+        "Installations",
+        new String[] {"pinst", "installation"},
+        active.document().file().map(Path::getParent),
+        this::open);
+  }
+
+  /** Opens a file in place of the present one, after asking for what is not saved. */
+  void open(Path file) {
+    unlessUnsaved(() -> read(file));
+  }
+
+  private void unlessUnsaved(Runnable then) {
+    if (!active.document().modified()) {
+      then.run();
+      return;
+    }
+    notices.ask(
+        "installation-unsaved",
+        "The installation " + active.document().name() + " is not saved.",
+        List.of(
+            new Choice(
+                "Save",
+                () ->
+                    save(
+                        saved -> {
+                          if (saved) {
+                            then.run();
+                          }
+                        })),
+            new Choice("Go on without saving", then),
+            Choice.nothing("Cancel")));
+    notices.focus();
+  }
+
+  private void read(Path file) {
+    if (isOurs(file)) {
+      Background.run(() -> ProgramFile.read(file), this::opened, this::notOpened);
+    } else {
+      Background.run(() -> load(file), read -> imported(file, read), this::notOpened);
+    }
+  }
+
+  private static boolean isOurs(Path file) {
+    return file.toString().toLowerCase(Locale.ROOT).endsWith(InstallationText.ENDING);
+  }
+
+  private void opened(ProgramFile read) {
+    ProgramDocument document = ProgramDocument.of(read);
+    ActiveInstallation trial = new ActiveInstallation();
+    trial.open(document);
+    if (!trial.problem().isEmpty()) {
+      warn.accept("Not opened: " + trial.problem());
+      return;
+    }
+    active.open(ProgramDocument.of(read));
+    remember(read.path());
+    tell.accept("Opened the installation " + read.path().toAbsolutePath());
+  }
+
+  private void imported(Path file, LoadedInstallation read) {
+    active.open(untitledOf(file, read.installation()));
+    tell.accept("Opened a copy of " + file + "; saving writes an installation of Pendant");
+    List<String> remarks = read.remarks();
+    remarks.stream()
+        .limit(SHOWN_REMARKS)
+        .forEach(each -> warn.accept(file.getFileName() + ": " + each));
+    if (remarks.size() > SHOWN_REMARKS) {
+      tell.accept(
+          file.getFileName() + ": " + (remarks.size() - SHOWN_REMARKS) + " more remarks not shown");
+    }
+  }
+
+  /** The file itself stays as it is. */
+  private static ProgramDocument untitledOf(Path file, Installation installation) {
+    String name = file.getFileName().toString();
+    int end = name.lastIndexOf('.');
+    ProgramDocument fresh =
+        ProgramDocument.untitled(
+            (end > 0 ? name.substring(0, end) : name) + InstallationText.ENDING,
+            InstallationText.write(installation));
+    fresh.gone();
+    return fresh;
+  }
+
+  private void notOpened(IOException failed) {
+    warn.accept("Not opened: " + failed.getMessage());
+  }
+
+  /**
+   * Reads an installation of any form; not for the dispatch thread.
+   *
+   * @throws IOException if it cannot be read or is none; its message is the file and the reason
+   */
+  static LoadedInstallation load(Path file) throws IOException {
+    try {
+      Optional<Path> variables =
+          InstallationFile.variablesOf(file.toString()).map(Path::of).filter(Files::isRegularFile);
+      Optional<byte[]> values =
+          variables.isPresent() ? Optional.of(bytes(variables.get())) : Optional.empty();
+      return InstallationFile.read(file.toString(), bytes(file), values);
+    } catch (InstallationTrouble e) {
+      throw new IOException(e.getMessage(), e);
+    }
+  }
+
+  private static byte[] bytes(Path file) throws IOException {
+    try {
+      if (Files.size(file) > InstallationFile.MAX_BYTES) {
+        throw new IOException("it has more than " + InstallationFile.MAX_BYTES + " bytes");
+      }
+      return Files.readAllBytes(file);
+    } catch (IOException e) {
+      throw new IOException(file + ": " + FileTrouble.reason(e), e);
+    }
+  }
+
+  /** The document of an installation that the desktop has begun with. */
+  void begin(StartInstallation start) {
+    if (isOurs(start.file())) {
+      read(start.file());
+    } else {
+      active.open(untitledOf(start.file(), start.installation()));
+    }
+  }
+
+  /**
+   * Saves it where it is, or asks where.
+   *
+   * @param then hears whether it is on disk now
+   */
+  void save(Consumer<Boolean> then) {
+    ProgramDocument document = active.document();
+    if (document.file().isEmpty()) {
+      saveAs(document, then);
+    } else {
+      saver.save(document, remembering(document, then));
+    }
+  }
+
+  private void saveAs(ProgramDocument document, Consumer<Boolean> then) {
+    Path here = document.file().orElse(Path.of(document.name()));
+    SaveDialog.ask(
+        parent,
+        new SaveRequest(
+            "Save " + document.name() + " as",
+            document.file().isPresent() ? here.toAbsolutePath() : home().resolve(here),
+            List.of(InstallationText.ENDING.substring(1)),
+            InstallationFiles::fitting,
+            List.of()),
+        chosen ->
+            chosen.ifPresentOrElse(
+                path ->
+                    saver.saveAs(document, document.toSaveAs(path), remembering(document, then)),
+                () -> then.accept(false)));
+  }
+
+  /** An installation is known by the ending of its file. */
+  private static Path fitting(Path path) {
+    return isOurs(path) ? path : path.resolveSibling(path.getFileName() + InstallationText.ENDING);
+  }
+
+  private Path home() {
+    return recent().stream()
+        .findFirst()
+        .map(file -> file.toAbsolutePath().getParent())
+        .orElse(Path.of(System.getProperty("user.home")));
+  }
+
+  private Consumer<Boolean> remembering(ProgramDocument document, Consumer<Boolean> then) {
+    return saved -> {
+      if (saved) {
+        document.file().ifPresent(this::remember);
+      }
+      then.accept(saved);
+    };
+  }
+
+  private void reload() {
+    ProgramDocument document = active.document();
+    document
+        .file()
+        .ifPresent(
+            path ->
+                Background.run(
+                    () -> ProgramFile.read(path),
+                    document::reloaded,
+                    failed -> warn.accept("Not read: " + failed.getMessage())));
+  }
+
+  /** It is opened again at the next start. */
+  private void rememberOpen() {
+    settings.put(
+        OPEN, active.document().file().map(file -> file.toAbsolutePath().toString()).orElse(""));
+  }
+
+  private void remember(Path file) {
+    List<String> names = new ArrayList<>();
+    names.add(file.toAbsolutePath().toString());
+    recent().stream().map(Path::toString).filter(each -> !names.contains(each)).forEach(names::add);
+    settings.put(RECENT, String.join("\n", names.subList(0, Math.min(MAX_RECENT, names.size()))));
+  }
+
+  /** The installations that were open lately, the last one first. */
+  List<Path> recent() {
+    return ProgramFiles.files(settings, RECENT);
+  }
+
+  /** The file that was open at the end. */
+  static Optional<Path> openLastTime(Settings settings) {
+    return ProgramFiles.files(settings, OPEN).stream().findFirst();
+  }
+}

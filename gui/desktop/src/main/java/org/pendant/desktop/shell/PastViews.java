@@ -1,0 +1,255 @@
+package org.pendant.desktop.shell;
+
+import java.awt.EventQueue;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.OptionalLong;
+import java.util.Set;
+import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.editor.Execution;
+import org.pendant.desktop.editor.ScriptEditor;
+import org.pendant.desktop.log.LogView;
+import org.pendant.desktop.program.RunNode;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.SwitchListener;
+import org.pendant.desktop.shell.run.RunProgram;
+import org.pendant.desktop.timeline.HeldView;
+import org.pendant.desktop.timeline.LookBack;
+import org.pendant.desktop.timeline.PastBanner;
+import org.pendant.desktop.timeline.RecordedText;
+import org.pendant.desktop.timeline.TimelineView;
+import org.pendant.desktop.workbench.View;
+import org.pendant.language.source.ByteText;
+import org.pendant.recording.RecordedProgram;
+
+/** What the window does while people look at the past. */
+final class PastViews {
+  /** The views that show the moment that people look at; the others stay with now. */
+  private static final Set<String> FOLLOWERS = Set.of("run", "move", "io", "scene", "variables");
+
+  /** So long before a stop the way to it can be seen, s. */
+  private static final double BEFORE_STOP_S = 2;
+
+  private final ShellWorkbench workbench;
+  private final Programs programs;
+  private final ScriptEditor editor;
+  private final LookBack lookBack;
+  private final PastBanner banner;
+  private final TimelineView timeline;
+  private Optional<ProgramDocument> marked = Optional.empty();
+  private OptionalLong searched = OptionalLong.empty();
+  private Optional<List<LogEntry>> shownLog = Optional.empty();
+
+  PastViews(ShellWorkbench workbench, Programs programs, ScriptEditor editor) {
+    this.workbench = workbench;
+    this.programs = programs;
+    this.editor = editor;
+    lookBack = new LookBack(workbench.session()::recording, workbench::notify);
+    banner = new PastBanner(lookBack, new RecordedText());
+    timeline = new TimelineView(workbench, lookBack, this::chooseFile);
+    workbench.session().addSwitchListener(new Switched());
+  }
+
+  /** Another controller has another past. */
+  private final class Switched implements SwitchListener {
+    @Override
+    public void switchingOff() {}
+
+    @Override
+    public void switchedOn() {
+      EventQueue.invokeLater(
+          () -> {
+            if (!lookBack.ofFile()) {
+              lookBack.live();
+            }
+          });
+    }
+  }
+
+  /** The panel with the timeline. */
+  TimelineView timeline() {
+    return timeline;
+  }
+
+  /** Stands above the views. */
+  PastBanner banner() {
+    return banner;
+  }
+
+  /** The moment that people look at; empty for now. */
+  Optional<ControllerState> past() {
+    return lookBack.past();
+  }
+
+  /** A view in which people act on the robot, which they cannot in the past. */
+  View held(View view) {
+    return new HeldView(view, lookBack, workbench::notify);
+  }
+
+  /** Opens a recording. */
+  void open(Path file) {
+    timeline.open(file, workbench::notify);
+  }
+
+  private void chooseFile() {
+    OpenDialog.show(
+        timeline.component(),
+        "Open recording",
+        "Recordings",
+        new String[] {"rec"},
+        Optional.empty(),
+        this::open);
+  }
+
+  /** Shows how it came to a stop. */
+  void showBefore(double timeS) {
+    workbench.show(TimelineView.ID);
+    lookBack.jump(timeS - BEFORE_STOP_S);
+  }
+
+  /** What a view shall show. */
+  ControllerState shown(View view, ControllerState live) {
+    return FOLLOWERS.contains(view.id()) ? lookBack.shown(live) : live;
+  }
+
+  /**
+   * Takes the newest snapshot and has the editor show the line of the past.
+   *
+   * @return whether there is a past to show, so that nobody else shows a line
+   */
+  boolean follow(ControllerState live, LogView log) {
+    lookBack.take(live);
+    if (!lookBack.log().equals(shownLog)) {
+      shownLog = lookBack.log();
+      log.showRecorded(shownLog);
+    }
+    if (!lookBack.back()) {
+      if (searched.isPresent()) {
+        searched = OptionalLong.empty();
+        unmark();
+        log.lookAtNow();
+        banner.refresh(false);
+      }
+      return false;
+    }
+    if (searched.isEmpty()) {
+      // What stands there is about now.
+      unmark();
+    }
+    ControllerState past = lookBack.shown(live);
+    if (searched.isEmpty() || searched.getAsLong() != past.frame()) {
+      searched = OptionalLong.of(past.frame());
+      log.lookAt(past.timeS());
+    }
+    Optional<RecordedProgram> ran = lookBack.program();
+    Optional<ProgramDocument> open = ran.flatMap(this::open);
+    if (!open.equals(marked)) {
+      unmark();
+      marked = open;
+    }
+    open.ifPresent(
+        document -> editor.setExecution(document, Execution.running(past.program().line())));
+    banner.refresh(ran.isPresent() && open.isEmpty());
+    return true;
+  }
+
+  /** The line of an open program at the moment that people look at; 0 for none, empty for now. */
+  OptionalInt line(ProgramDocument document) {
+    if (!lookBack.back()) {
+      return OptionalInt.empty();
+    }
+    return OptionalInt.of(
+        marked.filter(document::equals).isPresent()
+            ? lookBack.past().map(state -> state.program().line()).orElse(0)
+            : 0);
+  }
+
+  private void unmark() {
+    // Everybody else's mark comes back with the next snapshot.
+    programs.all().forEach(each -> editor.setExecution(each, Execution.NONE));
+    marked = Optional.empty();
+  }
+
+  /** The open program whose text is still that which ran. */
+  private Optional<ProgramDocument> open(RecordedProgram ran) {
+    return programs.all().stream().filter(each -> same(each, ran)).findFirst();
+  }
+
+  private static boolean same(ProgramDocument document, RecordedProgram ran) {
+    String now = document.script().text();
+    String then = ran.source().text();
+    // Bytes of other than ASCII characters stand as characters of their own in what ran.
+    return now.length() <= then.length()
+        && (now.equals(then) || now.equals(ByteText.decoded(then)));
+  }
+
+  /** The program that ran then, for the Run screen. */
+  RunProgram run(RunProgram live) {
+    return new PastRun(live);
+  }
+
+  private final class PastRun implements RunProgram {
+    private final RunProgram live;
+
+    PastRun(RunProgram live) {
+      this.live = live;
+    }
+
+    @Override
+    public Optional<String> name() {
+      return lookBack.back()
+          ? lookBack
+              .past()
+              .map(state -> ByteText.decoded(state.program().name()))
+              .map(name -> name.isEmpty() ? "No program yet" : name)
+          : live.name();
+    }
+
+    @Override
+    public String lineText(int line) {
+      if (!lookBack.back()) {
+        return live.lineText(line);
+      }
+      return lookBack
+          .program()
+          .flatMap(ran -> ran.source().text().lines().skip(Math.max(0, line - 1)).findFirst())
+          .map(ByteText::decoded)
+          .orElse("");
+    }
+
+    @Override
+    public int shownLine(int line) {
+      return lookBack.back() ? line : live.shownLine(line);
+    }
+
+    @Override
+    public void showLine(int line) {
+      live.showLine(line);
+    }
+
+    @Override
+    public Optional<RunNode> node(ControllerState state) {
+      return lookBack.back() ? Optional.empty() : live.node(state);
+    }
+
+    @Override
+    public void show(RunNode node) {
+      live.show(node);
+    }
+
+    @Override
+    public OptionalLong turns(ControllerState state) {
+      return lookBack.back() ? OptionalLong.empty() : live.turns(state);
+    }
+
+    @Override
+    public List<InstallationVariable> installationVariables() {
+      return live.installationVariables();
+    }
+  }
+}

@@ -1,0 +1,196 @@
+package org.pendant.desktop.shell;
+
+import java.util.Optional;
+import java.util.function.Function;
+import org.pendant.controller.Command;
+import org.pendant.controller.Pace;
+import org.pendant.desktop.session.ProgramControls;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.Readiness;
+import org.pendant.desktop.session.Session;
+import org.pendant.desktop.shell.chrome.PaceChoice;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+
+/** The actions for programs, files, the robot and its time. */
+final class ProgramActions {
+  private final ActionTable actions;
+  private final Session session;
+  private final ProgramRunner runner;
+
+  ProgramActions(ActionTable actions, Session session, ProgramRunner runner) {
+    this.actions = actions;
+    this.session = session;
+    this.runner = runner;
+  }
+
+  /** Running programs. */
+  void addProgram() {
+    add(
+        "program.run",
+        "Run or resume program",
+        "F5",
+        controls -> runner.loading() ? runner.whyLoading() : controls.whyNoRun(),
+        runner::runOrResume);
+    add(
+        "program.pause",
+        "Pause program",
+        "F6",
+        ProgramControls::whyNoPause,
+        () -> runner.send(new Command.PauseProgram()));
+    add(
+        "program.stop",
+        "Stop program",
+        "shift F5",
+        controls -> runner.asking() ? "" : controls.whyNoStop(),
+        runner::stop);
+    add(
+        "program.step",
+        "Hold program, or step to its next line",
+        "F10",
+        controls -> runner.loading() ? runner.whyLoading() : controls.whyNoStep(),
+        runner::step);
+  }
+
+  private void add(
+      String id,
+      String title,
+      String keys,
+      Function<ProgramControls, String> whyNot,
+      Runnable run) {
+    actions.add(
+        new Action(id, title, keys, () -> whyNot.apply(controls()).isEmpty(), run),
+        () -> whyNot.apply(controls()));
+  }
+
+  private ProgramControls controls() {
+    return ProgramControls.of(session.state());
+  }
+
+  /** Power, stops and robot time. */
+  void addRobot() {
+    actions.add(
+        new Action(
+            "robot.ready",
+            "Switch the arm on, or end its stop",
+            "F4",
+            () -> remedy().filter(command -> !powersOff(command)).isPresent(),
+            () -> remedy().ifPresent(runner::send)),
+        () ->
+            remedy().filter(ProgramActions::powersOff).isPresent()
+                ? "The arm is ready"
+                : Readiness.of(session.state()).hint());
+    actions.add(
+        new Action(
+            "robot.off",
+            "Switch the arm off",
+            "",
+            () -> remedy().filter(ProgramActions::powersOff).isPresent(),
+            () -> runner.send(new Command.PowerOff())));
+    actions.add(
+        Action.of("clock.pause", "Pause or go on with robot time", "control F6", this::pauseTime));
+    actions.add(
+        new Action(
+            "clock.step-frame",
+            "Step robot time by one frame (2 ms)",
+            "control shift F6",
+            () -> session.pace() instanceof Pace.Paused,
+            session::stepFrame),
+        () -> "Pause robot time first");
+    actions.add(
+        Action.of(
+            "clock.faster",
+            "Let robot time go faster",
+            "control alt PERIOD",
+            () -> session.setPace(PaceChoice.faster(session.pace(), 1))));
+    actions.add(
+        Action.of(
+            "clock.slower",
+            "Let robot time go slower",
+            "control alt COMMA",
+            () -> session.setPace(PaceChoice.faster(session.pace(), -1))));
+    actions.add(
+        Action.of(
+            "clock.real-time",
+            "Let robot time go as fast as real time",
+            "",
+            () -> session.setPace(Pace.REAL_TIME)));
+  }
+
+  /** How fast programs move the arm. */
+  void addSpeed() {
+    addSpeed("faster", "Programs 10 % faster", "control alt PAGE_UP", 10);
+    addSpeed("slower", "Programs 10 % slower", "control alt PAGE_DOWN", -10);
+    actions.add(Action.of("speed.full", "Programs at full speed", "", () -> sendSpeed(100)));
+  }
+
+  private void addSpeed(String id, String title, String keys, int percent) {
+    actions.add(
+        Action.of(
+            "speed." + id,
+            title,
+            keys,
+            () -> sendSpeed(Math.clamp(speedPercent() + percent, 0, 100))));
+  }
+
+  private int speedPercent() {
+    return (int) Math.round(100 * session.state().arm().speedFraction());
+  }
+
+  private void sendSpeed(int percent) {
+    runner.send(new Command.SetSpeedFraction(percent / 100.0));
+  }
+
+  private Optional<Command> remedy() {
+    return Readiness.of(session.state()).command();
+  }
+
+  private static boolean powersOff(Command command) {
+    return command instanceof Command.PowerOff;
+  }
+
+  private void pauseTime() {
+    session.setPace(session.pace() instanceof Pace.Paused ? Pace.REAL_TIME : new Pace.Paused());
+  }
+
+  /** Files. */
+  void addFiles(ProgramFiles files, Programs programs) {
+    actions.add(Action.of("file.new", "New program", "control N", files::create));
+    actions.add(Action.of("file.new-script", "New script", "control alt N", files::createScript));
+    actions.add(Action.of("file.open", "Open program\u2026", "control O", files::open));
+    actions.add(
+        new Action(
+            "file.save",
+            "Save program",
+            "control S",
+            () ->
+                programs.current().modified()
+                    || programs.current().file().isEmpty()
+                    // it says why it cannot be saved
+                    || programs.current().readOnly(),
+            () -> files.save(programs.current())),
+        () -> "Nothing has changed");
+    actions.add(
+        Action.of(
+            "file.save-as",
+            "Save program as\u2026",
+            "control shift S",
+            () -> files.saveAs(programs.current())));
+    actions.add(
+        new Action(
+            "file.save-script",
+            "Save as script\u2026",
+            "",
+            () -> programs.current().isTree(),
+            () -> files.saveScript(programs.current())),
+        () -> "The program is a script");
+    actions.add(
+        new Action(
+            "file.reload",
+            "Read program from disk again",
+            "",
+            () -> programs.current().file().isPresent(),
+            () -> files.reload(programs.current())),
+        () -> "The program was never saved");
+  }
+}

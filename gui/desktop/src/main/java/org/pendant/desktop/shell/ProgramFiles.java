@@ -1,0 +1,317 @@
+package org.pendant.desktop.shell;
+
+import java.awt.Component;
+import java.io.IOException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.ProgramFile;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.shell.Notices.Choice;
+import org.pendant.kit.background.Background;
+import org.pendant.kit.export.SaveDialog;
+import org.pendant.kit.export.SaveRequest;
+import org.pendant.kit.settings.Settings;
+import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.file.TreeFile;
+import org.pendant.project.program.text.ProgramText;
+
+/** Opens and saves programs. Only the dispatch thread calls it; it reads and writes elsewhere. */
+final class ProgramFiles {
+  private static final String RECENT = "file.recent";
+  private static final String OPEN = "file.open";
+  private static final int MAX_RECENT = 10;
+
+  private final Programs programs;
+  private final DocumentSaver saver;
+  private final Settings settings;
+  private final Notices notices;
+  private final Consumer<String> tell;
+  private final Consumer<String> warn;
+  private final Component parent;
+  private int untitled = 1;
+
+  /**
+   * Files of {@code programs}.
+   *
+   * @param tell tells what was done
+   * @param warn tells what was not done, so that it cannot be overlooked
+   * @param parent dialogs belong to its window
+   */
+  ProgramFiles(
+      Programs programs,
+      DocumentSaver saver,
+      Settings settings,
+      Notices notices,
+      Consumer<String> tell,
+      Consumer<String> warn,
+      Component parent) {
+    this.programs = programs;
+    this.saver = saver;
+    this.settings = settings;
+    this.notices = notices;
+    this.tell = tell;
+    this.warn = warn;
+    this.parent = parent;
+    programs.addListener(this::rememberOpen);
+  }
+
+  /** A new program without nodes. */
+  void create() {
+    programs.select(
+        ProgramDocument.untitled(
+            newName() + ProgramDocument.TREE, ProgramText.write(ProgramTree.empty())));
+  }
+
+  /** A new script with a frame to fill. */
+  void createScript() {
+    String name = newName();
+    programs.select(
+        ProgramDocument.untitled(name + ProgramDocument.SCRIPT, "def " + name + "():\n  \nend\n"));
+  }
+
+  private String newName() {
+    String name = "untitled" + (untitled == 1 ? "" : untitled);
+    untitled++;
+    return name;
+  }
+
+  /** Asks for a file and opens it. */
+  void open() {
+    OpenDialog.show(
+        parent,
+        "Open program",
+        "Programs and scripts",
+        new String[] {"pendant", "urp", "urpx", "script", "urscript"},
+        folder(),
+        this::open);
+  }
+
+  private Optional<Path> folder() {
+    return programs.current().file().map(Path::getParent);
+  }
+
+  /** Opens a file, or selects it if it is open. */
+  void open(Path file) {
+    Optional<ProgramDocument> already = programs.of(file);
+    if (already.isPresent()) {
+      programs.select(already.get());
+      return;
+    }
+    if (ForeignProgram.is(file)) {
+      Background.run(() -> ForeignProgram.read(file), this::opened, this::notOpened);
+      return;
+    }
+    Background.run(
+        () -> ProgramFile.read(file),
+        this::opened,
+        failed -> {
+          notOpened(failed);
+          forget(file);
+        });
+  }
+
+  private void notOpened(IOException failed) {
+    warn.accept("Not opened: " + failed.getMessage());
+  }
+
+  /** The file itself stays as it is: what was read from it is a new program. */
+  private void opened(ForeignProgram read) {
+    ProgramDocument before = programs.current();
+    ProgramDocument fresh =
+        ProgramDocument.untitled(read.name() + ProgramDocument.TREE, read.text());
+    fresh.gone();
+    programs.select(fresh);
+    closeUntouched(before);
+    tell.accept("Opened a copy of " + read.file() + "; saving writes a program of Pendant");
+    read.remarks().forEach(warn);
+  }
+
+  private void opened(ProgramFile read) {
+    // Somebody else may have opened it meanwhile.
+    Optional<ProgramDocument> already = programs.of(read.path());
+    ProgramDocument before = programs.current();
+    programs.select(already.orElseGet(() -> ProgramDocument.of(read)));
+    closeUntouched(before);
+    remember(read.path());
+  }
+
+  /** The example, or a new program that nobody has touched. */
+  private void closeUntouched(ProgramDocument before) {
+    if (before.file().isEmpty() && !before.modified()) {
+      programs.close(before, before);
+    }
+  }
+
+  /** Asks where to save the script of a program tree. */
+  void saveScript(ProgramDocument document) {
+    ProgramDocument script = document.script();
+    SaveDialog.ask(
+        parent,
+        new SaveRequest(
+            "Save the script of " + document.name() + " as",
+            folder().orElse(home()).resolve(script.name()),
+            List.of("script"),
+            EditedFiles.besides(script, programs)),
+        chosen -> chosen.ifPresent(path -> saver.export(ProgramFile.create(path, script.text()))));
+  }
+
+  /** Saves a program where it is, or asks where. */
+  void save(ProgramDocument document) {
+    save(document, saved -> {});
+  }
+
+  /**
+   * As {@link #save(ProgramDocument)}.
+   *
+   * @param then hears whether it is on disk now
+   */
+  void save(ProgramDocument document, Consumer<Boolean> then) {
+    if (document.readOnly()) {
+      offerCopies(document);
+      then.accept(false);
+    } else if (document.file().isEmpty()) {
+      saveAs(document, then);
+    } else {
+      saver.save(document, remembering(document, then));
+    }
+  }
+
+  private void offerCopies(ProgramDocument document) {
+    notices.ask(
+        "read-only-" + System.identityHashCode(document),
+        document.name()
+            + " is not saved: programs of PolyScope X are read and not written."
+            + " The file stays as it is; a copy can be saved.",
+        List.of(
+            new Choice("Save a copy as program\u2026", () -> saveAs(document)),
+            new Choice("Save a copy as script\u2026", () -> saveScript(document)),
+            Choice.nothing("Close")));
+  }
+
+  /** Asks where to save a program. */
+  void saveAs(ProgramDocument document) {
+    saveAs(document, saved -> {});
+  }
+
+  private void saveAs(ProgramDocument document, Consumer<Boolean> then) {
+    Path here = fitting(document, document.file().orElse(Path.of(document.name())));
+    SaveDialog.ask(
+        parent,
+        new SaveRequest(
+            "Save " + document.name() + " as",
+            document.file().isPresent()
+                ? here.toAbsolutePath()
+                : folder().orElse(home()).resolve(here),
+            List.of(document.isTree() ? "pendant" : "script"),
+            path -> fitting(document, path),
+            EditedFiles.besides(document, programs)),
+        chosen ->
+            chosen.ifPresentOrElse(
+                path ->
+                    saver.saveAs(document, document.toSaveAs(path), remembering(document, then)),
+                () -> then.accept(false)));
+  }
+
+  /** A tree is known by the ending of its file. */
+  private static Path fitting(ProgramDocument document, Path path) {
+    String name = path.getFileName().toString();
+    if (!document.isTree() || name.endsWith(ProgramDocument.TREE)) {
+      return path;
+    }
+    String bare = TreeFile.isForeign(name) ? name.substring(0, name.lastIndexOf('.')) : name;
+    return path.resolveSibling(bare + ProgramDocument.TREE);
+  }
+
+  /** The folder of the program that was opened last. */
+  private Path home() {
+    return recent().stream()
+        .findFirst()
+        .map(file -> file.toAbsolutePath().getParent())
+        .orElse(Path.of(System.getProperty("user.home")));
+  }
+
+  private Consumer<Boolean> remembering(ProgramDocument document, Consumer<Boolean> then) {
+    return saved -> {
+      if (saved) {
+        document.file().ifPresent(this::remember);
+        rememberOpen();
+      }
+      then.accept(saved);
+    };
+  }
+
+  /** Takes the text from disk again. */
+  void reload(ProgramDocument document) {
+    document
+        .file()
+        .ifPresent(
+            path ->
+                Background.run(
+                    () -> ProgramFile.read(path),
+                    document::reloaded,
+                    failed -> warn.accept("Not read: " + failed.getMessage())));
+  }
+
+  /** The files that are open now are opened again at the next start. */
+  private void rememberOpen() {
+    settings.put(
+        OPEN,
+        String.join(
+            "\n",
+            programs.all().stream()
+                .flatMap(each -> each.file().stream())
+                .map(file -> file.toAbsolutePath().toString())
+                .toList()));
+  }
+
+  /** The files that were open at the end, in the order of their tabs. */
+  static List<Path> openLastTime(Settings settings) {
+    return files(settings, OPEN);
+  }
+
+  private void forget(Path file) {
+    String name = file.toAbsolutePath().toString();
+    putRecent(recent().stream().map(Path::toString).filter(each -> !each.equals(name)).toList());
+  }
+
+  private void remember(Path file) {
+    String name = file.toAbsolutePath().toString();
+    List<String> recent = new ArrayList<>();
+    recent.add(name);
+    recent().stream().map(Path::toString).filter(each -> !each.equals(name)).forEach(recent::add);
+    putRecent(recent);
+  }
+
+  private void putRecent(List<String> recent) {
+    settings.put(RECENT, String.join("\n", recent.subList(0, Math.min(MAX_RECENT, recent.size()))));
+  }
+
+  /** The files that were open lately, the last one first. */
+  List<Path> recent() {
+    return recent(settings);
+  }
+
+  /** As {@link #recent()}. */
+  static List<Path> recent(Settings settings) {
+    return files(settings, RECENT);
+  }
+
+  /** The files that a setting lists. */
+  static List<Path> files(Settings settings, String name) {
+    return settings.get(name).orElse("").lines().flatMap(line -> path(line).stream()).toList();
+  }
+
+  /** People may have written anything into the settings. */
+  private static Optional<Path> path(String line) {
+    try {
+      return line.isBlank() ? Optional.empty() : Optional.of(Path.of(line));
+    } catch (InvalidPathException e) {
+      return Optional.empty();
+    }
+  }
+}

@@ -1,0 +1,276 @@
+package org.pendant.desktop.shell;
+
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import org.pendant.controller.Command;
+import org.pendant.controller.Reply;
+import org.pendant.desktop.debug.RunPlan;
+import org.pendant.desktop.debug.RunScript;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.Session;
+import org.pendant.kit.background.Background;
+import org.pendant.language.source.ByteText;
+import org.pendant.language.source.Diagnostic;
+import org.pendant.language.source.Source;
+import org.pendant.project.program.ControlScript;
+import org.pendant.protocols.egress.AllowedHosts;
+import org.pendant.protocols.externalcontrol.Drivers;
+import org.pendant.protocols.externalcontrol.NoScript;
+import org.pendant.protocols.externalcontrol.ScriptRequest;
+import org.pendant.script.debug.DebugState;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramState;
+
+/** Runs the current program, and has the controller do things; refusals are told. */
+final class ProgramRunner {
+  private final Session session;
+  private final Programs programs;
+  private final Consumer<String> tell;
+  private final SourcePlace showSource;
+  private Optional<Running> running = Optional.empty();
+  private BiConsumer<ProgramDocument, RunScript> beforeRun = (document, script) -> {};
+  private Gate gate = (document, from, run) -> run.run();
+  private Texts texts = (document, from) -> RunPlan.of(RunScript.whole(document.script().source()));
+  private final Drivers drivers = new Drivers(AllowedHosts.ANY, Optional.empty());
+  private Optional<ScriptRequest> asked = Optional.empty();
+  private boolean loading;
+
+  /** What is about to start must not: its script came just before it was stopped. */
+  private boolean stopped;
+
+  /** A program and its text when it was started. */
+  private record Running(ProgramDocument document, Source source) {}
+
+  /** What became of a text that is to run. */
+  private record Compiled(RunScript script, LoadResult loadResult) {}
+
+  /** Decides whether a program may start. */
+  @FunctionalInterface
+  interface Gate {
+    /**
+     * Runs {@code run} now or later, or tells why not.
+     *
+     * @param from key of the node that it starts at; 0 for its beginning
+     */
+    void pass(ProgramDocument document, long from, Runnable run);
+  }
+
+  /** Knows what a program is as a script. */
+  @FunctionalInterface
+  interface Texts {
+    /**
+     * What to run.
+     *
+     * @param from as for {@link Gate}
+     */
+    RunPlan of(ProgramDocument document, long from);
+  }
+
+  ProgramRunner(Session session, Programs programs, Consumer<String> tell, SourcePlace showSource) {
+    this.session = session;
+    this.programs = programs;
+    this.tell = tell;
+    this.showSource = showSource;
+  }
+
+  /** Has {@code action} follow each program that is about to start, secondary ones apart. */
+  void beforeEachRun(BiConsumer<ProgramDocument, RunScript> action) {
+    beforeRun = action;
+  }
+
+  /** Has programs pass {@code wanted} before they are compiled. */
+  void setGate(Gate wanted) {
+    gate = wanted;
+  }
+
+  /** Has {@code wanted} say what programs are as scripts. */
+  void setTexts(Texts wanted) {
+    texts = wanted;
+  }
+
+  /** Whether a program is about to start: it is being compiled, or a driver is asked for a part. */
+  boolean loading() {
+    return loading;
+  }
+
+  /** Why nothing else can be started while {@link #loading}. */
+  String whyLoading() {
+    return asked
+        .map(each -> each.host().text() + " is being asked for the script")
+        .orElse("The program is being compiled");
+  }
+
+  /** Whether a driver is being asked, which {@link #stop} ends. */
+  boolean asking() {
+    return asked.isPresent();
+  }
+
+  /** Stops the program, also one that is about to start and waits for a driver. */
+  void stop() {
+    if (asked.isPresent()) {
+      asked.get().cancel();
+      stopped = true;
+    } else {
+      send(new Command.StopProgram());
+    }
+  }
+
+  /** Goes on with a held or paused program, or starts the current one as it stands. */
+  void runOrResume() {
+    if (session.state().debug().held()) {
+      send(new Command.Debug(Debugger::resume));
+      return;
+    }
+    if (session.state().program().state() == ProgramState.PAUSED) {
+      tellRefusal(session.resume());
+      return;
+    }
+    load(0, () -> {});
+  }
+
+  /** Starts the current program, a tree, at the node of a key. */
+  void runFrom(long key) {
+    load(key, () -> {});
+  }
+
+  /** An input asks for what {@link #runOrResume} does; nothing happens while a program runs. */
+  void startByInput() {
+    ProgramState state = session.state().program().state();
+    if (state != ProgramState.RUNNING && !loading) {
+      runOrResume();
+    }
+  }
+
+  /** Runs a held program to its next line; holds one that runs, or one that it starts. */
+  void step() {
+    Optional<DebugState.Stop> stop = session.state().debug().stop();
+    if (stop.isPresent()) {
+      int thread = stop.get().thread();
+      send(new Command.Debug(debugger -> debugger.stepOver(thread)));
+    } else if (session.state().program().state() == ProgramState.STOPPED) {
+      load(0, () -> send(new Command.Debug(Debugger::pause)));
+    } else {
+      send(new Command.Debug(Debugger::pause));
+    }
+  }
+
+  /**
+   * @param then follows the command that starts the program
+   */
+  private void load(long from, Runnable then) {
+    ProgramDocument document = programs.current();
+    gate.pass(document, from, () -> load(document, texts.of(document, from), then));
+  }
+
+  private void load(ProgramDocument document, RunPlan plan, Runnable then) {
+    loading = true;
+    stopped = false;
+    asked =
+        plan.waitingNodes() == 0
+            ? Optional.empty()
+            : Optional.of(drivers.ask(plan.installation(), plan.waitingNodes()));
+    Optional<ScriptRequest> request = asked;
+    Background.run(
+        () -> compiled(plan, request),
+        compiled -> {
+          asked = Optional.empty();
+          if (stopped) {
+            loading = false;
+            return;
+          }
+          start(document, compiled.script(), compiled.loadResult(), then);
+        },
+        failed -> {
+          asked = Optional.empty();
+          loading = false;
+          tell.accept(document.name() + " cannot run: " + failed.getMessage());
+        });
+  }
+
+  /** Waits for the driver if there is one to wait for. */
+  private Compiled compiled(RunPlan plan, Optional<ScriptRequest> request) throws IOException {
+    try {
+      Optional<ControlScript> sent =
+          request.isPresent() ? Optional.of(request.get().await()) : Optional.empty();
+      RunScript script = plan.script().apply(sent);
+      return new Compiled(script, session.load(script.source()));
+    } catch (NoScript e) {
+      throw new IOException(e.getMessage(), e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IOException("interrupted", e);
+    }
+  }
+
+  private void start(
+      ProgramDocument document, RunScript script, LoadResult loadResult, Runnable then) {
+    loading = false;
+    Source source = script.source();
+    Optional<Diagnostic> error =
+        loadResult.diagnostics().stream().filter(Diagnostic::isError).findFirst();
+    if (error.isPresent()) {
+      int start = error.get().range().start();
+      int runLine = source.line(start);
+      int line = script.lines().toShown(runLine);
+      long count = loadResult.diagnostics().stream().filter(Diagnostic::isError).count();
+      String others = count > 1 ? " (and " + (count - 1) + " more)" : "";
+      tell.accept(
+          document.name()
+              + " cannot run, "
+              + script.lines().origin(runLine).orElse("line " + line)
+              + ": "
+              + ByteText.decoded(error.get().message())
+              + others);
+      showSource.show(line, source.column(start));
+      return;
+    }
+    running = Optional.of(new Running(document, source));
+    if (!loadResult.program().orElseThrow().secondary()) {
+      beforeRun.accept(document, script);
+    }
+    tellRefusal(session.run(loadResult.program().orElseThrow()));
+    then.run();
+  }
+
+  /** Has the controller do something. */
+  void send(Command command) {
+    tellRefusal(session.submit(command));
+  }
+
+  private void tellRefusal(CompletableFuture<Reply> asked) {
+    var _ =
+        asked.thenAccept(
+            reply -> {
+              if (reply instanceof Reply.Refused refused) {
+                EventQueue.invokeLater(() -> tell.accept("Refused: " + refused.reason()));
+              } else if (reply instanceof Reply.Failed failed) {
+                EventQueue.invokeLater(() -> tell.accept("Failed: " + failed.reason()));
+              }
+            });
+  }
+
+  /** The program that was started last. */
+  Optional<ProgramDocument> program() {
+    return running.map(Running::document);
+  }
+
+  /** The program that runs is none of the open ones. */
+  void forget() {
+    running = Optional.empty();
+  }
+
+  /** The text of a line of the program that was started last; empty where there is none. */
+  String line(int number) {
+    return running
+        .map(Running::source)
+        .filter(source -> number >= 1 && number <= source.lineCount())
+        .map(source -> source.lineText(number))
+        .orElse("");
+  }
+}

@@ -1,0 +1,76 @@
+package org.pendant.desktop.shell;
+
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import org.pendant.desktop.program.TreeRuns;
+import org.pendant.desktop.session.ProgramControls;
+import org.pendant.desktop.session.Session;
+import org.pendant.desktop.shell.start.StartChoice;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.script.vm.ProgramState;
+
+/** The actions for starting programs that are trees. */
+final class RunFrom {
+  private final Session session;
+  private final TreeRuns runs;
+  private final LongSupplier selected;
+  private final ProgramRunner runner;
+
+  private RunFrom(Session session, TreeRuns runs, LongSupplier selected, ProgramRunner runner) {
+    this.session = session;
+    this.runs = runs;
+    this.selected = selected;
+    this.runner = runner;
+  }
+
+  /**
+   * Adds them.
+   *
+   * @param selected key of the selected node; 0 for none
+   * @param tell says what has become of a setting
+   */
+  static void addTo(
+      ActionTable actions,
+      Session session,
+      TreeRuns runs,
+      LongSupplier selected,
+      ProgramRunner runner,
+      StartChoice start,
+      Consumer<String> tell) {
+    RunFrom from = new RunFrom(session, runs, selected, runner);
+    actions.add(
+        new Action(
+            "program.run-from",
+            "Run from the selected node",
+            "control F5",
+            () -> from.whyNot().isEmpty(),
+            () -> runner.runFrom(selected.getAsLong())),
+        from::whyNot);
+    actions.add(
+        Action.of(
+            "program.ask-start",
+            "Ask before starting away from the first waypoint, or not",
+            "",
+            () -> {
+              start.setAsks(!start.asks());
+              tell.accept(
+                  start.asks()
+                      ? "Programs ask when the arm is not at their first waypoint"
+                      : "Programs start wherever the arm is");
+            }));
+  }
+
+  private String whyNot() {
+    if (runner.loading()) {
+      return runner.whyLoading();
+    }
+    ProgramControls controls = ProgramControls.of(session.state());
+    if (controls.state() != ProgramState.STOPPED) {
+      return "Stop the program first";
+    }
+    return controls.whyNoRun().isEmpty()
+        ? runs.whyNot(selected.getAsLong()).orElse("")
+        : controls.whyNoRun();
+  }
+}

@@ -1,0 +1,113 @@
+package org.pendant.desktop.shell;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import javax.swing.AbstractButton;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JMenuItem;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JToggleButton;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.Actions;
+import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.Palette;
+
+/**
+ * The buttons over the picture of the arm. What is wanted often has a button, the rest is in a menu
+ * at the end; all of it is in the list of actions too.
+ */
+final class SceneBar extends JPanel {
+  private static final long serialVersionUID = 1L;
+
+  private final transient Actions actions;
+  private final transient List<Runnable> states = new ArrayList<>();
+  private final JButton more = new JButton("More \u25BE");
+  private final JPopupMenu menu = new JPopupMenu();
+
+  SceneBar(Actions actions) {
+    super(new WrappingRow(2));
+    this.actions = actions;
+    setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
+    more.setToolTipText("More to see, and the picture as a file");
+    prepare(more, "scene-more", "More about the 3D view");
+    more.addActionListener(event -> menu.show(more, 0, more.getHeight()));
+  }
+
+  /** A button that does something; {@code key} works while the picture has the focus. */
+  void button(String id, String title, String describes, String key, Runnable run) {
+    actions.add(Action.of(id, "3D: " + describes, "", run));
+    JButton button = new JButton(title);
+    button.addActionListener(event -> run.run());
+    add(described(button, id, describes, key));
+  }
+
+  /** A button that is on or off. */
+  void toggle(
+      String id,
+      String title,
+      String describes,
+      String key,
+      BooleanSupplier on,
+      Consumer<Boolean> set) {
+    actions.add(Action.of(id, "3D: " + describes, "", () -> set.accept(!on.getAsBoolean())));
+    JToggleButton button = new JToggleButton(title);
+    button.addActionListener(event -> set.accept(button.isSelected()));
+    states.add(() -> button.setSelected(on.getAsBoolean()));
+    add(described(button, id, describes, key));
+  }
+
+  private static AbstractButton described(
+      AbstractButton button, String id, String describes, String key) {
+    String sentence =
+        describes.substring(0, 1).toUpperCase(java.util.Locale.ROOT) + describes.substring(1);
+    button.setToolTipText(key.isEmpty() ? sentence : sentence + " (" + key + " in the picture)");
+    prepare(button, id.replace('.', '-'), sentence);
+    return button;
+  }
+
+  private static void prepare(AbstractButton button, String name, String accessibleName) {
+    button.setName(name);
+    button.getAccessibleContext().setAccessibleName(accessibleName);
+    button.putClientProperty("JButton.buttonType", "toolBarButton");
+  }
+
+  /** Something in the menu. */
+  void item(String id, String title, Runnable run) {
+    actions.add(Action.of(id, "3D: " + lower(title), "", run));
+    JMenuItem item = new JMenuItem(title);
+    item.setName(id.replace('.', '-'));
+    item.addActionListener(event -> run.run());
+    menu.add(item);
+  }
+
+  /** Something in the menu that is on or off. */
+  void check(String id, String title, BooleanSupplier on, Consumer<Boolean> set) {
+    actions.add(Action.of(id, "3D: " + lower(title), "", () -> set.accept(!on.getAsBoolean())));
+    JCheckBoxMenuItem item = new JCheckBoxMenuItem(title);
+    item.setName(id.replace('.', '-'));
+    item.addActionListener(event -> set.accept(item.isSelected()));
+    states.add(() -> item.setSelected(on.getAsBoolean()));
+    menu.add(item);
+  }
+
+  private static String lower(String title) {
+    return title.substring(0, 1).toLowerCase(java.util.Locale.ROOT) + title.substring(1);
+  }
+
+  /** Nothing more is added. */
+  SceneBar done() {
+    add(more);
+    refresh();
+    return this;
+  }
+
+  /** Shows what is on and what is off. */
+  void refresh() {
+    states.forEach(Runnable::run);
+  }
+}

@@ -1,0 +1,299 @@
+package org.pendant.desktop.shell;
+
+import java.awt.BorderLayout;
+import java.awt.EventQueue;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Supplier;
+import javax.imageio.ImageIO;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.Timer;
+import org.pendant.command.service.StandardView;
+import org.pendant.controller.disk.AtomicFile;
+import org.pendant.controller.installation.Feature;
+import org.pendant.controller.installation.FeaturePoses;
+import org.pendant.controller.state.ArmState;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.world.Scene;
+import org.pendant.desktop.move.ArmPull;
+import org.pendant.desktop.move.GhostArm;
+import org.pendant.desktop.scene.JointFrames;
+import org.pendant.desktop.scene.Lens;
+import org.pendant.desktop.scene.PayloadBall;
+import org.pendant.desktop.scene.SceneModel;
+import org.pendant.desktop.scene.Theme;
+import org.pendant.desktop.scene.Touching;
+import org.pendant.desktop.scene.Trace;
+import org.pendant.desktop.scene.TraceRing;
+import org.pendant.desktop.scene.WaypointMarkers;
+import org.pendant.desktop.scene.view.SceneView;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.export.SaveDialog;
+import org.pendant.kit.export.SaveRequest;
+import org.pendant.kit.fault.Faults;
+import org.pendant.kit.theme.Palette;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.pose.Pose;
+
+/** The arm in 3D, what is around it, and where its tool has been. */
+final class ScenePanel implements View, GhostArm {
+  /** Points of the tool's way that are remembered: a minute of steady motion. */
+  private static final int TRACE_POINTS = 2000;
+
+  /** While something moves, a faster machine is given newer snapshots: 60 in a second and more. */
+  private static final int MOVING_MS = 15;
+
+  /** So long after the last change nothing moves any more. */
+  private static final long REST_NS = 300_000_000;
+
+  private final Workbench workbench;
+  private final Supplier<Optional<ControllerState>> past;
+  private final SceneView picture = new SceneView();
+  private final JPanel panel = new JPanel(new BorderLayout());
+  private final TraceRing trace = new TraceRing(TRACE_POINTS);
+  private final SceneShows shows;
+  private final ArmPull pull;
+  private final SceneBar bar;
+  private final Timer moving = Faults.timer(MOVING_MS, this::follow);
+  private Optional<Joints> ghostRad = Optional.empty();
+  private WaypointMarkers waypointMarkers = WaypointMarkers.NONE;
+  private List<WaypointMarkers.Mark> features = List.of();
+  private Optional<Surroundings> surroundings = Optional.empty();
+  private Optional<Seen> seen = Optional.empty();
+  private long changedNs;
+
+  /** An arm and what is around it: people may change both at any time. */
+  private record Surroundings(ArmDescription arm, Scene scene, Touching touching) {}
+
+  /** All that the picture depends on. */
+  private record Seen(
+      Surroundings surroundings,
+      Joints positionRad,
+      Pose toolInFlange,
+      Optional<Joints> ghostRad,
+      Optional<Payload> payload,
+      boolean frames,
+      Trace trace,
+      Theme theme,
+      WaypointMarkers waypointMarkers) {}
+
+  /**
+   * The arm.
+   *
+   * @param past the moment that people look at; empty for now
+   */
+  ScenePanel(Workbench workbench, Supplier<Optional<ControllerState>> past) {
+    this.workbench = workbench;
+    this.past = past;
+    shows = new SceneShows(workbench.settings());
+    pull = new ArmPull(workbench.session()::submit, EventQueue::invokeLater);
+    picture.setHand(new PullingHand(pull, () -> past.get().isPresent()));
+    bar = bar();
+    panel.add(bar, BorderLayout.NORTH);
+    panel.add(picture, BorderLayout.CENTER);
+  }
+
+  private SceneBar bar() {
+    SceneBar buttons = new SceneBar(workbench.actions());
+    for (StandardView direction : StandardView.values()) {
+      String word = direction.word();
+      String title = word.substring(0, 1).toUpperCase(Locale.ROOT) + word.substring(1);
+      buttons.button(
+          "scene." + word,
+          title,
+          "look from: " + word,
+          direction.key(),
+          () -> picture.look(direction));
+    }
+    buttons.button("scene.fit", "Fit", "show the whole robot", "Home", picture::fit);
+    buttons.button(
+        "scene.tool", "Tool", "look at the tool from near by", "Enter", picture::zoomToTool);
+    buttons.toggle(
+        "scene.drag",
+        "Drag arm",
+        "drag the arm by freedrive; Ctrl and a drag do so, too",
+        "",
+        pull::wanted,
+        pull::setWanted);
+    buttons.toggle(
+        "scene.ortho",
+        "Ortho",
+        "without perspective, to compare lengths",
+        "O",
+        () -> picture.lens() == Lens.ORTHOGRAPHIC,
+        on -> picture.setLens(on ? Lens.ORTHOGRAPHIC : Lens.PERSPECTIVE));
+    buttons.toggle(
+        "scene.frames",
+        "Frames",
+        "show the frames of joints and flange",
+        "",
+        shows::frames,
+        shows::setFrames);
+    buttons.check("scene.payload", "Show the payload as a ball", shows::payload, shows::setPayload);
+    buttons.check("scene.trace", "Show where the tool was", shows::trace, shows::setTrace);
+    buttons.check(
+        "scene.waypoints",
+        "Show the waypoints of the program",
+        shows::waypoints,
+        shows::setWaypoints);
+    buttons.check(
+        "scene.features",
+        "Show the features of the installation",
+        shows::features,
+        shows::setFeatures);
+    buttons.item("scene.clear", "Forget where the tool was", trace::clear);
+    buttons.item("scene.save", "Save the picture\u2026", this::save);
+    return buttons.done();
+  }
+
+  @Override
+  public String id() {
+    return "scene";
+  }
+
+  @Override
+  public String title() {
+    return "3D";
+  }
+
+  @Override
+  public JComponent component() {
+    return panel;
+  }
+
+  @Override
+  public void show(Optional<Joints> goalRad) {
+    ghostRad = goalRad;
+  }
+
+  /** Shows the places that a program goes to from now on. */
+  void show(WaypointMarkers marks) {
+    waypointMarkers = marks;
+  }
+
+  /** Shows the features of an installation that are finished. */
+  void show(List<Feature> installed) {
+    List<WaypointMarkers.Mark> marks = new ArrayList<>();
+    for (Feature each : installed) {
+      FeaturePoses.pose(each)
+          .ifPresent(pose -> marks.add(new WaypointMarkers.Mark(each.name(), pose, false)));
+    }
+    features = List.copyOf(marks);
+  }
+
+  /** Ways go by the numbers of waypoints, so these come first. */
+  private WaypointMarkers marks() {
+    WaypointMarkers shown = shows.waypoints() ? waypointMarkers : WaypointMarkers.NONE;
+    if (!shows.features() || features.isEmpty()) {
+      return shown;
+    }
+    List<WaypointMarkers.Mark> all = new ArrayList<>(shown.marks());
+    all.addAll(features);
+    return new WaypointMarkers(all, shown.ways());
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    bar.refresh();
+    see(state);
+    // A hand pulls the arm where it is, whatever is shown.
+    pull.take(workbench.session().state(), workbench.session().pace());
+    pull.newReason().ifPresent(workbench::notify);
+  }
+
+  private void follow() {
+    if (!panel.isShowing() || System.nanoTime() - changedNs > REST_NS) {
+      moving.stop();
+    } else if (picture.hasTime()) {
+      see(past.get().orElseGet(workbench.session()::state));
+    }
+  }
+
+  private void see(ControllerState state) {
+    Surroundings around = surroundings(state.arm().description().id());
+    ArmState arm = state.arm();
+    if (past.get().isEmpty()) {
+      trace.add(arm, state.timeS());
+    }
+    Seen now =
+        new Seen(
+            around,
+            arm.actualPositionRad(),
+            arm.tool().inFlange(),
+            ghostRad,
+            shows.payload() ? Optional.of(state.readings().payload()) : Optional.empty(),
+            shows.frames(),
+            shows.trace() ? trace.trace() : Trace.EMPTY,
+            Palette.dark() ? Theme.DARK : Theme.LIGHT,
+            marks());
+    if (seen.equals(Optional.of(now))) {
+      return;
+    }
+    seen = Optional.of(now);
+    changedNs = System.nanoTime();
+    moving.start();
+    picture.setModel(model(now, arm));
+  }
+
+  private static SceneModel model(Seen now, ArmState arm) {
+    ArmDescription described = now.surroundings.arm;
+    List<Pose> frames =
+        now.frames ? JointFrames.of(arm.kinematics(), described.dh(), now.positionRad) : List.of();
+    return new SceneModel(
+        described,
+        arm.kinematics(),
+        now.positionRad,
+        now.ghostRad,
+        now.toolInFlange,
+        frames,
+        now.payload.flatMap(
+            load -> PayloadBall.of(load, arm.kinematics().flangePose(now.positionRad))),
+        now.surroundings.scene,
+        now.surroundings.touching.names(arm.kinematics(), now.positionRad, now.toolInFlange),
+        now.trace,
+        now.theme,
+        now.waypointMarkers);
+  }
+
+  private Surroundings surroundings(String id) {
+    Scene scene = workbench.session().options().scene();
+    if (surroundings.isEmpty()
+        || !surroundings.get().arm.id().equals(id)
+        || !surroundings.get().scene.equals(scene)) {
+      surroundings = Optional.of(new Surroundings(ArmLibrary.load(id), scene, new Touching(scene)));
+      trace.clear();
+    }
+    return surroundings.get();
+  }
+
+  private void save() {
+    CompletableFuture<Optional<BufferedImage>> photo = picture.photo();
+    SaveDialog.open(
+        panel,
+        new SaveRequest(
+            "Save the picture",
+            Path.of(workbench.session().options().robotId() + ".png"),
+            List.of("png"),
+            workbench.openFiles()),
+        file -> write(photo, file),
+        workbench::notify);
+  }
+
+  private static void write(CompletableFuture<Optional<BufferedImage>> photo, Path file)
+      throws IOException {
+    BufferedImage image =
+        photo.join().orElseThrow(() -> new IOException("there is no picture on this machine"));
+    AtomicFile.write(file, out -> ImageIO.write(image, "png", out));
+  }
+}

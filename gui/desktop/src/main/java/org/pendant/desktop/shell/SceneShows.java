@@ -1,0 +1,67 @@
+package org.pendant.desktop.shell;
+
+import org.pendant.kit.settings.Settings;
+
+/** What people want to see besides the arm; kept from one start to the next. */
+final class SceneShows {
+  private static final String FRAMES = "scene.frames";
+  private static final String PAYLOAD = "scene.payload";
+  private static final String FEATURES = "scene.features";
+  private static final String TRACE = "scene.trace";
+  private static final String WAYPOINTS = "scene.waypoints";
+
+  private final Settings settings;
+
+  SceneShows(Settings settings) {
+    this.settings = settings;
+  }
+
+  /** The frames of the joints and the flange. */
+  boolean frames() {
+    return on(FRAMES, false);
+  }
+
+  void setFrames(boolean on) {
+    settings.put(FRAMES, Boolean.toString(on));
+  }
+
+  /** A ball for the payload. */
+  boolean payload() {
+    return on(PAYLOAD, false);
+  }
+
+  void setPayload(boolean on) {
+    settings.put(PAYLOAD, Boolean.toString(on));
+  }
+
+  /** The features of the installation. */
+  boolean features() {
+    return on(FEATURES, true);
+  }
+
+  void setFeatures(boolean on) {
+    settings.put(FEATURES, Boolean.toString(on));
+  }
+
+  /** Where the tool was. */
+  boolean trace() {
+    return on(TRACE, true);
+  }
+
+  void setTrace(boolean on) {
+    settings.put(TRACE, Boolean.toString(on));
+  }
+
+  /** The places that the program in front goes to. */
+  boolean waypoints() {
+    return on(WAYPOINTS, true);
+  }
+
+  void setWaypoints(boolean on) {
+    settings.put(WAYPOINTS, Boolean.toString(on));
+  }
+
+  private boolean on(String name, boolean usually) {
+    return settings.get(name).map(Boolean::parseBoolean).orElse(usually);
+  }
+}

@@ -1,0 +1,93 @@
+package org.pendant.desktop.shell;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.debug.DebugPresenter;
+import org.pendant.desktop.program.RunNode;
+import org.pendant.desktop.program.TreeRuns;
+import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.shell.run.RunProgram;
+import org.pendant.script.vm.ProgramState;
+
+/** The program that was started last, for the Run screen. */
+final class StartedRun implements RunProgram {
+  /** Least time between two looks at the turns, ms. */
+  private static final long PERIOD_MS = 200;
+
+  private final ProgramRunner runner;
+  private final DebugPresenter debug;
+  private final TreeRuns runs;
+  private final ActiveInstallation installation;
+  private final IntConsumer showLine;
+  private final Consumer<RunNode> showNode;
+  private long lookedMs;
+  private boolean ran;
+
+  /**
+   * The program that {@code runner} started last.
+   *
+   * @param showLine shows a line of what runs
+   */
+  StartedRun(
+      ProgramRunner runner,
+      DebugPresenter debug,
+      TreeRuns runs,
+      ActiveInstallation installation,
+      IntConsumer showLine,
+      Consumer<RunNode> showNode) {
+    this.runner = runner;
+    this.debug = debug;
+    this.runs = runs;
+    this.installation = installation;
+    this.showLine = showLine;
+    this.showNode = showNode;
+  }
+
+  @Override
+  public String lineText(int line) {
+    return runner.line(line);
+  }
+
+  @Override
+  public int shownLine(int line) {
+    return debug.lineNow(line);
+  }
+
+  @Override
+  public void showLine(int line) {
+    showLine.accept(line);
+  }
+
+  @Override
+  public Optional<RunNode> node(ControllerState state) {
+    return runs.now(runner.program(), state);
+  }
+
+  @Override
+  public void show(RunNode node) {
+    showNode.accept(node);
+  }
+
+  @Override
+  public OptionalLong turns(ControllerState state) {
+    boolean runsNow = state.program().state() != ProgramState.STOPPED;
+    long nowMs = System.nanoTime() / 1_000_000;
+    // Once more when it has ended.
+    if ((runsNow || ran) && nowMs - lookedMs >= PERIOD_MS) {
+      ran = runsNow;
+      lookedMs = nowMs;
+      debug.breakpoints().lookAtTurns();
+    }
+    return runner.program().isPresent() ? debug.breakpoints().turns() : OptionalLong.empty();
+  }
+
+  @Override
+  public List<InstallationVariable> installationVariables() {
+    return installation.current().variables();
+  }
+}

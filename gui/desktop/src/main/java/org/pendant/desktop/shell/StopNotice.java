@@ -1,0 +1,50 @@
+package org.pendant.desktop.shell;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.StopCard;
+import org.pendant.desktop.shell.Notices.Choice;
+
+/** Tells of a stop of the arm while the screen that explains it is not in front. */
+final class StopNotice {
+  private static final String NAME = "stop-notice";
+
+  private final Notices notices;
+  private final BooleanSupplier explained;
+  private final Runnable explain;
+  private Optional<StopCard> told = Optional.empty();
+
+  /**
+   * No stop yet.
+   *
+   * @param explained whether people see the screen that explains stops
+   * @param explain brings it to the front
+   */
+  StopNotice(Notices notices, BooleanSupplier explained, Runnable explain) {
+    this.notices = notices;
+    this.explained = explained;
+    this.explain = explain;
+  }
+
+  /** Tells of each stop once, and takes it back when it is over or explained. */
+  void refresh(ControllerState state) {
+    Optional<StopCard> card = StopCard.of(state);
+    if (card.isPresent() && explained.getAsBoolean()) {
+      notices.close(NAME);
+      told = card;
+    } else if (!card.equals(told)) {
+      notices.close(NAME);
+      told = card;
+      card.ifPresent(this::tell);
+    }
+  }
+
+  private void tell(StopCard card) {
+    notices.ask(
+        NAME,
+        card.message(),
+        List.of(new Choice("Show what happened", explain), new Choice("Close", () -> {})));
+  }
+}

@@ -1,0 +1,330 @@
+package org.pendant.desktop.shell;
+
+import java.awt.EventQueue;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.StateFolder;
+import org.pendant.controller.installation.SignalUse;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.debug.BreakpointsView;
+import org.pendant.desktop.debug.CallStackView;
+import org.pendant.desktop.debug.DebugActions;
+import org.pendant.desktop.debug.DebugPresenter;
+import org.pendant.desktop.debug.EditorLink;
+import org.pendant.desktop.debug.Favourites;
+import org.pendant.desktop.debug.VariablesView;
+import org.pendant.desktop.debug.WatchesView;
+import org.pendant.desktop.editor.OutlineView;
+import org.pendant.desktop.editor.PlacesView;
+import org.pendant.desktop.editor.ProblemsView;
+import org.pendant.desktop.editor.ScriptEditor;
+import org.pendant.desktop.installation.InstallationView;
+import org.pendant.desktop.installation.SignalNames;
+import org.pendant.desktop.io.IoView;
+import org.pendant.desktop.io.SignalLabels;
+import org.pendant.desktop.log.LogView;
+import org.pendant.desktop.move.MoveView;
+import org.pendant.desktop.plot.PlotView;
+import org.pendant.desktop.ports.DesktopPorts;
+import org.pendant.desktop.ports.PortsView;
+import org.pendant.desktop.program.ProgramView;
+import org.pendant.desktop.program.ScriptLink;
+import org.pendant.desktop.program.TreePrograms;
+import org.pendant.desktop.program.TreeRuns;
+import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.Session;
+import org.pendant.desktop.shell.run.RunView;
+import org.pendant.desktop.shell.start.StartChoice;
+import org.pendant.desktop.shell.start.StartPlace;
+import org.pendant.desktop.workbench.View;
+import org.pendant.kit.background.WorkerThread;
+import org.pendant.kit.dock.Side;
+import org.pendant.kit.fault.Faults;
+import org.pendant.kit.theme.Glyph;
+import org.pendant.models.arm.ArmLibrary;
+
+/** Everything that is in the window: a line for each view. */
+final class Views {
+  private final List<Place> places;
+  private final ScriptEditor editor;
+  private final ProgramView program;
+  private final ActiveInstallation installation = new ActiveInstallation();
+  private final ProgramRunner runner;
+  private final LogView log;
+  private final DebugPresenter debug;
+  private final EditorLink link;
+  private final PortsView ports;
+  private final Session session;
+  private final Consumer<String> tell;
+  private final StartMove startMove;
+  private final StartChoice start;
+  private final PastViews past;
+  private TreeRuns runs;
+  private long strangers;
+
+  /**
+   * A view and where it belongs at first.
+   *
+   * @param glyph of its button in the rail; empty for one that is only a panel
+   */
+  private record Place(View view, Side home, Optional<Glyph> glyph) {}
+
+  Views(ShellWorkbench workbench, Programs programs, ProgramRunner runner) {
+    editor = new ScriptEditor(workbench, programs);
+    this.runner = runner;
+    session = workbench.session();
+    tell = workbench::notify;
+    ports =
+        new PortsView(
+            workbench,
+            new DesktopPorts(session, StateFolder.of(System.getenv()).resolve("desktop")));
+    debug = new DebugPresenter(workbench, programs);
+    link = new EditorLink(editor, debug, programs);
+    runner.beforeEachRun(link::beforeRun);
+    BreakpointsView breakpoints = new BreakpointsView(workbench, debug);
+    DebugActions.addTo(workbench, debug, breakpoints, editor::caretLine);
+    past = new PastViews(workbench, programs, editor);
+    ScenePanel scene = new ScenePanel(workbench, past::past);
+    MoveView move =
+        new MoveView(workbench, scene, line -> insertLine(programs.current().isTree(), line));
+    program = programScreen(workbench, programs, move, scene);
+    installation.addListener(
+        () -> {
+          scene.show(installation.current().features());
+          move.setInstallation(installation.current());
+        });
+    move.whenHomeSet(home -> installation.set(installation.current().withHome(home)));
+    startMove = new StartMove(session, this::forgetRun);
+    start = new StartChoice(startMove, workbench.settings());
+    runner.setGate(this::gate);
+    runner.setTexts(runs::plan);
+    RunFrom.addTo(workbench.actions(), session, runs, program::selected, runner, start, tell);
+    workbench.showSourceIn(
+        () -> programs.current().isTree() && !editor.component().isShowing() ? program : editor,
+        (line, column) -> showSource(programs.current().isTree(), line, column));
+    Favourites favourites = new Favourites(workbench.settings());
+    SignalLabels labels = labels(workbench);
+    PlotView plots = new PlotView(workbench, labels);
+    View run =
+        new RunView(
+            workbench,
+            workbench.actions(),
+            programs,
+            past.run(
+                new StartedRun(
+                    runner,
+                    debug,
+                    runs,
+                    installation,
+                    line -> showStarted(workbench, programs, line),
+                    program::show)),
+            runner::send,
+            favourites,
+            past::showBefore);
+    VariablesView variables = new VariablesView(workbench, debug, favourites, plots::addVariables);
+    variables.setPast(past::past);
+    log = new LogView(workbench, line -> showStarted(workbench, programs, line));
+    places =
+        List.of(
+            screen(past.held(run), Glyph.RUN),
+            screen(program, Glyph.PROGRAM),
+            screen(editor, Glyph.SCRIPT),
+            screen(new InstallationView(workbench, installation), Glyph.INSTALLATION),
+            screen(past.held(move), Glyph.MOVE),
+            screen(past.held(new IoView(workbench, labels)), Glyph.SIGNALS),
+            screen(log, Glyph.LOG),
+            screen(plots, Glyph.PLOT),
+            panel(scene, Side.RIGHT),
+            panel(past.held(variables), Side.RIGHT),
+            panel(new WatchesView(workbench, debug), Side.RIGHT),
+            panel(new OutlineView(workbench, editor), Side.RIGHT),
+            panel(ports, Side.RIGHT),
+            panel(new ProblemsView(workbench, editor), Side.BOTTOM),
+            panel(new PlacesView(workbench, editor), Side.BOTTOM),
+            panel(new CallStackView(workbench, debug), Side.BOTTOM),
+            panel(breakpoints, Side.BOTTOM),
+            panel(past.timeline(), Side.BOTTOM));
+  }
+
+  /** Names of signals: those of the installation, and of the settings where it has none. */
+  private SignalLabels labels(ShellWorkbench workbench) {
+    SignalLabels labels =
+        SignalLabels.installed(
+            workbench.settings(),
+            signal ->
+                installation.current().signals().stream()
+                    .filter(each -> each.signal().equals(signal))
+                    .map(SignalUse::name)
+                    .findFirst()
+                    .orElse(""),
+            (signal, name) ->
+                SignalNames.rename(
+                        installation.current(),
+                        ArmLibrary.load(session.options().robotId()),
+                        signal,
+                        name)
+                    .ifPresentOrElse(
+                        installation::set,
+                        () -> tell.accept(name + " is the name of another signal too")));
+    installation.addListener(labels::changed);
+    return labels;
+  }
+
+  private ProgramView programScreen(
+      ShellWorkbench workbench, Programs programs, MoveView move, ScenePanel scene) {
+    WorkerThread worker = new WorkerThread("program-trees");
+    TreePrograms trees =
+        new TreePrograms(
+            programs, installation, work -> worker.run(0, work), EventQueue::invokeLater);
+    ScriptLink scripts = new ScriptLink(editor, debug, workbench::notify);
+    scripts.setPast(past::line);
+    trees.setSink(scripts);
+    runs = new TreeRuns(trees, scripts);
+    return new ProgramView(workbench, programs, trees, scripts, move::teach, scene::show);
+  }
+
+  /** Lets a program start when it can, and the arm is where it goes first or people want it so. */
+  private void gate(ProgramDocument document, long from, Runnable run) {
+    program.whenReady(document, () -> ask(document, from, run));
+  }
+
+  private void ask(ProgramDocument document, long from, Runnable run) {
+    Optional<String> refusal = runs.whyNot(document, from);
+    if (refusal.isPresent()) {
+      tell.accept(document.name() + " cannot start there: " + refusal.get());
+      return;
+    }
+    Optional<StartPlace> first =
+        runs.first(document, from)
+            .flatMap(
+                place ->
+                    StartPlace.of(
+                        place, installation.current(), session.state().arm().description()));
+    // The program may be edited while people choose.
+    Runnable again =
+        () ->
+            program.whenReady(
+                document,
+                () -> {
+                  if (runs.whyNot(document, from).isEmpty()) {
+                    run.run();
+                  }
+                });
+    start.begin(first, session.state(), again);
+  }
+
+  /** What starts next is none of the open programs. */
+  private void forgetRun() {
+    runner.forget();
+    link.strangerStarted();
+  }
+
+  /** What is asked before a program starts. */
+  StartChoice start() {
+    return start;
+  }
+
+  /** Writes a line of script: below the caret, or as a node of the tree. */
+  private void insertLine(boolean tree, String line) {
+    if (tree) {
+      program.insertScript(line);
+    } else {
+      editor.insertLine(line);
+    }
+  }
+
+  private void showSource(boolean tree, int line, int column) {
+    editor.show(line, column);
+    if (tree) {
+      program.showLine(line);
+    }
+  }
+
+  /** What programs can refer to. */
+  ActiveInstallation installation() {
+    return installation;
+  }
+
+  /** Shows a line of the program that was started last, whichever is in front. */
+  private void showStarted(ShellWorkbench workbench, Programs programs, int line) {
+    if (runner.program().isEmpty() && session.strangerLast()) {
+      workbench.notify("Line " + line + " is in a program that was sent from outside");
+      return;
+    }
+    runner.program().ifPresent(programs::select);
+    workbench.showSource(debug.lineNow(line), 1);
+  }
+
+  /** Lets others reach the controller. */
+  void openPorts(PortWishes wishes) {
+    ports.open(wishes);
+  }
+
+  /** Keeps what the window tells. */
+  void told(String text) {
+    log.told(text);
+  }
+
+  private static Place screen(View view, Glyph glyph) {
+    return new Place(new GuardedView(view), Side.MAIN, Optional.of(glyph));
+  }
+
+  private static Place panel(View view, Side home) {
+    return new Place(new GuardedView(view), home, Optional.empty());
+  }
+
+  /** Has debugger and editor follow the program, whatever is in front. */
+  void follow(ControllerState state) {
+    if (session.strangersStarted() != strangers) {
+      strangers = session.strangersStarted();
+      runner.forget();
+      link.strangerStarted();
+    }
+    Faults.guard(() -> debug.refresh(state));
+    Faults.guard(
+        () -> {
+          if (!past.follow(state, log)) {
+            link.follow(state);
+          }
+        });
+    Faults.guard(() -> startMove.refresh(state));
+  }
+
+  /** What happens while people look at the past. */
+  PastViews past() {
+    return past;
+  }
+
+  /** All of them, screens first. */
+  List<View> all() {
+    return places.stream().map(Place::view).toList();
+  }
+
+  /** Whether people see the view of this id. */
+  boolean showing(String id) {
+    return places.stream()
+        .map(Place::view)
+        .anyMatch(view -> view.id().equals(id) && view.component().isShowing());
+  }
+
+  /** Where each belongs at first, by id. */
+  Map<String, Side> home() {
+    Map<String, Side> home = new LinkedHashMap<>();
+    places.forEach(place -> home.put(place.view().id(), place.home()));
+    return home;
+  }
+
+  /** The glyph of each screen, by id, in the order of the rail. */
+  Map<String, Glyph> screens() {
+    Map<String, Glyph> screens = new LinkedHashMap<>();
+    places.forEach(
+        place -> place.glyph().ifPresent(glyph -> screens.put(place.view().id(), glyph)));
+    return screens;
+  }
+}

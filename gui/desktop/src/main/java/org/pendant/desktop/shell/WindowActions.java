@@ -1,0 +1,125 @@
+package org.pendant.desktop.shell;
+
+import java.util.List;
+import java.util.function.Supplier;
+import javax.swing.JComponent;
+import org.pendant.desktop.timeline.TimelineView;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.dock.DockFrame;
+import org.pendant.kit.dock.Dockable;
+import org.pendant.kit.dock.Side;
+import org.pendant.kit.find.CommandPalette;
+import org.pendant.kit.find.KeyEditor;
+import org.pendant.kit.theme.Look;
+import org.pendant.kit.theme.Theme;
+
+/** The actions for views, docks, the look, and finding actions. */
+final class WindowActions {
+  private final ActionTable actions;
+
+  WindowActions(ActionTable actions) {
+    this.actions = actions;
+  }
+
+  /** Showing a screen with alt and a digit, and the other views. */
+  void addViews(DockFrame docks, List<String> screens) {
+    for (Dockable view : docks.views()) {
+      int number = screens.indexOf(view.id()) + 1;
+      String keys = number >= 1 && number <= 9 ? "alt " + number : keysOf(view);
+      actions.add(
+          Action.of(
+              "view." + view.id(), "Show " + view.title(), keys, () -> docks.show(view.id())));
+    }
+  }
+
+  private static String keysOf(Dockable panel) {
+    return panel.id().equals(TimelineView.ID) ? "control alt T" : "";
+  }
+
+  /** Moving views, and folding docks. */
+  void addDocks(DockFrame docks) {
+    for (Side side : List.of(Side.LEFT, Side.RIGHT, Side.BOTTOM)) {
+      String key =
+          switch (side) {
+            case LEFT -> "control shift B";
+            case RIGHT -> "control B";
+            case BOTTOM, MAIN -> "control J";
+          };
+      actions.add(
+          Action.of(
+              "dock.fold-" + side.word(),
+              "Fold or unfold the dock at " + side.title(),
+              key,
+              () -> docks.toggle(side)));
+    }
+    actions.add(
+        Action.of("dock.reset", "Put all panels where they belong at first", "", docks::reset));
+    for (Dockable view : docks.views()) {
+      for (Side side : Side.values()) {
+        actions.add(
+            new Action(
+                "arrange." + view.id() + "-" + side.word(),
+                "Move " + view.title() + " to " + side.title(),
+                "",
+                () -> docks.sideOf(view.id()) != side,
+                () -> docks.move(view.id(), side)),
+            () -> "It is there");
+      }
+    }
+  }
+
+  /** Colours and scale. */
+  void addLook(Look look) {
+    for (Theme theme : Theme.values()) {
+      actions.add(
+          new Action(
+              "look." + theme.word(),
+              "Colours: " + theme.title(),
+              "",
+              () -> look.theme() != theme,
+              () -> look.setTheme(theme)),
+          () -> "Chosen");
+    }
+    actions.add(
+        Action.of("look.larger", "Everything larger", "control alt EQUALS", () -> look.zoom(1)));
+    actions.add(
+        Action.of("look.smaller", "Everything smaller", "control alt MINUS", () -> look.zoom(-1)));
+    actions.add(
+        Action.of(
+            "look.normal",
+            "Everything in normal size",
+            "control alt 0",
+            () -> look.setZoomPercent(100)));
+  }
+
+  /**
+   * Finding actions, changing their keys, and what the window has told.
+   *
+   * @param under what panels may cover
+   * @param lastNotice the last thing that was told; empty if nothing was
+   */
+  void addHelp(JComponent under, Notices notices, Supplier<String> lastNotice) {
+    CommandPalette palette = new CommandPalette(actions, under);
+    KeyEditor keyEditor = new KeyEditor(actions, under);
+    actions.add(
+        Action.of("help.palette", "Find an action\u2026", "control shift P", palette::open));
+    actions.add(Action.of("help.keys", "Change keys\u2026", "", keyEditor::open));
+    actions.add(
+        new Action(
+            "help.question",
+            "Answer the question at the top",
+            "control shift E",
+            notices::any,
+            notices::focus),
+        () -> "There is no question");
+    actions.add(
+        new Action(
+            "help.notice",
+            "Show the last notice as a whole",
+            "",
+            () -> !lastNotice.get().isEmpty(),
+            () -> notices.tell(Notices.WHOLE, lastNotice.get())),
+        () -> "There was no notice");
+  }
+}

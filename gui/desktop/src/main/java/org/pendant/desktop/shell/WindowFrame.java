@@ -1,0 +1,113 @@
+package org.pendant.desktop.shell;
+
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Frame;
+import java.awt.Graphics2D;
+import java.awt.GraphicsDevice;
+import java.awt.GraphicsEnvironment;
+import java.awt.Image;
+import java.awt.Insets;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.Toolkit;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import org.pendant.kit.settings.Settings;
+import org.pendant.kit.theme.Glyph;
+import org.pendant.kit.theme.GlyphIcon;
+
+/** The frame around everything: its place on the screen, remembered, and its picture. */
+final class WindowFrame {
+  private static final String BOUNDS = "window.bounds";
+  private static final String MAXIMIZED = "window.maximized";
+  private static final Color GROUND = new Color(0x2F5D8C);
+
+  private final Settings settings;
+  private final JFrame frame = new JFrame("Pendant");
+
+  /**
+   * The frame where it was last time, not visible yet.
+   *
+   * @param close runs when people want it closed; it stays open by itself
+   */
+  WindowFrame(Settings settings, Runnable close) {
+    this.settings = settings;
+    frame.setName("pendant");
+    frame.setIconImages(icons());
+    frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
+    frame.addWindowListener(
+        new WindowAdapter() {
+          @Override
+          public void windowClosing(WindowEvent event) {
+            close.run();
+          }
+        });
+    frame.setBounds(remembered());
+    frame.setMinimumSize(new Dimension(720, 480));
+    if (settings.get(MAXIMIZED).map(Boolean::parseBoolean).orElse(false)) {
+      frame.setExtendedState(Frame.MAXIMIZED_BOTH);
+    }
+  }
+
+  JFrame frame() {
+    return frame;
+  }
+
+  private Rectangle remembered() {
+    GraphicsEnvironment screens = GraphicsEnvironment.getLocalGraphicsEnvironment();
+    List<Rectangle> rooms = new ArrayList<>();
+    for (GraphicsDevice each : screens.getScreenDevices()) {
+      rooms.add(room(each));
+    }
+    return WindowBounds.parse(settings.get(BOUNDS).orElse(""))
+        .flatMap(bounds -> WindowBounds.within(bounds, rooms))
+        .orElseGet(() -> WindowBounds.usual(screens.getMaximumWindowBounds()));
+  }
+
+  private static Rectangle room(GraphicsDevice screen) {
+    Rectangle bounds = screen.getDefaultConfiguration().getBounds();
+    Insets taken = Toolkit.getDefaultToolkit().getScreenInsets(screen.getDefaultConfiguration());
+    return new Rectangle(
+        bounds.x + taken.left,
+        bounds.y + taken.top,
+        bounds.width - taken.left - taken.right,
+        bounds.height - taken.top - taken.bottom);
+  }
+
+  private static List<Image> icons() {
+    JLabel white = new JLabel();
+    white.setForeground(Color.WHITE);
+    List<Image> icons = new ArrayList<>();
+    for (int size : new int[] {16, 32, 48, 128}) {
+      BufferedImage image = new BufferedImage(size, size, BufferedImage.TYPE_INT_ARGB);
+      Graphics2D painter = image.createGraphics();
+      painter.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+      painter.setColor(GROUND);
+      painter.fillRoundRect(0, 0, size, size, size / 3, size / 3);
+      GlyphIcon arm = GlyphIcon.of(Glyph.ROBOT, size);
+      double scale = 0.8 * size / arm.getIconWidth();
+      painter.translate(0.1 * size, 0.08 * size);
+      painter.scale(scale, scale);
+      arm.paintIcon(white, painter, 0, 0);
+      painter.dispose();
+      icons.add(image);
+    }
+    return icons;
+  }
+
+  /** Remembers where it is, and closes it. */
+  void end() {
+    boolean maximized = (frame.getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH;
+    settings.put(MAXIMIZED, Boolean.toString(maximized));
+    if (!maximized) {
+      settings.put(BOUNDS, WindowBounds.format(frame.getBounds()));
+    }
+    frame.dispose();
+  }
+}

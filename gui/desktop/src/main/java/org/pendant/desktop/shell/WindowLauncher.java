@@ -1,0 +1,32 @@
+package org.pendant.desktop.shell;
+
+import java.awt.AWTError;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.command.service.DesktopLauncher;
+import org.pendant.command.service.DesktopUnavailable;
+import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.StartInstallation;
+
+/** Desktop launcher of the command line; no other class of the desktop is loaded before it. */
+public final class WindowLauncher implements DesktopLauncher {
+
+  @Override
+  public void open(
+      List<Path> files, Optional<PortWishes> ports, Optional<StartInstallation> installation)
+      throws DesktopUnavailable, InterruptedException {
+    try {
+      if (GraphicsEnvironment.isHeadless()) {
+        throw new DesktopUnavailable("there is no display");
+      }
+      // Says at once whether the display can be used.
+      GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
+      Desktop.open(files, ports, installation).awaitClosed();
+    } catch (AWTError | HeadlessException | UnsatisfiedLinkError e) {
+      throw new DesktopUnavailable(e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,236 @@
+package org.pendant.desktop.shell.chrome;
+
+import java.awt.Color;
+import java.awt.Graphics;
+import java.awt.Rectangle;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JMenuItem;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JRadioButtonMenuItem;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.safety.RobotMode;
+import org.pendant.controller.safety.SafetyMode;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.Words;
+import org.pendant.kit.layout.Squeeze;
+import org.pendant.kit.theme.Badge;
+import org.pendant.kit.theme.Palette;
+import org.pendant.models.arm.ArmLibrary;
+import org.pendant.script.vm.ProgramState;
+
+/** Which program and robot this is, and the modes. */
+@SuppressWarnings("serial") // never written to a stream
+public final class Header extends JPanel {
+  private final ProgramButton program;
+  private final JComboBox<RobotChoice> robot = new JComboBox<>();
+  private final Badge robotMode = new Badge("robot-mode", "Robot mode");
+  private final Badge safetyMode = new Badge("safety-mode", "Safety mode");
+  private final Badge checksum =
+      new Badge("safety-checksum", "Checksum of the safety configuration");
+  private final Badge programState = new Badge("program-state", "Program state");
+  private final JLabel time = new JLabel();
+  private final transient Squeeze squeeze;
+  private transient ControllerState state;
+  private boolean showing;
+  private boolean worded = true;
+  private transient List<Object> fitted = List.of();
+
+  /** An arm that can be chosen. */
+  private record RobotChoice(String id, String title) {
+    @Override
+    public String toString() {
+      return title;
+    }
+  }
+
+  /**
+   * A header.
+   *
+   * @param menu of the programs, opened by the name of the present one
+   * @param chooseRobot told the id of the robot that was chosen
+   */
+  public Header(ProgramMenu menu, Consumer<String> chooseRobot) {
+    super(
+        new MigLayout(
+            "insets 8 6 8 12, gap 8, hidemode 3",
+            "[grow, 90::]16[]16[][][][]16[right]",
+            "[center]"));
+    setName("header");
+    program = new ProgramButton(menu);
+    robot.setName("robot");
+    robot.setToolTipText("The simulated robot; another one starts a new controller");
+    robot.getAccessibleContext().setAccessibleName("Robot");
+    ArmLibrary.ids().forEach(id -> robot.addItem(new RobotChoice(id, title(id))));
+    robot.setMaximumRowCount(ArmLibrary.ids().size());
+    robot.addActionListener(
+        event -> {
+          if (!showing && robot.getSelectedItem() instanceof RobotChoice choice) {
+            chooseRobot.accept(choice.id());
+          }
+        });
+    time.setName("robot-time");
+    time.setText(clock(0));
+    time.putClientProperty("FlatLaf.styleClass", "monospaced");
+    time.setToolTipText("Robot time since the controller was switched on");
+    time.getAccessibleContext().setAccessibleName("Robot time");
+    add(program, "wmin 90");
+    for (JComponent each : List.of(robot, robotMode, safetyMode, checksum, programState, time)) {
+      add(each, "wmin pref");
+    }
+    // What vanishes is shown or done elsewhere too; the safety mode stays.
+    squeeze =
+        new Squeeze(
+            this,
+            List.of(
+                time::setVisible,
+                checksum::setVisible,
+                this::showWords,
+                robotMode::setVisible,
+                robot::setVisible,
+                programState::setVisible));
+  }
+
+  private void showWords(boolean whole) {
+    worded = whole;
+    if (state != null) {
+      showModes(state);
+    }
+  }
+
+  @Override
+  public void updateUI() {
+    super.updateUI();
+    if (squeeze != null) {
+      squeeze.fitLater();
+    }
+  }
+
+  private static String title(String id) {
+    String model = id.substring(2).replace("long", " Long");
+    return "UR" + model;
+  }
+
+  /** Shows which program is open. */
+  public void show(ProgramDocument document) {
+    program.show(document);
+  }
+
+  /** Opens the menu of programs. */
+  public void openPrograms() {
+    program.open();
+  }
+
+  /** Opens the list of robots. */
+  public void openRobots() {
+    JPopupMenu menu = new JPopupMenu();
+    menu.setName("robot-menu");
+    for (int i = 0; i < robot.getItemCount(); i++) {
+      int index = i;
+      JMenuItem item =
+          new JRadioButtonMenuItem(robot.getItemAt(i).title(), i == robot.getSelectedIndex());
+      item.addActionListener(event -> robot.setSelectedIndex(index));
+      menu.add(item);
+    }
+    Rectangle place = robot.isShowing() ? robot.getBounds() : getVisibleRect();
+    menu.show(this, place.x, place.y + place.height);
+  }
+
+  /** Shows which robot there is. */
+  public void showRobot(String id) {
+    showing = true;
+    for (int i = 0; i < robot.getItemCount(); i++) {
+      if (robot.getItemAt(i).id().equals(id)) {
+        robot.setSelectedIndex(i);
+      }
+    }
+    showing = false;
+  }
+
+  /** Shows a snapshot. */
+  public void refresh(ControllerState now) {
+    state = now;
+    showModes(now);
+    List<Object> modes =
+        List.of(
+            now.safety().robotMode(),
+            now.safety().safetyMode(),
+            now.safety().checksum(),
+            now.program().state(),
+            now.debug().held());
+    if (!modes.equals(fitted)) {
+      fitted = modes;
+      squeeze.fit();
+    }
+    String clock = clock(now.timeS());
+    if (!clock.equals(time.getText())) {
+      time.setText(clock);
+    }
+  }
+
+  private static String clock(double timeS) {
+    return String.format(Locale.ROOT, "%8.1f s", timeS);
+  }
+
+  private void showModes(ControllerState now) {
+    RobotMode mode = now.safety().robotMode();
+    robotMode.show(words("Robot ", Words.of(mode)), color(mode));
+    SafetyMode safety = now.safety().safetyMode();
+    safetyMode.show(safetyText(safety), color(safety));
+    checksum.show(now.safety().checksum().toString(), Palette::quiet);
+    ProgramState program = now.program().state();
+    boolean held = now.debug().held();
+    programState.show(
+        words("Program ", held ? "held" : Words.of(program)),
+        color(held ? ProgramState.PAUSED : program));
+  }
+
+  private String words(String what, String how) {
+    return worded ? what + how : Words.capital(how);
+  }
+
+  private String safetyText(SafetyMode mode) {
+    return switch (mode) {
+      case NORMAL, REDUCED, RECOVERY, FAULT, VIOLATION -> words("Safety ", Words.of(mode));
+      default -> Words.capital(Words.of(mode));
+    };
+  }
+
+  private static Supplier<Color> color(RobotMode mode) {
+    return switch (mode) {
+      case RUNNING -> Palette::ok;
+      case POWER_OFF -> Palette::quiet;
+      default -> Palette::warning;
+    };
+  }
+
+  private static Supplier<Color> color(SafetyMode mode) {
+    return switch (mode) {
+      case NORMAL -> Palette::ok;
+      case REDUCED, RECOVERY, SAFEGUARD_STOP, AUTOMATIC_MODE_SAFEGUARD_STOP -> Palette::warning;
+      default -> Palette::error;
+    };
+  }
+
+  private static Supplier<Color> color(ProgramState state) {
+    return switch (state) {
+      case RUNNING -> Palette::ok;
+      case PAUSED -> Palette::warning;
+      case STOPPED -> Palette::quiet;
+    };
+  }
+
+  @Override
+  protected void paintComponent(Graphics g) {
+    super.paintComponent(g);
+    g.setColor(Palette.line());
+    g.drawLine(0, getHeight() - 1, getWidth(), getHeight() - 1);
+  }
+}

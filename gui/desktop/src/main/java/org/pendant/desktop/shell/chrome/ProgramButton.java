@@ -1,0 +1,42 @@
+package org.pendant.desktop.shell.chrome;
+
+import java.awt.Rectangle;
+import javax.swing.JButton;
+import javax.swing.JPopupMenu;
+import javax.swing.SwingConstants;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.kit.theme.Glyph;
+import org.pendant.kit.theme.GlyphIcon;
+
+/** The name of the open program; it opens a menu of other programs. */
+@SuppressWarnings("serial") // never written to a stream
+final class ProgramButton extends JButton {
+  private final transient ProgramMenu menu;
+
+  ProgramButton(ProgramMenu menu) {
+    super(GlyphIcon.of(Glyph.DOWN, 14));
+    this.menu = menu;
+    setName("program-name");
+    setHorizontalAlignment(SwingConstants.LEADING);
+    setHorizontalTextPosition(SwingConstants.LEADING);
+    putClientProperty("JButton.buttonType", "toolBarButton");
+    putClientProperty("FlatLaf.styleClass", "h3");
+    getAccessibleContext().setAccessibleName("Open program");
+    addActionListener(event -> open());
+  }
+
+  /** Opens the menu below the name. */
+  void open() {
+    JPopupMenu popup = menu.popup();
+    Rectangle place = getVisibleRect();
+    popup.show(this, place.x, place.y + place.height);
+  }
+
+  void show(ProgramDocument document) {
+    String name = document.name() + (document.modified() ? " \u2022" : "");
+    setText(name);
+    String place = document.file().map(Object::toString).orElse("not saved yet");
+    setToolTipText(place + (document.modified() ? ", modified" : ""));
+    getAccessibleContext().setAccessibleDescription(name + ", " + getToolTipText());
+  }
+}

@@ -1,0 +1,74 @@
+package org.pendant.desktop.shell.chrome;
+
+import java.awt.Color;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.JButton;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.Command;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.Readiness;
+import org.pendant.kit.theme.Badge;
+import org.pendant.kit.theme.Glyph;
+import org.pendant.kit.theme.GlyphIcon;
+import org.pendant.kit.theme.Palette;
+
+/** Whether the arm is ready, and the button that makes it so. */
+@SuppressWarnings("serial") // never written to a stream
+final class ReadinessBar extends JPanel {
+  private final Badge light = new Badge("readiness", "Whether the arm is ready for programs");
+  private final JButton remedy = new JButton(GlyphIcon.of(Glyph.POWER, 16));
+  private transient Readiness shown;
+  private boolean worded = true;
+
+  ReadinessBar(ControllerState state, Consumer<Command> send) {
+    super(new MigLayout("insets 0, gap 8", "[][]", "[center]"));
+    shown = Readiness.of(state);
+    remedy.setName("readiness-remedy");
+    remedy.addActionListener(event -> shown.command().ifPresent(send));
+    add(light, "wmin pref");
+    add(remedy, "wmin pref, hidemode 3");
+    apply();
+  }
+
+  void refresh(ControllerState state) {
+    Readiness now = Readiness.of(state);
+    if (!now.equals(shown)) {
+      shown = now;
+      apply();
+    }
+    light.show(shown.text(), color(shown.light()));
+  }
+
+  /** What stands there: the width depends on it. */
+  String words() {
+    return shown.text() + shown.remedy();
+  }
+
+  /** Shows the button with its words, or with its icon alone. */
+  void showRemedy(boolean whole) {
+    worded = whole;
+    apply();
+  }
+
+  private void apply() {
+    light.show(shown.text(), color(shown.light()));
+    light.setToolTipText(shown.hint());
+    remedy.setText(worded ? shown.remedy() : "");
+    remedy.setVisible(!shown.remedy().isEmpty());
+    remedy.setEnabled(shown.command().isPresent());
+    remedy.setToolTipText(shown.remedy() + ": " + shown.hint());
+    remedy.getAccessibleContext().setAccessibleName(shown.remedy());
+    remedy.getAccessibleContext().setAccessibleDescription(shown.hint());
+  }
+
+  private static Supplier<Color> color(Readiness.Light light) {
+    return switch (light) {
+      case READY -> Palette::ok;
+      case WAITING -> Palette::warning;
+      case OFF -> Palette::quiet;
+      case STOPPED -> Palette::error;
+    };
+  }
+}

@@ -1,0 +1,6 @@
+/**
+ * The window of the desktop: what is around the views. Open {@link
+ * org.pendant.desktop.shell.Desktop} first; {@link org.pendant.desktop.shell.Views} lists what is
+ * in it.
+ */
+package org.pendant.desktop.shell;

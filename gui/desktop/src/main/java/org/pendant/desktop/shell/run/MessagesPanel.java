@@ -1,0 +1,65 @@
+package org.pendant.desktop.shell.run;
+
+import java.awt.Color;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.Controller;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.theme.Card;
+import org.pendant.kit.theme.Palette;
+
+/** A card with the last messages. */
+final class MessagesPanel {
+  private final RecentMessages messages = new RecentMessages();
+  private final JPanel card =
+      new Card(new MigLayout("insets 16, gap 8 4, wrap 2", "[right][grow, fill, 0::]", ""));
+  private final JLabel heading = new JLabel("Messages");
+
+  MessagesPanel() {
+    card.setName("run-messages");
+    heading.putClientProperty("FlatLaf.styleClass", "h4");
+    fill();
+  }
+
+  JPanel component() {
+    return card;
+  }
+
+  void refresh(ControllerState state, Controller controller) {
+    if (messages.take(state.newestEntry(), controller::logSince)) {
+      fill();
+    }
+  }
+
+  private void fill() {
+    card.removeAll();
+    card.add(heading, "span 2, alignx left");
+    if (messages.messages().isEmpty()) {
+      JLabel none = new JLabel("What programs and the controller say appears here.");
+      none.setForeground(Palette.quiet());
+      card.add(none, "span 2, alignx left");
+    }
+    for (RecentMessages.Message each : messages.messages()) {
+      JLabel time = new JLabel(each.time());
+      time.putClientProperty("FlatLaf.styleClass", "monospaced");
+      time.setForeground(Palette.quiet());
+      JLabel text = new JLabel(each.line());
+      text.setToolTipText(each.whole());
+      text.setForeground(color(each.level()));
+      card.add(time);
+      card.add(text);
+    }
+    card.revalidate();
+    card.repaint();
+  }
+
+  private Color color(LogEntry.Level level) {
+    return switch (level) {
+      case INFO -> heading.getForeground();
+      case WARNING -> Palette.warning();
+      case ERROR -> Palette.error();
+    };
+  }
+}

@@ -1,0 +1,240 @@
+package org.pendant.desktop.shell.run;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.SwingConstants;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.Command;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.debug.Favourites;
+import org.pendant.desktop.debug.VariablesView;
+import org.pendant.desktop.program.RunNode;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.ActionButton;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.layout.FlushRow;
+import org.pendant.kit.theme.Card;
+import org.pendant.kit.theme.Glyph;
+import org.pendant.kit.theme.GlyphIcon;
+import org.pendant.kit.theme.Palette;
+import org.pendant.language.source.ByteText;
+
+/** The screen to watch a program on: what it does, where the arm is, what is the matter. */
+public final class RunView implements View {
+  private static final String WIDE = "insets 16, gap 16, hidemode 3, wrap 2";
+  private static final String WIDE_COLUMNS = "[grow, fill, 0::][fill]";
+  private static final String NARROW = "insets 16, gap 16, hidemode 3, wrap 1";
+
+  /** Below this width (pixels before scaling) the cards are below one another. */
+  private static final int NARROW_WIDTH = 660;
+
+  private final Workbench workbench;
+  private final Programs programs;
+  private final RunProgram run;
+  private final MigLayout layout = new MigLayout(WIDE, WIDE_COLUMNS, "[][][][][grow]");
+  private final JPanel content = new WideContent(layout);
+  private final JScrollPane scroll = new JScrollPane(content);
+  private final JLabel name = new JLabel();
+  private final JLabel state = new JLabel();
+  private final JLabel elapsed = new JLabel();
+  private final JLabel turns = new JLabel();
+  private final JButton node = new JButton();
+  private final JLabel line = new JLabel();
+  private final JLabel waiting = new JLabel();
+  private final StopPanel stop;
+  private final VariablesPanel variables;
+  private final MessagesPanel messages = new MessagesPanel();
+  private final NumbersPanel tcp = new NumbersPanel("run-tcp", "TCP in the base", RunFacts.POSE);
+  private final NumbersPanel joints = new NumbersPanel("run-joints", "Joints", RunFacts.JOINTS);
+  private final RunTimer timer = new RunTimer();
+  private Optional<RunNode> shownNode = Optional.empty();
+  private final List<ActionButton> buttons;
+  private boolean narrow;
+
+  /**
+   * The Run screen.
+   *
+   * @param run the program that was started last
+   * @param send has the controller do something, and tells when it is refused
+   * @param favourites variables that come first
+   * @param showBefore shows how it came to what happened at a time, s
+   */
+  public RunView(
+      Workbench workbench,
+      ActionTable actions,
+      Programs programs,
+      RunProgram run,
+      Consumer<Command> send,
+      Favourites favourites,
+      DoubleConsumer showBefore) {
+    this.workbench = workbench;
+    this.programs = programs;
+    this.run = run;
+    variables = new VariablesPanel(favourites, () -> workbench.show(VariablesView.ID));
+    stop = new StopPanel(send, run::showLine, showBefore);
+    buttons =
+        List.of(
+            button(actions, "program.run", "Run", GlyphIcon.of(Glyph.PLAY, 28, Palette::ok)),
+            button(actions, "program.pause", "Pause", GlyphIcon.of(Glyph.PAUSE, 28)),
+            button(actions, "program.stop", "Stop", GlyphIcon.of(Glyph.STOP, 28, Palette::error)));
+    scroll.setBorder(BorderFactory.createEmptyBorder());
+    scroll.setName("run-view");
+    scroll.getAccessibleContext().setAccessibleName(title());
+    content.add(stop.component(), "spanx, growx, wmin 0");
+    content.add(program());
+    content.add(tcp.component(), "growy");
+    content.add(variables.component(), "growy");
+    content.add(joints.component(), "growy");
+    content.add(messages.component(), "spanx, growx, wmin 0");
+  }
+
+  /** Puts the cards beside or below one another. */
+  private void arrange() {
+    boolean now = UIScale.unscale(scroll.getViewport().getWidth()) < NARROW_WIDTH;
+    if (now != narrow) {
+      narrow = now;
+      layout.setLayoutConstraints(narrow ? NARROW : WIDE);
+      layout.setColumnConstraints(narrow ? "[grow, fill, 0::]" : WIDE_COLUMNS);
+      content.revalidate();
+    }
+  }
+
+  private static ActionButton button(ActionTable actions, String id, String text, GlyphIcon icon) {
+    ActionButton button = new ActionButton(actions, id, text, icon);
+    button.setName("run-view-" + text.toLowerCase(Locale.ROOT));
+    button.putClientProperty("FlatLaf.styleClass", "large");
+    return button;
+  }
+
+  private JPanel program() {
+    JPanel card =
+        new Card(new MigLayout("insets 16, gap 8, wrap 1, hidemode 3", "[grow, fill, 0::]", ""));
+    card.setName("run-program");
+    name.putClientProperty("FlatLaf.styleClass", "h1");
+    state.putClientProperty("FlatLaf.styleClass", "h3");
+    elapsed.putClientProperty("FlatLaf.styleClass", "h2");
+    elapsed.setToolTipText("Robot time since the program was started");
+    line.putClientProperty("FlatLaf.styleClass", "monospaced");
+    line.setToolTipText("The line that the main program has reached");
+    name("run-name", name, "Program");
+    name("run-state", state, "Program state");
+    name("run-elapsed", elapsed, "Running time");
+    turns.putClientProperty("FlatLaf.styleClass", "h2");
+    turns.setToolTipText("How many times the main program has begun");
+    name("run-turns", turns, "Turns of the main program");
+    node.setName("run-node");
+    node.putClientProperty("FlatLaf.styleClass", "h3");
+    node.putClientProperty("FlatLaf.style", "toolbar.margin: 2,0,2,4");
+    node.putClientProperty("JButton.buttonType", "toolBarButton");
+    node.setVisible(false);
+    node.setHorizontalAlignment(SwingConstants.LEADING);
+    node.addActionListener(event -> shownNode.ifPresent(run::show));
+    name("run-line", line, "Line");
+    name("run-waiting", waiting, "Popups");
+    waiting.setIcon(GlyphIcon.of(Glyph.WARNING, 16, Palette::warning));
+    card.add(name, "wmin 0");
+    card.add(state, "wmin 0");
+    JPanel times = new FlushRow(24);
+    times.add(elapsed);
+    times.add(turns);
+    card.add(times, "wmin 0");
+    card.add(node, "wmin 0");
+    card.add(line, "wmin 0");
+    card.add(waiting, "wmin 0");
+    JPanel row = new JPanel(new MigLayout("insets 8 0 0 0, gap 8", "[sg b][sg b][sg b]"));
+    row.setOpaque(false);
+    buttons.forEach(each -> row.add(each, "h 56::, sg b, grow 0"));
+    card.add(row);
+    return card;
+  }
+
+  private static void name(String name, JLabel label, String meaning) {
+    label.setName(name);
+    label.getAccessibleContext().setAccessibleDescription(meaning);
+  }
+
+  @Override
+  public String id() {
+    return "run";
+  }
+
+  @Override
+  public String title() {
+    return "Run";
+  }
+
+  @Override
+  public JComponent component() {
+    return scroll;
+  }
+
+  @Override
+  public void refresh(ControllerState snapshot) {
+    arrange();
+    int number = snapshot.program().line();
+    RunFacts facts = RunFacts.of(snapshot, number == 0 ? "" : run.lineText(number), run::shownLine);
+    show(name, programName(snapshot));
+    show(state, facts.state());
+    state.setForeground(facts.failed() ? Palette.error() : name.getForeground());
+    show(elapsed, timer.take(snapshot));
+    show(turns, turnText(run.turns(snapshot)));
+    showNode(run.node(snapshot));
+    show(line, facts.line().isEmpty() ? " " : facts.line());
+    show(waiting, facts.waiting());
+    waiting.setVisible(!facts.waiting().isEmpty());
+    waiting.setForeground(Palette.warning());
+    stop.refresh(snapshot);
+    tcp.show(facts.tcp());
+    joints.show(facts.joints());
+    variables.refresh(snapshot, run.installationVariables());
+    messages.refresh(snapshot, workbench.session().controller());
+    buttons.forEach(ActionButton::refresh);
+  }
+
+  private static String turnText(OptionalLong turns) {
+    return turns.isPresent() && turns.getAsLong() > 0 ? "Turn " + turns.getAsLong() : "";
+  }
+
+  private void showNode(Optional<RunNode> now) {
+    if (!now.equals(shownNode)) {
+      // Room for one once there was one: what is below must not jump.
+      node.setVisible(node.isVisible() || now.isPresent());
+      shownNode = now;
+      String words = now.map(each -> each.number() + "  " + each.label()).orElse(" ");
+      node.setText(words);
+      node.setEnabled(now.isPresent());
+      node.setToolTipText(now.isPresent() ? "Shows the node in the program: " + words : null);
+      node.getAccessibleContext().setAccessibleName("Node " + words);
+    }
+  }
+
+  /** A program of others goes by the name that it gives itself. */
+  private String programName(ControllerState snapshot) {
+    return run.name().orElseGet(() -> liveName(snapshot));
+  }
+
+  private String liveName(ControllerState snapshot) {
+    return workbench.session().strangerLast() && !snapshot.program().name().isEmpty()
+        ? ByteText.decoded(snapshot.program().name()) + " (sent from outside)"
+        : programs.current().name();
+  }
+
+  private static void show(JLabel label, String text) {
+    if (!text.equals(label.getText())) {
+      label.setText(text);
+    }
+  }
+}

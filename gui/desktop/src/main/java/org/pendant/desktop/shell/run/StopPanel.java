@@ -1,0 +1,128 @@
+package org.pendant.desktop.shell.run;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
+import java.util.function.IntConsumer;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextArea;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.Command;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.Readiness;
+import org.pendant.desktop.session.StopCard;
+import org.pendant.kit.theme.Card;
+import org.pendant.kit.theme.Glyph;
+import org.pendant.kit.theme.GlyphIcon;
+import org.pendant.kit.theme.Palette;
+
+/** Why the arm is stopped and what to do about it; hidden while it is not. */
+final class StopPanel {
+  private final JPanel panel =
+      new Card(new MigLayout("insets 16, gap 8, wrap 1, hidemode 3", "[grow, fill, 0::]", ""));
+  private final JLabel title =
+      new JLabel("", GlyphIcon.of(Glyph.ERROR, 20, Palette::error), JLabel.LEADING);
+  private final JTextArea message = text("stop-message", "What happened");
+  private final JPanel facts =
+      new JPanel(new MigLayout("insets 0, gap 16 4, wrap 2", "[][grow, 0::]", ""));
+  private final JTextArea suggestion = text("stop-suggestion", "What to do");
+  private final JButton remedy = new JButton();
+  private final JButton source = new JButton();
+  private final JButton recording = new JButton("Show recording");
+  private Optional<StopCard> shown = Optional.empty();
+  private Optional<Command> command = Optional.empty();
+  private OptionalDouble stopS = OptionalDouble.empty();
+
+  StopPanel(Consumer<Command> send, IntConsumer showLine, DoubleConsumer showBefore) {
+    panel.setName("stop-card");
+    panel.setVisible(false);
+    title.putClientProperty("FlatLaf.styleClass", "h3");
+    facts.setOpaque(false);
+    remedy.setName("stop-remedy");
+    remedy.addActionListener(event -> command.ifPresent(send));
+    source.setName("stop-source");
+    source.setToolTipText("Shows the line that the program has reached");
+    source.addActionListener(
+        event -> shown.filter(card -> card.line() > 0).ifPresent(c -> showLine.accept(c.line())));
+    recording.setName("stop-recording");
+    recording.setToolTipText("Shows the two seconds before the stop on the timeline");
+    recording.getAccessibleContext().setAccessibleName(recording.getText());
+    recording.addActionListener(event -> stopS.ifPresent(showBefore));
+    panel.add(title);
+    panel.add(message);
+    panel.add(facts);
+    panel.add(suggestion);
+    JPanel buttons = new JPanel(new MigLayout("insets 0, gap 8, hidemode 3", "[][][]"));
+    buttons.setOpaque(false);
+    buttons.add(remedy);
+    buttons.add(source);
+    buttons.add(recording);
+    panel.add(buttons);
+  }
+
+  private static JTextArea text(String name, String meaning) {
+    JTextArea area = new JTextArea();
+    area.setName(name);
+    area.setEditable(false);
+    area.setLineWrap(true);
+    area.setWrapStyleWord(true);
+    area.setOpaque(false);
+    area.setBorder(BorderFactory.createEmptyBorder());
+    area.setToolTipText(meaning);
+    area.getAccessibleContext().setAccessibleName(meaning);
+    return area;
+  }
+
+  JPanel component() {
+    return panel;
+  }
+
+  void refresh(ControllerState state) {
+    Optional<StopCard> card = StopCard.of(state);
+    stopS =
+        state
+            .safety()
+            .stop()
+            .map(stop -> OptionalDouble.of(stop.timeS()))
+            .orElse(OptionalDouble.empty());
+    if (!card.equals(shown)) {
+      shown = card;
+      card.ifPresent(this::show);
+      panel.setVisible(card.isPresent());
+    }
+    if (card.isPresent()) {
+      showRemedy(Readiness.of(state));
+    }
+  }
+
+  private void show(StopCard card) {
+    title.setText(card.title());
+    title.setForeground(Palette.error());
+    message.setText(card.message());
+    facts.removeAll();
+    for (StopCard.Fact fact : card.facts()) {
+      JLabel name = new JLabel(fact.name());
+      name.setForeground(Palette.quiet());
+      facts.add(name);
+      facts.add(new JLabel(fact.value()));
+    }
+    suggestion.setText(card.suggestion());
+    source.setVisible(card.line() > 0);
+    source.setText("Show line " + card.line());
+    source.getAccessibleContext().setAccessibleName(source.getText());
+    panel.revalidate();
+  }
+
+  private void showRemedy(Readiness readiness) {
+    command = readiness.command();
+    remedy.setVisible(!readiness.remedy().isEmpty());
+    remedy.setText(readiness.remedy());
+    remedy.setEnabled(command.isPresent());
+    remedy.setToolTipText(readiness.hint());
+    remedy.getAccessibleContext().setAccessibleName(readiness.remedy());
+  }
+}

@@ -1,0 +1,135 @@
+package org.pendant.desktop.shell.run;
+
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingConstants;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.debug.Favourites;
+import org.pendant.desktop.debug.Star;
+import org.pendant.kit.theme.Card;
+import org.pendant.kit.theme.Palette;
+import org.pendant.script.variables.VariableSamples;
+
+/** A card with the variables of the running or last program, favourites first. */
+final class VariablesPanel {
+  private static final String EMPTY =
+      "The variables of a program appear here while it runs, favourites first,"
+          + " and those of the installation at any time.";
+
+  /** Least time between two changes of the texts, ms. */
+  private static final long PERIOD_MS = 95;
+
+  private final Favourites favourites;
+  private final JPanel card =
+      new Card(
+          new MigLayout(
+              "insets 16, gap 8 4, wrap 2, hidemode 3",
+              "[shrinkprio 50]16[grow, fill, shrinkprio 200]",
+              ""));
+  private final JLabel none = new JLabel(EMPTY);
+  private final JButton more = new JButton();
+  private final List<JLabel> names = new ArrayList<>();
+  private final List<JLabel> values = new ArrayList<>();
+  private VariableSamples shown = VariableSamples.NONE;
+  private List<InstallationVariable> shownInstalled = List.of();
+  private String program = "";
+  private long shownMs;
+  private boolean stale = true;
+
+  /**
+   * A card without variables.
+   *
+   * @param showAll shows all variables somewhere else
+   */
+  VariablesPanel(Favourites favourites, Runnable showAll) {
+    this.favourites = favourites;
+    favourites.addListener(() -> stale = true);
+    card.setName("run-variables");
+    card.getAccessibleContext().setAccessibleName("Variables");
+    JLabel heading = new JLabel("Variables");
+    heading.putClientProperty("FlatLaf.styleClass", "h4");
+    none.setToolTipText(EMPTY);
+    more.setName("run-variables-more");
+    more.putClientProperty("JButton.buttonType", "toolBarButton");
+    more.setToolTipText("Shows all variables, to filter, unfold and change them");
+    more.getAccessibleContext().setAccessibleName("All variables");
+    more.addActionListener(event -> showAll.run());
+    card.add(heading, "span 2, wmin 0");
+    card.add(none, "span 2, wmin 0");
+    for (int i = 0; i < VariableFacts.MOST; i++) {
+      JLabel name = new JLabel();
+      name.putClientProperty("FlatLaf.styleClass", "monospaced");
+      name.setHorizontalTextPosition(SwingConstants.LEADING);
+      JLabel value = new JLabel();
+      value.putClientProperty("FlatLaf.styleClass", "monospaced");
+      value.setName("run-variable-" + i);
+      names.add(name);
+      values.add(value);
+      card.add(name, "wmin 0");
+      card.add(value, "wmin 0");
+    }
+    card.add(more, "span 2, wmin 0, alignx left, grow 0");
+    show(new VariableFacts(List.of(), 0));
+  }
+
+  JPanel component() {
+    return card;
+  }
+
+  /**
+   * Shows a snapshot.
+   *
+   * @param installed variables that every program has
+   */
+  void refresh(ControllerState state, List<InstallationVariable> installed) {
+    none.setForeground(Palette.quiet());
+    long nowMs = System.nanoTime() / 1_000_000;
+    boolean other = !state.program().name().equals(program) || !state.variables().equals(shown);
+    other |= !installed.equals(shownInstalled);
+    if (stale || (other && nowMs - shownMs >= PERIOD_MS)) {
+      stale = false;
+      shown = state.variables();
+      shownInstalled = installed;
+      program = state.program().name();
+      shownMs = nowMs;
+      show(VariableFacts.of(shown, favourites.of(program), installed));
+    }
+  }
+
+  private void show(VariableFacts facts) {
+    none.setVisible(facts.rows().isEmpty());
+    for (int i = 0; i < VariableFacts.MOST; i++) {
+      boolean used = i < facts.rows().size();
+      names.get(i).setVisible(used);
+      values.get(i).setVisible(used);
+      if (used) {
+        show(i, facts.rows().get(i));
+      }
+    }
+    more.setVisible(!facts.rows().isEmpty());
+    more.setText(facts.more() > 0 ? facts.more() + " more\u2026" : "All variables\u2026");
+  }
+
+  private void show(int place, VariableFacts.Row row) {
+    JLabel name = names.get(place);
+    if (!row.name().equals(name.getText()) || row.favourite() != (name.getIcon() != null)) {
+      name.setText(row.name());
+      name.setToolTipText(
+          row.name()
+              + (row.favourite() ? ", a favourite" : "")
+              + (row.installed() ? ", kept by the installation" : ""));
+      name.setIcon(row.favourite() ? new Star(true, false) : null);
+    }
+    JLabel value = values.get(place);
+    if (!row.value().equals(value.getText())) {
+      value.setText(row.value());
+      value.setToolTipText(row.value());
+      value.getAccessibleContext().setAccessibleDescription("Value of " + row.name());
+    }
+  }
+}

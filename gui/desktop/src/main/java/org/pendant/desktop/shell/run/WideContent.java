@@ -1,0 +1,43 @@
+package org.pendant.desktop.shell.run;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Dimension;
+import java.awt.LayoutManager;
+import java.awt.Rectangle;
+import javax.swing.JPanel;
+import javax.swing.Scrollable;
+
+/** Content as wide as the place that shows it, unless that is too narrow; it scrolls then. */
+@SuppressWarnings("serial") // never written to a stream
+final class WideContent extends JPanel implements Scrollable {
+  private static final int STEP = 24;
+
+  WideContent(LayoutManager layout) {
+    super(layout);
+  }
+
+  @Override
+  public Dimension getPreferredScrollableViewportSize() {
+    return getPreferredSize();
+  }
+
+  @Override
+  public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+    return UIScale.scale(STEP);
+  }
+
+  @Override
+  public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+    return visible.height;
+  }
+
+  @Override
+  public boolean getScrollableTracksViewportWidth() {
+    return getParent().getWidth() >= getMinimumSize().width;
+  }
+
+  @Override
+  public boolean getScrollableTracksViewportHeight() {
+    return getParent().getHeight() >= getPreferredSize().height;
+  }
+}

@@ -1,0 +1,140 @@
+package org.pendant.desktop.timeline;
+
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.Branching;
+import org.pendant.desktop.session.Branching.Outcome;
+import org.pendant.motion.FrameTime;
+import org.pendant.recording.replay.RerunRefused;
+
+/**
+ * Branch control: continues from a moment of the past. It asks first, since the run after that
+ * moment is dropped. Only for the dispatch thread.
+ */
+final class BranchControl {
+  private final LookBack lookBack;
+  private final Branches branches;
+  private final Executor dispatch;
+  private final Consumer<String> tell;
+  private final Runnable changed;
+  private Optional<ControllerState> asking = Optional.empty();
+  private Optional<Branching> running = Optional.empty();
+
+  /** What the session can do. */
+  interface Branches {
+    /** Why there can be no branch from a frame; empty if there can. */
+    Optional<String> refusal(long frame);
+
+    /** Begins to branch. */
+    Branching begin(ControllerState recorded) throws RerunRefused;
+  }
+
+  /**
+   * Nothing is asked yet.
+   *
+   * @param dispatch runs what comes later in the thread that uses this object
+   * @param changed runs after each change of what there is to show
+   */
+  BranchControl(
+      LookBack lookBack,
+      Branches branches,
+      Executor dispatch,
+      Consumer<String> tell,
+      Runnable changed) {
+    this.lookBack = lookBack;
+    this.branches = branches;
+    this.dispatch = dispatch;
+    this.tell = tell;
+    this.changed = changed;
+  }
+
+  /** Why there is nothing to branch from now; empty if there is. */
+  String whyNot() {
+    if (running.isPresent()) {
+      return "A branch is on its way";
+    }
+    String why = lookBack.whyNoBranch();
+    return why.isEmpty()
+        ? lookBack
+            .past()
+            .flatMap(state -> branches.refusal(state.frame()))
+            .map(reason -> "No branch from here: " + reason)
+            .orElse("")
+        : why;
+  }
+
+  /** Asks whether to branch from the moment that people look at, or tells why it cannot be. */
+  void ask() {
+    String why = whyNot();
+    if (why.isEmpty()) {
+      asking = lookBack.past();
+      changed.run();
+    } else {
+      tell.accept(why);
+    }
+  }
+
+  /** The question that waits for an answer; empty for none. */
+  Optional<String> question() {
+    return asking.map(
+        state ->
+            "Go on from "
+                + LookBack.text(state.timeS())
+                + "? The robot is put back to that moment with its time paused. What came after it"
+                + " is given up.");
+  }
+
+  /** What the branch that is on its way does, 0 to 1; empty while there is none. */
+  Optional<Double> progress() {
+    return running.map(Branching::progress);
+  }
+
+  /** The question is answered with yes. */
+  void confirm() {
+    ControllerState from = asking.orElseThrow();
+    asking = Optional.empty();
+    try {
+      Branching begun = branches.begin(from);
+      running = Optional.of(begun);
+      var _ =
+          begun
+              .outcome()
+              .whenCompleteAsync(
+                  (outcome, fault) -> done(begun, Optional.ofNullable(outcome), fault), dispatch);
+    } catch (RerunRefused e) {
+      tell.accept("No branch: " + e.getMessage());
+    }
+    changed.run();
+  }
+
+  /** The question is answered with no, or what is on its way is ended. */
+  void cancel() {
+    asking = Optional.empty();
+    running.ifPresent(Branching::cancel);
+    changed.run();
+  }
+
+  private void done(Branching begun, Optional<Outcome> outcome, Throwable fault) {
+    if (running.equals(Optional.of(begun))) {
+      running = Optional.empty();
+    }
+    if (outcome.isEmpty()) {
+      tell.accept("No branch, an internal error: " + fault);
+    } else {
+      switch (outcome.get()) {
+        case Outcome.Branched branched -> {
+          lookBack.live();
+          tell.accept(
+              "The robot is at "
+                  + LookBack.text(begun.frame() / (double) FrameTime.FRAMES_PER_SECOND)
+                  + " again, and its time is paused: change something, then let time go on");
+        }
+        case Outcome.Refused refused -> tell.accept("No branch: " + refused.reason());
+        case Outcome.Cancelled cancelled -> tell.accept("The branch was cancelled");
+      }
+    }
+    changed.run();
+  }
+}

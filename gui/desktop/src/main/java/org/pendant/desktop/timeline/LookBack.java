@@ -1,0 +1,298 @@
+package org.pendant.desktop.timeline;
+
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.motion.FrameTime;
+import org.pendant.recording.RecordedProgram;
+import org.pendant.recording.Recording;
+import org.pendant.recording.RecordingMark;
+
+/**
+ * Which moment people look at: now, one of what the controller has just done, or one of a file. The
+ * controller goes on meanwhile. Only the dispatch thread calls it.
+ */
+public final class LookBack {
+  /** How much the timeline shows at first, s. */
+  private static final double FIRST_WIDTH_S = 60;
+
+  private final Supplier<Recording> ring;
+  private final Consumer<String> tell;
+  private final List<Runnable> listeners = new ArrayList<>();
+  private Optional<Opened> file = Optional.empty();
+  private Recording recording;
+  private OptionalLong frame = OptionalLong.empty();
+  private Optional<ControllerState> past = Optional.empty();
+  private double liveS;
+  private TimeRange range = new TimeRange(0, FIRST_WIDTH_S);
+  private boolean following = true;
+
+  /** A recording of a file. */
+  private record Opened(Recording recording, Path path, List<LogEntry> log) {}
+
+  /**
+   * Looks at now.
+   *
+   * @param ring gives what the controller did, as it is now
+   * @param tell hears what went wrong
+   */
+  public LookBack(Supplier<Recording> ring, Consumer<String> tell) {
+    this.ring = ring;
+    this.tell = tell;
+    recording = ring.get();
+  }
+
+  /** Has {@code listener} run after each change of the moment or of what the timeline shows. */
+  public void addListener(Runnable listener) {
+    listeners.add(listener);
+  }
+
+  private void changed() {
+    listeners.forEach(Runnable::run);
+  }
+
+  /** Takes the newest snapshot; about 30 times a second. */
+  public void take(ControllerState live) {
+    liveS = live.timeS();
+    if (file.isPresent()) {
+      return;
+    }
+    recording = ring.get();
+    if (frame.isPresent() && frame.getAsLong() < recording.firstFrame()) {
+      // The bound of memory has caught up: the oldest that is left is shown.
+      lookAt(recording.firstFrame());
+    }
+    if (following) {
+      follow(range.widthS());
+    }
+  }
+
+  /** Has the newest moment at the right end, or where it comes in an early recording. */
+  private void follow(double widthS) {
+    double toS = Math.max(recording.lastS(), recording.firstS() + widthS);
+    range = new TimeRange(toS - widthS, toS);
+  }
+
+  /** What the timeline is about. */
+  public Recording recording() {
+    return recording;
+  }
+
+  /** Whether the views show something other than now. */
+  public boolean back() {
+    return frame.isPresent();
+  }
+
+  /** Whether that is of a file. */
+  public boolean ofFile() {
+    return file.isPresent();
+  }
+
+  /** The file that is looked at. */
+  Optional<Path> path() {
+    return file.map(Opened::path);
+  }
+
+  /** The log of the file that is looked at; empty for none. */
+  public Optional<List<LogEntry>> log() {
+    return file.map(Opened::log);
+  }
+
+  /** What views shall show: {@code live}, or the moment that people look at. */
+  public ControllerState shown(ControllerState live) {
+    return past.orElse(live);
+  }
+
+  /** The snapshot of the moment that people look at; empty for now. */
+  public Optional<ControllerState> past() {
+    return past;
+  }
+
+  /** When that moment is, robot time in s; empty for now. */
+  public OptionalDouble timeS() {
+    return frame.isPresent()
+        ? OptionalDouble.of(seconds(frame.getAsLong()))
+        : OptionalDouble.empty();
+  }
+
+  private static double seconds(long frame) {
+    return frame / (double) FrameTime.FRAMES_PER_SECOND;
+  }
+
+  /** The text of the program that ran then; empty while none ran, and for now. */
+  public Optional<RecordedProgram> program() {
+    return past.filter(state -> state.program().line() > 0)
+        .flatMap(state -> recording.programAt(seconds(state.frame())));
+  }
+
+  /** What must be read before anybody takes the past for now; empty for now. */
+  public String banner() {
+    if (frame.isEmpty()) {
+      return "";
+    }
+    String at = text(seconds(frame.getAsLong()));
+    return file.map(opened -> "Looking at " + at + " of the recording " + opened.path.getFileName())
+            .orElseGet(() -> "Looking at " + at)
+        + " \u2013 the robot is at "
+        + text(liveS);
+  }
+
+  /** A time as people read it. */
+  static String text(double timeS) {
+    return String.format(Locale.ROOT, "%.3f s", timeS);
+  }
+
+  // --- moving through time
+
+  /** Looks at a time. */
+  public void scrub(double timeS) {
+    if (lookAt(recording.frameAt(timeS))) {
+      following = false;
+      changed();
+    }
+  }
+
+  /** As {@link #scrub}, and has the timeline show it. */
+  public void jump(double timeS) {
+    scrub(timeS);
+    show(timeS);
+  }
+
+  private void show(double timeS) {
+    range = range.showing(timeS).within(recording.firstS(), recording.lastS());
+    changed();
+  }
+
+  private boolean lookAt(long wanted) {
+    long inside = Math.clamp(wanted, recording.firstFrame(), recording.lastFrame());
+    if (past.isPresent() && frame.isPresent() && frame.getAsLong() == inside) {
+      return true;
+    }
+    try {
+      past = Optional.of(recording.atFrame(inside));
+      frame = OptionalLong.of(inside);
+      return true;
+    } catch (UncheckedIOException e) {
+      tell.accept("The recording can no longer be read: " + e.getCause().getMessage());
+      live();
+      return false;
+    }
+  }
+
+  /** Goes on by so many frames of 2 ms, back for fewer than none. */
+  public void step(long frames) {
+    move(frame.orElse(recording.lastFrame()) + frames);
+  }
+
+  private void move(long wanted) {
+    long inside = Math.clamp(wanted, recording.firstFrame(), recording.lastFrame());
+    jump(seconds(inside));
+  }
+
+  /** To the oldest moment. */
+  public void first() {
+    move(recording.firstFrame());
+  }
+
+  /** To the newest moment, which is the past a moment later. */
+  public void last() {
+    move(recording.lastFrame());
+  }
+
+  /**
+   * To the next of {@code marks} after, or the last before, the moment.
+   *
+   * @param marks in the order of time
+   * @return whether there is one
+   */
+  boolean toMark(List<RecordingMark> marks, boolean forward) {
+    long from = frame.orElse(recording.lastFrame());
+    Optional<RecordingMark> found =
+        forward
+            ? marks.stream().filter(mark -> mark.frame() > from).findFirst()
+            : marks.reversed().stream().filter(mark -> mark.frame() < from).findFirst();
+    found.ifPresent(mark -> move(mark.frame()));
+    return found.isPresent();
+  }
+
+  /** Back to now: a file is closed. */
+  public void live() {
+    frame = OptionalLong.empty();
+    past = Optional.empty();
+    following = true;
+    if (file.isPresent()) {
+      file = Optional.empty();
+      range = new TimeRange(0, FIRST_WIDTH_S);
+      recording = ring.get();
+    }
+    changed();
+  }
+
+  /**
+   * Looks at the beginning of a recording of a file.
+   *
+   * @param log all of its log
+   */
+  public void open(Recording opened, Path path, List<LogEntry> log) {
+    file = Optional.of(new Opened(opened, path, log));
+    recording = opened;
+    past = Optional.empty();
+    following = false;
+    range = new TimeRange(opened.firstS(), Math.max(opened.lastS(), opened.firstS() + 1));
+    lookAt(opened.firstFrame());
+    changed();
+  }
+
+  // --- what the timeline shows
+
+  /** The stretch that is shown. */
+  TimeRange range() {
+    return range;
+  }
+
+  /** Shows {@code factor} times as much around a time. */
+  void zoom(double factor, double timeS) {
+    double most = Math.max(FIRST_WIDTH_S, recording.lastS() - recording.firstS());
+    double within = Math.min(factor, most / range.widthS());
+    TimeRange wanted = range.zoomed(within, timeS);
+    if (following) {
+      follow(wanted.widthS());
+    } else {
+      range = wanted.within(recording.firstS(), recording.lastS());
+    }
+    changed();
+  }
+
+  /** Shows what is earlier or later. */
+  void pan(double byS) {
+    TimeRange wanted = range.moved(byS).within(recording.firstS(), recording.lastS());
+    following = !back() && wanted.toS() >= recording.lastS() - wanted.widthS() / 100;
+    range = wanted;
+    changed();
+  }
+
+  /** Shows all there is. */
+  void showAll() {
+    range =
+        new TimeRange(
+            recording.firstS(), Math.max(recording.lastS(), recording.firstS() + TimeRange.MIN_S));
+    changed();
+  }
+
+  /** Why there is nothing to branch from; empty if that is for the controller to say. */
+  String whyNoBranch() {
+    if (ofFile()) {
+      return "A recording of a file cannot be gone on with";
+    }
+    return back() ? "" : "Choose a moment on the timeline first";
+  }
+}

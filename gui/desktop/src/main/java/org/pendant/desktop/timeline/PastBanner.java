@@ -1,0 +1,83 @@
+package org.pendant.desktop.timeline;
+
+import java.awt.Color;
+import java.awt.event.ActionEvent;
+import java.util.Optional;
+import javax.swing.AbstractAction;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.theme.Palette;
+
+/** Stands above the views while they show the past, so that nobody takes it for now. */
+@SuppressWarnings("serial") // never written to a stream
+public final class PastBanner extends JPanel {
+  private final transient LookBack lookBack;
+  private final transient RecordedText text;
+  private final JLabel words = new JLabel();
+  private final JButton live = new JButton("Live");
+  private final JButton recorded = new JButton("Show the text that ran");
+
+  /** Hidden until somebody looks back. */
+  public PastBanner(LookBack lookBack, RecordedText text) {
+    super(new MigLayout("insets 6 12 6 12, gap 8, hidemode 3", "[grow, fill, 0::][][]"));
+    this.lookBack = lookBack;
+    this.text = text;
+    setName("past-banner");
+    words.setName("past-banner-words");
+    live.setName("past-banner-live");
+    live.addActionListener(event -> lookBack.live());
+    recorded.setName("past-banner-text");
+    recorded.setToolTipText("The program has changed since, or is not open");
+    recorded.addActionListener(event -> text.open(this));
+    add(words, "wmin 0");
+    add(recorded);
+    add(live);
+    // Only where nothing else takes the key.
+    getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke("ESCAPE"), "live");
+    getActionMap()
+        .put(
+            "live",
+            new AbstractAction() {
+              @Override
+              public void actionPerformed(ActionEvent event) {
+                lookBack.live();
+              }
+
+              @Override
+              public boolean isEnabled() {
+                return lookBack.back();
+              }
+            });
+    setVisible(false);
+  }
+
+  /**
+   * Shows what is looked at.
+   *
+   * @param elsewhere whether the program that ran then is not what is open now
+   */
+  public void refresh(boolean elsewhere) {
+    setVisible(lookBack.back());
+    text.show(lookBack.back() ? lookBack.program() : Optional.empty(), lookBack.past());
+    if (!lookBack.back()) {
+      return;
+    }
+    Color color = Palette.accent();
+    setBackground(Palette.tint(color, 0.22));
+    setBorder(BorderFactory.createMatteBorder(1, 0, 1, 0, color));
+    if (!words.getText().equals(lookBack.banner())) {
+      words.setText(lookBack.banner());
+      words.setToolTipText(lookBack.banner());
+      words.getAccessibleContext().setAccessibleName(lookBack.banner());
+    }
+    live.setText(lookBack.ofFile() ? "Back to the robot" : "Live");
+    live.setToolTipText("Back to what the robot does now (Esc)");
+    live.getAccessibleContext().setAccessibleName(live.getText());
+    recorded.setVisible(elsewhere);
+  }
+}

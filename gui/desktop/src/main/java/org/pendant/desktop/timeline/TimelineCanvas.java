@@ -1,0 +1,179 @@
+package org.pendant.desktop.timeline;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Cursor;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Point;
+import java.awt.RenderingHints;
+import java.awt.event.ActionEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
+import javax.swing.AbstractAction;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+import javax.swing.ToolTipManager;
+
+/** The tracks over time; the mouse and keys move through it. */
+@SuppressWarnings("serial") // never written to a stream
+final class TimelineCanvas extends JComponent {
+  /** Frames of 2 ms that make 100 ms. */
+  private static final int LONG_STEP = 50;
+
+  private static final double ZOOM = 1.25;
+
+  private final LookBack lookBack;
+  private final TimelinePainter painter = new TimelinePainter();
+  private Tracks tracks = Tracks.NONE;
+
+  TimelineCanvas(LookBack lookBack) {
+    this.lookBack = lookBack;
+    setName("timeline-canvas");
+    setFocusable(true);
+    setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
+    ToolTipManager.sharedInstance().registerComponent(this);
+    Mouse mouse = new Mouse();
+    addMouseListener(mouse);
+    addMouseMotionListener(mouse);
+    addMouseWheelListener(mouse);
+    key("LEFT", () -> lookBack.step(-1));
+    key("RIGHT", () -> lookBack.step(1));
+    key("shift LEFT", () -> lookBack.step(-LONG_STEP));
+    key("shift RIGHT", () -> lookBack.step(LONG_STEP));
+    key("control LEFT", () -> toMark(false));
+    key("control RIGHT", () -> toMark(true));
+    key("HOME", lookBack::first);
+    key("END", lookBack::last);
+    key("ESCAPE", lookBack::live);
+    key("PLUS", () -> zoom(1 / ZOOM));
+    key("ADD", () -> zoom(1 / ZOOM));
+    key("EQUALS", () -> zoom(1 / ZOOM));
+    key("MINUS", () -> zoom(ZOOM));
+    key("SUBTRACT", () -> zoom(ZOOM));
+  }
+
+  private void key(String keys, Runnable run) {
+    getInputMap().put(KeyStroke.getKeyStroke(keys), keys);
+    getActionMap()
+        .put(
+            keys,
+            new AbstractAction() {
+              @Override
+              public void actionPerformed(ActionEvent event) {
+                run.run();
+              }
+            });
+  }
+
+  /** To a neighbouring mark, if there is one. */
+  void toMark(boolean forward) {
+    lookBack.toMark(tracks.marks(), forward);
+  }
+
+  private void zoom(double factor) {
+    TimeRange range = lookBack.range();
+    lookBack.zoom(factor, lookBack.timeS().orElse(range.toS()));
+  }
+
+  void show(Tracks found) {
+    tracks = found;
+    repaint();
+  }
+
+  /** How finely tracks can be shown. */
+  int buckets() {
+    return painter.plotWidth(getWidth());
+  }
+
+  private double timeAt(int x) {
+    return lookBack.range().timeS((x - painter.left()) / (double) Math.max(1, buckets()));
+  }
+
+  @Override
+  public Dimension getPreferredSize() {
+    return new Dimension(UIScale.scale(480), painter.height(getFontMetrics(getFont())));
+  }
+
+  @Override
+  public Dimension getMinimumSize() {
+    return new Dimension(UIScale.scale(120), UIScale.scale(60));
+  }
+
+  @Override
+  public String getToolTipText(MouseEvent event) {
+    double near = 4 * lookBack.range().widthS() / Math.max(1, buckets());
+    return tracks.about(timeAt(event.getX()), near);
+  }
+
+  @Override
+  public Point getToolTipLocation(MouseEvent event) {
+    return new Point(event.getX() + UIScale.scale(12), event.getY() + UIScale.scale(12));
+  }
+
+  @Override
+  protected void paintComponent(Graphics graphics) {
+    Graphics2D pen = (Graphics2D) graphics.create();
+    pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    pen.setFont(getFont());
+    painter.paint(pen, getSize(), tracks, lookBack, isFocusOwner());
+    pen.dispose();
+  }
+
+  @Override
+  public AccessibleContext getAccessibleContext() {
+    if (accessibleContext == null) {
+      accessibleContext =
+          new AccessibleJComponent() {
+            @Override
+            public AccessibleRole getAccessibleRole() {
+              return AccessibleRole.SLIDER;
+            }
+
+            @Override
+            public String getAccessibleName() {
+              return lookBack.back() ? lookBack.banner() : "Timeline, at now";
+            }
+          };
+    }
+    return accessibleContext;
+  }
+
+  private final class Mouse extends MouseAdapter {
+    private int dragX;
+    private boolean panning;
+
+    @Override
+    public void mousePressed(MouseEvent event) {
+      requestFocusInWindow();
+      dragX = event.getX();
+      panning = !SwingUtilities.isLeftMouseButton(event) || event.isShiftDown();
+      if (!panning) {
+        lookBack.scrub(timeAt(event.getX()));
+      }
+    }
+
+    @Override
+    public void mouseDragged(MouseEvent event) {
+      if (panning) {
+        lookBack.pan((dragX - event.getX()) * lookBack.range().widthS() / Math.max(1, buckets()));
+        dragX = event.getX();
+      } else {
+        lookBack.scrub(timeAt(event.getX()));
+      }
+    }
+
+    @Override
+    public void mouseWheelMoved(MouseWheelEvent event) {
+      if (event.isShiftDown()) {
+        lookBack.pan(event.getPreciseWheelRotation() * lookBack.range().widthS() / 10);
+      } else {
+        lookBack.zoom(Math.pow(ZOOM, event.getPreciseWheelRotation()), timeAt(event.getX()));
+      }
+    }
+  }
+}

@@ -1,0 +1,338 @@
+package org.pendant.desktop.timeline;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+import java.util.Locale;
+import org.pendant.kit.theme.Palette;
+import org.pendant.recording.ColumnTrace;
+import org.pendant.recording.RecordingMark;
+
+/** Draws a timeline: names at the left, time above, a row for each track. */
+final class TimelinePainter {
+  private static final List<String> ROWS =
+      List.of("Program", "Marks", "Inputs", "Outputs", "TCP speed");
+
+  /** Height of each row in heights of a line of text. */
+  private static final double[] HEIGHTS = {1.35, 1.2, 0.7, 0.7, 2.4};
+
+  /** At this speed the curve is as high as its row, m/s, unless something was faster. */
+  private static final double MIN_TOP_M_PER_S = 0.25;
+
+  private int left = UIScale.scale(84);
+
+  /** Where time begins, in pixels. */
+  int left() {
+    return left;
+  }
+
+  int plotWidth(int width) {
+    return width - left - UIScale.scale(12);
+  }
+
+  /** The height that all rows need. */
+  int height(FontMetrics metrics) {
+    double lines = 1.5;
+    for (double each : HEIGHTS) {
+      lines += each;
+    }
+    return (int) Math.ceil(lines * metrics.getHeight()) + (ROWS.size() + 1) * gap();
+  }
+
+  private static int gap() {
+    return UIScale.scale(4);
+  }
+
+  void paint(Graphics2D pen, Dimension size, Tracks tracks, LookBack at, boolean focused) {
+    pen.setRenderingHint(
+        RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+    pen.setColor(Palette.card());
+    pen.fillRect(0, 0, size.width, size.height);
+    FontMetrics metrics = pen.getFontMetrics();
+    left = 2 * gap() + ROWS.stream().mapToInt(metrics::stringWidth).max().orElse(0) + gap();
+    int width = plotWidth(size.width);
+    if (width < 1) {
+      return;
+    }
+    Sheet sheet = new Sheet(pen, at.range(), left, width, metrics);
+    double y = axis(sheet, size.height, at);
+    double[] heights = heights(size.height - y, metrics.getHeight());
+    for (int row = 0; row < ROWS.size(); row++) {
+      double height = heights[row];
+      label(sheet, ROWS.get(row), y, height);
+      pen.setClip(left, 0, width + 1, size.height);
+      row(sheet, row, tracks, y, height);
+      pen.setClip(null);
+      y += height + gap();
+    }
+    cursor(sheet, size, at, focused);
+  }
+
+  /** The last row takes what is left; where there is little, all get less. */
+  private static double[] heights(double room, int lineHeight) {
+    double[] heights = new double[HEIGHTS.length];
+    double gaps = (double) HEIGHTS.length * gap();
+    double rest = 0;
+    for (int i = 0; i < heights.length - 1; i++) {
+      rest += HEIGHTS[i] * lineHeight;
+    }
+    double scale = Math.clamp((room - gaps) / (rest + lineHeight), 0.3, 1);
+    for (int i = 0; i < heights.length - 1; i++) {
+      heights[i] = scale * HEIGHTS[i] * lineHeight;
+    }
+    heights[heights.length - 1] = Math.max(scale * lineHeight, room - gaps - scale * rest);
+    return heights;
+  }
+
+  /** Where things are drawn. */
+  private record Sheet(Graphics2D pen, TimeRange range, int left, int width, FontMetrics metrics) {
+    double x(double timeS) {
+      return left + range.share(timeS) * width;
+    }
+
+    boolean sees(double fromS, double toS) {
+      return toS >= range.fromS() && fromS <= range.toS();
+    }
+  }
+
+  private static void label(Sheet sheet, String text, double y, double height) {
+    sheet.pen.setColor(Palette.quiet());
+    double base = y + (height + sheet.metrics.getAscent() - sheet.metrics.getDescent()) / 2;
+    sheet.pen.drawString(text, 2 * gap(), (float) base);
+  }
+
+  private static double axis(Sheet sheet, int height, LookBack at) {
+    Graphics2D pen = sheet.pen;
+    double unit =
+        unit(sheet.range.widthS() * sheet.metrics.stringWidth("0000.000 s  ") / sheet.width);
+    double bottom = 1.5 * sheet.metrics.getHeight();
+    // What is not held any more, or has not come yet, is dimmer.
+    double fromX = Math.max(sheet.left, sheet.x(at.recording().firstS()));
+    double toX = Math.min(sheet.left + (double) sheet.width, sheet.x(at.recording().lastS()));
+    pen.setColor(Palette.tint(Palette.quiet(), 0.08));
+    pen.fill(new Rectangle2D.Double(sheet.left, bottom, sheet.width, height - bottom - gap()));
+    if (toX > fromX) {
+      pen.setColor(Palette.card());
+      pen.fill(new Rectangle2D.Double(fromX, bottom, toX - fromX, height - bottom - gap()));
+    }
+    int decimals = unit >= 1 ? 0 : unit >= 0.1 ? 1 : unit >= 0.01 ? 2 : 3;
+    for (double i = Math.ceil(sheet.range.fromS() / unit); i * unit <= sheet.range.toS(); i++) {
+      double timeS = i * unit;
+      double x = sheet.x(timeS);
+      pen.setColor(Palette.line());
+      pen.draw(new Line2D.Double(x, bottom - gap(), x, height - (double) gap()));
+      if (timeS > -unit / 2) {
+        String text = String.format(Locale.ROOT, "%." + decimals + "f s", Math.max(0, timeS));
+        double textX =
+            Math.min(x + gap() / 2.0, sheet.left + sheet.width - sheet.metrics.stringWidth(text));
+        pen.setColor(Palette.quiet());
+        pen.drawString(text, (float) textX, sheet.metrics.getAscent() + gap() / 2f);
+      }
+    }
+    return bottom + gap();
+  }
+
+  /** The next of 1, 2, 5 times a power of ten. */
+  private static double unit(double least) {
+    double power = Math.pow(10, Math.floor(Math.log10(least)));
+    for (double each : new double[] {1, 2, 5}) {
+      if (each * power >= least) {
+        return Math.max(0.002, each * power);
+      }
+    }
+    return Math.max(0.002, 10 * power);
+  }
+
+  private static void row(Sheet sheet, int row, Tracks tracks, double y, double height) {
+    switch (row) {
+      case 0 -> programs(sheet, tracks, y, height);
+      case 1 -> marks(sheet, tracks, y, height);
+      case 2 -> edges(sheet, tracks.inputs(), Palette.series(0), y, height);
+      case 3 -> edges(sheet, tracks.outputs(), Palette.series(1), y, height);
+      default -> tracks.speedMPerS().ifPresent(speed -> speed(sheet, speed, y, height));
+    }
+  }
+
+  private static void programs(Sheet sheet, Tracks tracks, double y, double height) {
+    for (Tracks.Run run : tracks.runs()) {
+      if (sheet.sees(run.fromS(), run.toS())) {
+        Color color = run.failed() ? Palette.error() : Palette.ok();
+        Rectangle2D bar = bar(sheet, run.fromS(), run.toS(), y, height);
+        sheet.pen.setColor(Palette.tint(color, 0.25));
+        sheet.pen.fill(bar);
+        sheet.pen.setColor(color);
+        sheet.pen.draw(bar);
+      }
+    }
+    for (Tracks.Bar pause : tracks.pauses()) {
+      sheet.pen.setColor(Palette.tint(Palette.warning(), 0.5));
+      sheet.pen.fill(bar(sheet, pause.fromS(), pause.toS(), y + 1, height - 2));
+    }
+    for (Tracks.Run run : tracks.runs()) {
+      if (sheet.sees(run.fromS(), run.toS())) {
+        name(sheet, run, y, height);
+      }
+    }
+  }
+
+  /** The name of a program, as far as there is room. */
+  private static void name(Sheet sheet, Tracks.Run run, double y, double height) {
+    double from = Math.max(sheet.left, sheet.x(run.fromS())) + gap();
+    double room = Math.min(sheet.left + (double) sheet.width, sheet.x(run.toS())) - gap() - from;
+    String text = run.name();
+    while (text.length() > 1 && sheet.metrics.stringWidth(text + "\u2026") > room) {
+      text = text.substring(0, text.length() - 1);
+    }
+    if (text.length() < 2 && !text.equals(run.name())) {
+      return;
+    }
+    String shown = text.equals(run.name()) ? text : text + "\u2026";
+    if (sheet.metrics.stringWidth(shown) <= room) {
+      sheet.pen.setColor(run.failed() ? Palette.error() : Palette.ok());
+      double base = y + (height + sheet.metrics.getAscent() - sheet.metrics.getDescent()) / 2;
+      sheet.pen.drawString(shown, (float) from, (float) base);
+    }
+  }
+
+  private static Rectangle2D bar(Sheet sheet, double fromS, double toS, double y, double height) {
+    double from = Math.max(sheet.left - 2.0, sheet.x(fromS));
+    double to = Math.min(sheet.left + sheet.width + 2.0, sheet.x(toS));
+    return new Rectangle2D.Double(from, y, Math.max(1, to - from), height);
+  }
+
+  private static void marks(Sheet sheet, Tracks tracks, double y, double height) {
+    for (double timeS : tracks.warningsS()) {
+      if (sheet.sees(timeS, timeS)) {
+        diamond(sheet, timeS, y, height, Palette.warning());
+      }
+    }
+    for (RecordingMark mark : tracks.marks()) {
+      if (!sheet.sees(mark.timeS(), mark.timeS())) {
+        continue;
+      }
+      switch (mark.kind()) {
+        case PROGRAM_STARTED, PROGRAM_ENDED -> {}
+        case LABEL -> tick(sheet, mark.timeS(), y, height, Palette.quiet());
+        case MESSAGE -> diamond(sheet, mark.timeS(), y, height, Palette.accent());
+        case ERROR, PROGRAM_FAILED -> diamond(sheet, mark.timeS(), y, height, Palette.error());
+        case PROTECTIVE_STOP, SAFETY_STOP -> stop(sheet, mark.timeS(), y, height);
+      }
+    }
+  }
+
+  private static void tick(Sheet sheet, double timeS, double y, double height, Color color) {
+    double x = sheet.x(timeS);
+    sheet.pen.setColor(color);
+    sheet.pen.draw(new Line2D.Double(x, y + height * 0.55, x, y + height));
+  }
+
+  private static void diamond(Sheet sheet, double timeS, double y, double height, Color color) {
+    double x = sheet.x(timeS);
+    double r = height * 0.32;
+    double middle = y + height / 2;
+    Path2D shape = new Path2D.Double();
+    shape.moveTo(x, middle - r);
+    shape.lineTo(x + r, middle);
+    shape.lineTo(x, middle + r);
+    shape.lineTo(x - r, middle);
+    shape.closePath();
+    sheet.pen.setColor(color);
+    sheet.pen.fill(shape);
+  }
+
+  /** An octagon, as on the road. */
+  private static void stop(Sheet sheet, double timeS, double y, double height) {
+    double x = sheet.x(timeS);
+    double r = height * 0.48;
+    Path2D shape = new Path2D.Double();
+    for (int i = 0; i < 8; i++) {
+      double angle = Math.PI / 8 + i * Math.PI / 4;
+      double px = x + r * Math.cos(angle);
+      double py = y + height / 2 + r * Math.sin(angle);
+      if (i == 0) {
+        shape.moveTo(px, py);
+      } else {
+        shape.lineTo(px, py);
+      }
+    }
+    shape.closePath();
+    sheet.pen.setColor(Palette.error());
+    sheet.pen.fill(shape);
+  }
+
+  private static void edges(
+      Sheet sheet, List<Tracks.Bar> edges, Color color, double y, double height) {
+    sheet.pen.setColor(Palette.line());
+    double base = y + height;
+    sheet.pen.draw(new Line2D.Double(sheet.left, base, sheet.left + sheet.width, base));
+    sheet.pen.setColor(color);
+    for (Tracks.Bar each : edges) {
+      if (sheet.sees(each.fromS(), each.toS())) {
+        sheet.pen.fill(bar(sheet, each.fromS(), each.toS(), y, height));
+      }
+    }
+  }
+
+  private static void speed(Sheet sheet, ColumnTrace speed, double y, double height) {
+    double top = MIN_TOP_M_PER_S;
+    for (int i = 0; i < speed.size(); i++) {
+      top = speed.highest(i) > top ? speed.highest(i) : top;
+    }
+    Path2D curve = new Path2D.Double();
+    boolean drawing = false;
+    for (int i = 0; i < speed.size(); i++) {
+      if (Double.isNaN(speed.highest(i))) {
+        drawing = false;
+        continue;
+      }
+      double x = sheet.x(speed.timeS(i));
+      double at = y + height * (1 - speed.highest(i) / top);
+      if (drawing) {
+        curve.lineTo(x, at);
+      } else {
+        curve.moveTo(x, at);
+      }
+      drawing = true;
+    }
+    sheet.pen.setColor(Palette.series(2));
+    sheet.pen.setStroke(new BasicStroke(UIScale.scale(1.3f)));
+    sheet.pen.draw(curve);
+    sheet.pen.setStroke(new BasicStroke(1));
+    sheet.pen.setColor(Palette.quiet());
+    String text = String.format(Locale.ROOT, "%.0f mm/s", 1000 * top);
+    double base = y + (height + sheet.metrics.getAscent() - sheet.metrics.getDescent()) / 2;
+    // Below the name of the row, where there is room.
+    if (height > 2 * sheet.metrics.getHeight()) {
+      sheet.pen.setClip(null);
+      sheet.pen.drawString(text, 2 * gap(), (float) (base + sheet.metrics.getHeight()));
+    }
+  }
+
+  private static void cursor(Sheet sheet, Dimension size, LookBack at, boolean focused) {
+    double timeS = at.timeS().orElse(at.recording().lastS());
+    if (!sheet.sees(timeS, timeS)) {
+      return;
+    }
+    double x = sheet.x(timeS);
+    Color color = at.back() ? Palette.accent() : Palette.quiet();
+    sheet.pen.setColor(color);
+    sheet.pen.setStroke(new BasicStroke(UIScale.scale(focused ? 2f : 1.5f)));
+    sheet.pen.draw(new Line2D.Double(x, 0, x, size.height));
+    if (at.back()) {
+      String text = LookBack.text(timeS);
+      double width = sheet.metrics.stringWidth(text) + 2.0 * gap();
+      double from = Math.clamp(x - width / 2, sheet.left, Math.max(sheet.left, size.width - width));
+      sheet.pen.fill(new Rectangle2D.Double(from, 0, width, sheet.metrics.getHeight() + 2.0));
+      sheet.pen.setColor(Palette.card());
+      sheet.pen.drawString(text, (float) (from + gap()), sheet.metrics.getAscent() + 1f);
+    }
+  }
+}

@@ -1,0 +1,294 @@
+package org.pendant.desktop.timeline;
+
+import java.awt.BorderLayout;
+import java.awt.CardLayout;
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.Branching;
+import org.pendant.desktop.session.Session;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.export.SaveDialog;
+import org.pendant.kit.export.SaveRequest;
+import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.Palette;
+import org.pendant.recording.Recording;
+import org.pendant.recording.RecordingExport;
+import org.pendant.recording.RecordingFile;
+import org.pendant.recording.replay.RerunRefused;
+
+/** The panel with what the robot did over time. */
+public final class TimelineView implements View {
+  /** Its name in settings and commands. */
+  public static final String ID = "timeline";
+
+  private static final int THOUSAND = 1000;
+
+  private final Workbench workbench;
+  private final LookBack lookBack;
+  private final BranchControl branch;
+  private final TimelineCanvas canvas;
+  private final TrackWatch watch;
+  private final CardLayout cards = new CardLayout();
+  private final JPanel head = new JPanel(cards);
+  private final JPanel content = new JPanel(new BorderLayout());
+  private final JButton live = button("live", "Live", "Back to what the robot does now (Esc)");
+  private final JButton branchButton = button("branch", "Branch from here\u2026", "");
+  private final JLabel question = new JLabel();
+  private final JButton yes = button("branch-yes", "Branch", "Goes on from that moment");
+  private final JProgressBar progress = new JProgressBar(0, THOUSAND);
+
+  /**
+   * The timeline of the session.
+   *
+   * @param lookBack what the other views show
+   * @param chooseFile asks for a recording to open
+   */
+  public TimelineView(Workbench workbench, LookBack lookBack, Runnable chooseFile) {
+    this.workbench = workbench;
+    this.lookBack = lookBack;
+    branch =
+        new BranchControl(
+            lookBack,
+            new SessionBranches(workbench.session()),
+            EventQueue::invokeLater,
+            workbench::notify,
+            this::showBranch);
+    canvas = new TimelineCanvas(lookBack);
+    watch = new TrackWatch(canvas::show);
+    content.setName("timeline-view");
+    content.getAccessibleContext().setAccessibleName(title());
+    head.add(bar(chooseFile), "bar");
+    head.add(asking(), "asking");
+    head.add(running(), "running");
+    content.add(head, BorderLayout.NORTH);
+    content.add(canvas, BorderLayout.CENTER);
+    content.setBorder(BorderFactory.createEmptyBorder());
+    declareActions(chooseFile);
+    lookBack.addListener(this::show);
+    show();
+  }
+
+  private record SessionBranches(Session session) implements BranchControl.Branches {
+    @Override
+    public Optional<String> refusal(long frame) {
+      return session.branchRefusal(frame);
+    }
+
+    @Override
+    public Branching begin(ControllerState recorded) throws RerunRefused {
+      return session.branch(recorded);
+    }
+  }
+
+  private static JButton button(String name, String text, String tip) {
+    JButton button = new JButton(text);
+    button.setName("timeline-" + name);
+    button.setToolTipText(tip.isEmpty() ? text : tip);
+    button.getAccessibleContext().setAccessibleName(text);
+    return button;
+  }
+
+  private static JButton button(String name, String text, String tip, Runnable run) {
+    JButton button = button(name, text, tip);
+    button.addActionListener(event -> run.run());
+    return button;
+  }
+
+  private JPanel bar(Runnable chooseFile) {
+    JPanel bar = new JPanel(new WrappingRow(6));
+    live.addActionListener(event -> lookBack.live());
+    branchButton.addActionListener(event -> branch.ask());
+    bar.add(live);
+    bar.add(
+        button(
+            "mark-before",
+            "\u2039 Mark",
+            "To the last mark before: start, end, stop, message (Ctrl+Left)",
+            () -> canvas.toMark(false)));
+    bar.add(
+        button(
+            "mark-after",
+            "Mark \u203a",
+            "To the next mark: start, end, stop, message (Ctrl+Right)",
+            () -> canvas.toMark(true)));
+    bar.add(button("all", "Whole", "Shows all that is kept", lookBack::showAll));
+    bar.add(branchButton);
+    bar.add(
+        button(
+            "export", "Export\u2026", "Saves the stretch that is shown as a file", this::export));
+    bar.add(button("open", "Open recording\u2026", "Shows a recording of a file", chooseFile));
+    return bar;
+  }
+
+  private JPanel asking() {
+    JPanel row = new JPanel(new MigLayout("insets 6, gap 8", "[grow, fill, 0::][][]"));
+    question.setName("timeline-question");
+    row.add(question, "wmin 0");
+    yes.addActionListener(event -> branch.confirm());
+    row.add(yes);
+    row.add(button("branch-no", "Cancel", "Leaves everything as it is", branch::cancel));
+    return row;
+  }
+
+  private JPanel running() {
+    JPanel row = new JPanel(new MigLayout("insets 6, gap 8", "[][grow, fill, 0::][]"));
+    progress.setName("timeline-progress");
+    progress.getAccessibleContext().setAccessibleName("Progress of the branch");
+    row.add(new JLabel("The run is repeated up to that moment"));
+    row.add(progress);
+    row.add(button("branch-cancel", "Cancel", "Leaves everything as it is", branch::cancel));
+    return row;
+  }
+
+  private void declareActions(Runnable chooseFile) {
+    var actions = workbench.actions();
+    actions.add(
+        new Action(ID + ".live", "Timeline: back to now", "", lookBack::back, lookBack::live));
+    actions.add(
+        Action.of(
+            ID + ".mark-before", "Timeline: to the mark before", "", () -> canvas.toMark(false)));
+    actions.add(
+        Action.of(ID + ".mark-after", "Timeline: to the next mark", "", () -> canvas.toMark(true)));
+    actions.add(
+        Action.of(ID + ".export", "Timeline: export what it shows\u2026", "", this::export));
+    actions.add(
+        new Action(
+            ID + ".branch",
+            "Timeline: branch from here\u2026",
+            "",
+            () -> branch.whyNot().isEmpty(),
+            () -> {
+              workbench.show(ID);
+              branch.ask();
+            }));
+    actions.add(Action.of("file.open-recording", "Open recording\u2026", "", chooseFile));
+  }
+
+  /**
+   * Opens a recording; it is read elsewhere.
+   *
+   * @param trouble hears why it cannot be opened, or that it is not whole
+   */
+  public void open(Path file, Consumer<String> trouble) {
+    Thread.ofVirtual()
+        .name("recording")
+        .start(
+            () -> {
+              try {
+                RecordingFile.Opened opened = RecordingFile.open(file);
+                Recording recording = opened.recording();
+                List<LogEntry> log = recording.log(recording.firstS(), recording.lastS());
+                EventQueue.invokeLater(
+                    () -> {
+                      opened.warning().ifPresent(trouble);
+                      lookBack.open(recording, file, log);
+                      workbench.show(ID);
+                    });
+              } catch (UncheckedIOException e) {
+                String why = FileTrouble.reason(e.getCause());
+                EventQueue.invokeLater(() -> trouble.accept("Not opened: " + file + ": " + why));
+              } catch (IOException e) {
+                String why = FileTrouble.reason(e);
+                EventQueue.invokeLater(() -> trouble.accept("Not opened: " + file + ": " + why));
+              }
+            });
+  }
+
+  /** Whether a file is a recording, by its name. */
+  public static boolean isRecording(Path file) {
+    return file.toString().toLowerCase(Locale.ROOT).endsWith(".rec");
+  }
+
+  private void export() {
+    Recording recording = lookBack.recording();
+    List<Path> inUse = new ArrayList<>(workbench.openFiles());
+    lookBack.path().ifPresent(inUse::add);
+    TimeRange range = lookBack.range();
+    double fromS = Math.max(range.fromS(), recording.firstS());
+    double toS = Math.min(range.toS(), recording.lastS());
+    SaveDialog.open(
+        content,
+        new SaveRequest(
+            "Export " + LookBack.text(fromS) + " to " + LookBack.text(toS),
+            Path.of("run.rec"),
+            List.of("rec", "csv"),
+            inUse),
+        file -> {
+          if (isRecording(file)) {
+            RecordingExport.toRec(recording, fromS, toS, file);
+          } else {
+            RecordingExport.toCsv(recording, fromS, toS, file);
+          }
+        },
+        workbench::notify);
+  }
+
+  private void show() {
+    live.setEnabled(lookBack.back());
+    live.setText(lookBack.ofFile() ? "Back to the robot" : "Live");
+    live.getAccessibleContext().setAccessibleName(live.getText());
+    String why = branch.whyNot();
+    branchButton.setEnabled(why.isEmpty());
+    branchButton.setToolTipText(
+        why.isEmpty() ? "Puts the robot back to this moment, to go on otherwise" : why);
+    canvas.repaint();
+  }
+
+  private void showBranch() {
+    question.setText(branch.question().orElse(""));
+    question.setToolTipText(question.getText());
+    question.setForeground(Palette.warning());
+    cards.show(
+        head,
+        branch.question().isPresent()
+            ? "asking"
+            : branch.progress().isPresent() ? "running" : "bar");
+    show();
+    if (branch.question().isPresent()) {
+      yes.requestFocusInWindow();
+    } else if (content.isShowing()) {
+      canvas.requestFocusInWindow();
+    }
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Timeline";
+  }
+
+  @Override
+  public JComponent component() {
+    return content;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    branch.progress().ifPresent(share -> progress.setValue((int) (THOUSAND * share)));
+    watch.look(lookBack.recording(), lookBack.range(), canvas.buckets());
+    canvas.repaint();
+  }
+}

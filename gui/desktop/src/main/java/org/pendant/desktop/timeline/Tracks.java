@@ -1,0 +1,190 @@
+package org.pendant.desktop.timeline;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.io.SignalBank;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.language.source.ByteText;
+import org.pendant.recording.Column;
+import org.pendant.recording.ColumnTrace;
+import org.pendant.recording.Recording;
+import org.pendant.recording.RecordingMark;
+
+/**
+ * What a timeline draws of a stretch of a recording.
+ *
+ * @param range the stretch
+ * @param runs programs, also those that reach out of the stretch
+ * @param pauses where a program was paused
+ * @param marks of the whole recording, in the order of time
+ * @param warningsS when the log had a warning, s
+ * @param inputs where a digital input changed
+ * @param outputs where a digital output changed
+ * @param speedMPerS how fast the TCP went
+ */
+record Tracks(
+    TimeRange range,
+    List<Run> runs,
+    List<Bar> pauses,
+    List<RecordingMark> marks,
+    List<Double> warningsS,
+    List<Bar> inputs,
+    List<Bar> outputs,
+    Optional<ColumnTrace> speedMPerS) {
+  /** Nothing was looked at yet. */
+  static final Tracks NONE =
+      new Tracks(
+          new TimeRange(0, 1),
+          List.of(),
+          List.of(),
+          List.of(),
+          List.of(),
+          List.of(),
+          List.of(),
+          Optional.empty());
+
+  /** More cannot be told from each other. */
+  private static final int MAX_WARNINGS = 2000;
+
+  private static final double PAUSED = 2;
+
+  /** A stretch of time, s. */
+  record Bar(double fromS, double toS) {}
+
+  /** A program from its start to its end. */
+  record Run(double fromS, double toS, String name, boolean failed) {
+    Run endedBy(double timeS) {
+      return new Run(fromS, Math.min(toS, timeS), name, failed);
+    }
+  }
+
+  /**
+   * Looks at a stretch; too slow for the dispatch thread.
+   *
+   * @param buckets how finely, such as one for each pixel
+   */
+  static Tracks of(Recording recording, TimeRange range, int buckets) {
+    List<RecordingMark> marks = recording.marks();
+    double fromS = range.fromS();
+    double toS = range.toS();
+    return new Tracks(
+        range,
+        runs(marks, recording.firstS(), recording.lastS(), startedBefore(recording)),
+        pauses(recording.scan(Column.programState(), fromS, toS, buckets)),
+        marks,
+        warnings(recording, fromS, toS),
+        edges(recording, range, buckets, true),
+        edges(recording, range, buckets, false),
+        Optional.of(recording.scan(Column.tcpSpeed(), fromS, toS, buckets)));
+  }
+
+  /** What there is at a time, in words. */
+  String about(double timeS, double nearS) {
+    StringBuilder about = new StringBuilder(LookBack.text(timeS));
+    for (RecordingMark mark : marks) {
+      if (Math.abs(mark.timeS() - timeS) <= nearS) {
+        return LookBack.text(mark.timeS()) + ": " + words(mark);
+      }
+    }
+    for (Run run : runs) {
+      if (run.fromS <= timeS && timeS <= run.toS) {
+        about.append(": ").append(run.name).append(" runs");
+      }
+    }
+    return about.toString();
+  }
+
+  private static String words(RecordingMark mark) {
+    String text = ByteText.decoded(mark.text());
+    String what =
+        switch (mark.kind()) {
+          case PROGRAM_STARTED -> text + " starts";
+          case PROGRAM_ENDED -> text + " ends";
+          case PROGRAM_FAILED -> "the program fails: " + text;
+          case LABEL, PROTECTIVE_STOP, SAFETY_STOP, ERROR -> text;
+          case MESSAGE -> "message: " + text;
+        };
+    return mark.line() > 0 ? what + " (line " + mark.line() + ")" : what;
+  }
+
+  /** The program that ran already when the recording begins. */
+  private static Optional<String> startedBefore(Recording recording) {
+    var first = recording.atFrame(recording.firstFrame()).program();
+    return first.line() > 0 ? Optional.of(ByteText.decoded(first.name())) : Optional.empty();
+  }
+
+  static List<Run> runs(
+      List<RecordingMark> marks, double firstS, double lastS, Optional<String> startedBefore) {
+    List<Run> runs = new ArrayList<>();
+    Optional<Run> open = startedBefore.map(name -> new Run(firstS, lastS, name, false));
+    for (RecordingMark mark : marks) {
+      boolean failed = mark.kind() == RecordingMark.Kind.PROGRAM_FAILED;
+      boolean ended = failed || mark.kind() == RecordingMark.Kind.PROGRAM_ENDED;
+      if (ended) {
+        // A secondary program may have failed before: the last of them ends the bar.
+        open = open.map(run -> new Run(run.fromS, mark.timeS(), run.name, failed));
+      } else if (mark.kind() == RecordingMark.Kind.PROGRAM_STARTED) {
+        open.ifPresent(run -> runs.add(run.endedBy(mark.timeS())));
+        open = Optional.of(new Run(mark.timeS(), lastS, ByteText.decoded(mark.text()), false));
+      }
+    }
+    open.ifPresent(runs::add);
+    return runs;
+  }
+
+  private static List<Bar> pauses(ColumnTrace state) {
+    List<Bar> bars = new ArrayList<>();
+    double fromS = Double.NaN;
+    for (int i = 0; i < state.size(); i++) {
+      boolean paused = state.highest(i) == PAUSED;
+      if (paused && Double.isNaN(fromS)) {
+        fromS = state.timeS(i);
+      } else if (!paused && !Double.isNaN(fromS)) {
+        bars.add(new Bar(fromS, state.timeS(i)));
+        fromS = Double.NaN;
+      }
+    }
+    if (!Double.isNaN(fromS)) {
+      bars.add(new Bar(fromS, state.timeS(state.size())));
+    }
+    return bars;
+  }
+
+  private static List<Double> warnings(Recording recording, double fromS, double toS) {
+    List<Double> times =
+        recording.log(Math.max(fromS, recording.firstS()), toS).stream()
+            .filter(entry -> entry.level() == LogEntry.Level.WARNING)
+            .map(LogEntry::timeS)
+            .filter(timeS -> timeS >= fromS)
+            .toList();
+    return times.subList(Math.max(0, times.size() - MAX_WARNINGS), times.size());
+  }
+
+  private static List<Bar> edges(
+      Recording recording, TimeRange range, int buckets, boolean inputs) {
+    boolean[] changed = new boolean[buckets];
+    for (SignalBank bank : SignalBank.values()) {
+      if (bank != SignalBank.FLAG && bank.input() == inputs) {
+        mark(recording.scan(Column.digital(bank), range.fromS(), range.toS(), buckets), changed);
+      }
+    }
+    double width = range.widthS() / buckets;
+    List<Bar> bars = new ArrayList<>();
+    for (int i = 0; i < buckets; i++) {
+      if (changed[i]) {
+        double fromS = range.fromS() + i * width;
+        bars.add(new Bar(fromS, fromS + width));
+      }
+    }
+    return bars;
+  }
+
+  private static void mark(ColumnTrace levels, boolean[] changed) {
+    for (int i = 0; i < levels.size(); i++) {
+      boolean within = levels.lowest(i) < levels.highest(i);
+      boolean before = i > 0 && Math.abs(levels.last(i) - levels.last(i - 1)) > 0;
+      changed[i] |= within || before;
+    }
+  }
+}

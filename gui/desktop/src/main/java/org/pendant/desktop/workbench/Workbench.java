@@ -1,0 +1,32 @@
+package org.pendant.desktop.workbench;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.pendant.desktop.session.Session;
+import org.pendant.kit.action.Actions;
+import org.pendant.kit.settings.Settings;
+
+/** What views may use of the window around them. Only the dispatch thread calls it. */
+public interface Workbench {
+
+  /** The controller that is worked with. */
+  Session session();
+
+  /** Everything that can be done by key, menu or palette. */
+  Actions actions();
+
+  /** What is remembered from one start to the next. */
+  Settings settings();
+
+  /** Brings a view to the front. */
+  void show(String viewId);
+
+  /** Shows a place of the open program; lines count from 1. */
+  void showSource(int line, int column);
+
+  /** The files of the programs and the installation that are open; nothing is exported to them. */
+  List<Path> openFiles();
+
+  /** Tells something at the edge of the window, without stopping anybody. */
+  void notify(String text);
+}

@@ -1,0 +1,36 @@
+package org.pendant.desktop.editor.text;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+import org.pendant.language.service.Quantity;
+import org.pendant.language.signature.Unit;
+import org.pendant.language.source.SourceRange;
+
+final class QuantityTextTest {
+
+  private static String text(double value, Unit unit) {
+    return QuantityText.of(new Quantity(new SourceRange(0, 1), value, unit, "a"));
+  }
+
+  @Test
+  void anglesAreShownInDegrees() {
+    assertEquals("a: 1.57 rad = 90.0\u00b0", text(1.57, Unit.RADIAN));
+    assertEquals("a: -0.01 rad/s = -0.573\u00b0/s", text(-0.01, Unit.RADIAN_PER_SECOND));
+    assertEquals(
+        "a: 1.4 rad/s\u00b2 = 80.2\u00b0/s\u00b2", text(1.4, Unit.RADIAN_PER_SECOND_SQUARED));
+    assertEquals("a: 180 deg = 3.1416 rad", text(180, Unit.DEGREE));
+  }
+
+  @Test
+  void lengthsAreShownInMillimetres() {
+    assertEquals("a: 0.25 m = 250.0 mm", text(0.25, Unit.METRE));
+    assertEquals("a: 0.5 m/s = 500.0 mm/s", text(0.5, Unit.METRE_PER_SECOND));
+  }
+
+  @Test
+  void otherUnitsStayAsTheyAre() {
+    assertEquals("a: 2.5 kg", text(2.5, Unit.KILOGRAM));
+    assertEquals("a: 0.5 s = 500.0 ms", text(0.5, Unit.SECOND));
+  }
+}

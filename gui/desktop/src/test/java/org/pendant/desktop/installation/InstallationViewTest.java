@@ -1,0 +1,219 @@
+package org.pendant.desktop.installation;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.FlatLightLaf;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.lang.reflect.InvocationTargetException;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import javax.swing.JList;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.installation.ControlHost;
+import org.pendant.controller.installation.Installation;
+import org.pendant.desktop.preview.PreviewWorkbench;
+import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.session.Session;
+
+final class InstallationViewTest {
+  private final ActiveInstallation active = new ActiveInstallation();
+  private Session session;
+  private PreviewWorkbench workbench;
+
+  @BeforeEach
+  void start() {
+    assumeFalse(GraphicsEnvironment.isHeadless(), "there is no display");
+    session = Session.start(ControllerOptions.headless());
+    workbench = new PreviewWorkbench(session);
+  }
+
+  @AfterEach
+  void close() {
+    if (session != null) {
+      session.close();
+    }
+  }
+
+  /** Work on the dispatch thread with the view in a window. */
+  private interface Work {
+    void on(InstallationView view);
+  }
+
+  private void show(Work work) throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          FlatLaf.setup(new FlatLightLaf());
+          InstallationView view = new InstallationView(workbench, active);
+          JFrame frame = new JFrame(view.title());
+          frame.add(view.component());
+          frame.setSize(1024, 700);
+          frame.setVisible(true);
+          try {
+            view.refresh(session.state());
+            work.on(view);
+          } finally {
+            frame.dispose();
+          }
+        });
+  }
+
+  private static List<JComponent> all(Container in) {
+    List<JComponent> found = new ArrayList<>();
+    for (Component each : in.getComponents()) {
+      if (each instanceof JComponent component) {
+        found.add(component);
+        found.addAll(all(component));
+      }
+    }
+    return found;
+  }
+
+  private static <C extends JComponent> C find(InstallationView view, String name, Class<C> kind) {
+    return all(view.component()).stream()
+        .filter(each -> name.equals(each.getName()))
+        .findFirst()
+        .map(kind::cast)
+        .orElseThrow(() -> new AssertionError("there is no " + name));
+  }
+
+  private static void press(InstallationView view, String name) {
+    find(view, name, AbstractButton.class).doClick(0);
+  }
+
+  private static void choose(InstallationView view, String page) {
+    JList<?> pages = find(view, "installation-pages", JList.class);
+    for (int i = 0; i < pages.getModel().getSize(); i++) {
+      if (pages.getModel().getElementAt(i) instanceof Page each && each.id().equals(page)) {
+        pages.setSelectedIndex(i);
+      }
+    }
+  }
+
+  private static void type(InstallationView view, String name, String text) {
+    JTextField field = find(view, name, JTextField.class);
+    field.setText(text);
+    field.postActionEvent();
+  }
+
+  @Test
+  void aTcpIsAddedTypedAndMadeActive() throws InterruptedException, InvocationTargetException {
+    show(
+        view -> {
+          choose(view, "tcp");
+          press(view, "tcp-add-tcp");
+          type(view, "tcp-name", "Gripper");
+          type(view, "tcp-tcp-z", "120");
+          press(view, "tcp-set");
+          Installation now = active.current();
+          assertEquals("Gripper", now.activeTool());
+          assertEquals(0.12, now.activeToolInFlange().z(), 1e-12);
+        });
+  }
+
+  @Test
+  void whatCannotBeIsRefusedAtTheFieldAndChangesNothing()
+      throws InterruptedException, InvocationTargetException {
+    show(
+        view -> {
+          choose(view, "payload");
+          press(view, "payload-add-payload");
+          Installation before = active.current();
+          type(view, "payload-mass", "heavy");
+          assertEquals("'heavy' is not a number in kg", refusal(view, "payload-mass"));
+          type(view, "payload-mass", "500");
+          assertTrue(refusal(view, "payload-mass").startsWith("the mass is 500.0 kg"));
+          assertEquals(before, active.current());
+          type(view, "payload-mass", "1,5");
+          assertEquals(1.5, active.current().payloads().getFirst().massKg());
+        });
+  }
+
+  private static String refusal(InstallationView view, String name) {
+    return find(view, name, EntryField.class).refusal();
+  }
+
+  @Test
+  void aFeatureIsTaughtPointByPoint() throws InterruptedException, InvocationTargetException {
+    show(
+        view -> {
+          choose(view, "features");
+          press(view, "feature-add-line");
+          assertFalse(find(view, "feature-teach-1", AbstractButton.class).isEnabled());
+          press(view, "feature-teach-0");
+          press(view, "feature-teach-1");
+          assertEquals(2, active.current().features().getFirst().points().size());
+          assertEquals(
+              session.state().arm().targetTcpInBase(),
+              active.current().features().getFirst().points().getFirst());
+        });
+  }
+
+  @Test
+  void safetyIsLockedUntilUnlockedAndHoldsWhenApplied()
+      throws InterruptedException, InvocationTargetException {
+    show(
+        view -> {
+          choose(view, "planes");
+          press(view, "planes-unlock");
+          press(view, "plane-add-plane");
+          assertEquals(Installation.NONE, active.current());
+          press(view, "planes-apply");
+          press(view, "planes-apply-really");
+          assertEquals(1, active.current().safety().orElseThrow().planes().size());
+        });
+  }
+
+  @Test
+  void everyControlHasANameForScreenReaders()
+      throws InterruptedException, InvocationTargetException {
+    show(
+        view -> {
+          List<String> nameless =
+              all(view.component()).stream()
+                  .filter(
+                      each ->
+                          each.getName() != null
+                              && (each instanceof AbstractButton
+                                  || each instanceof JTextField
+                                  || each instanceof JComboBox))
+                  .filter(
+                      each -> {
+                        String words = each.getAccessibleContext().getAccessibleName();
+                        return words == null || words.isBlank();
+                      })
+                  .map(Component::getName)
+                  .toList();
+          assertEquals(List.of(), nameless);
+        });
+  }
+
+  @Test
+  void externalControlGetsItsScriptWhereSomebodyTypes() throws Exception {
+    show(
+        view -> {
+          choose(view, "external-control");
+          type(view, "external-control-host", " 10.0.0.7 ");
+          type(view, "external-control-port", "50012");
+          assertEquals(new ControlHost("10.0.0.7", 50012), active.current().controlHost());
+          type(view, "external-control-port", "0");
+          type(view, "external-control-port", "many");
+          type(view, "external-control-host", "my pc");
+          assertEquals(new ControlHost("10.0.0.7", 50012), active.current().controlHost());
+        });
+  }
+}

@@ -1,0 +1,106 @@
+package org.pendant.desktop.log;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.language.source.Source;
+import org.pendant.script.vm.ProgramState;
+
+final class LogMailboxTest {
+  private static final String THREE_MESSAGES =
+      """
+      def three():
+        textmsg("a")
+        sync()
+        textmsg("b")
+        sync()
+        textmsg("c")
+      end
+      """;
+
+  private static Controller running() {
+    Controller controller = new Controller(ControllerOptions.headless());
+    Source source = Source.of("three.script", THREE_MESSAGES);
+    var _ =
+        controller.submit(
+            new Command.StartProgram(controller.load(source).program().orElseThrow()));
+    controller.advance();
+    return controller;
+  }
+
+  private static void finish(Controller controller, LogMailbox mailbox) {
+    for (int i = 0; i < 20; i++) {
+      controller.advance();
+      mailbox.frame(controller.state());
+    }
+    assertEquals(ProgramState.STOPPED, controller.state().program().state());
+  }
+
+  private static List<String> texts(LogMailbox mailbox, long since) {
+    return mailbox.since(since).stream().map(LogLine::text).toList();
+  }
+
+  @Test
+  void everyMessageArrivesWithThoseFromBeforeTheFirstFrame() {
+    Controller controller = running();
+    LogMailbox mailbox = new LogMailbox(8, controller::logSince, InstantSource.system());
+    finish(controller, mailbox);
+    assertEquals(List.of("a", "b", "c"), texts(mailbox, 0));
+    assertEquals(List.of("c"), texts(mailbox, 2));
+  }
+
+  @Test
+  void numbersGoOnWhenAnotherControllerIsSwitchedOn() {
+    Controller first = running();
+    LogMailbox mailbox = new LogMailbox(8, first::logSince, InstantSource.system());
+    finish(first, mailbox);
+    Controller second = running();
+    mailbox.frame(second.state());
+    finish(second, mailbox);
+    assertEquals(List.of("a", "b", "c"), texts(mailbox, 3));
+    assertEquals(6, mailbox.newest());
+  }
+
+  @Test
+  void aBranchDoesNotSayItsPastAgain() {
+    Controller first = running();
+    LogMailbox mailbox = new LogMailbox(8, first::logSince, InstantSource.system());
+    finish(first, mailbox);
+    Controller branch = running();
+    branch.advance();
+    mailbox.frame(branch.state());
+    assertEquals(List.of("b"), texts(mailbox, 3));
+    finish(branch, mailbox);
+    assertEquals(List.of("b", "c"), texts(mailbox, 3));
+  }
+
+  @Test
+  void onlyTheNewestAreKept() {
+    Controller controller = running();
+    LogMailbox mailbox = new LogMailbox(2, controller::logSince, InstantSource.system());
+    finish(controller, mailbox);
+    assertEquals(List.of("b", "c"), texts(mailbox, 0));
+    assertTrue(mailbox.since(3).isEmpty());
+  }
+
+  @Test
+  void whatTheWindowTellsIsKeptWithItsTime() {
+    Controller controller = running();
+    Instant now = Instant.parse("2026-01-02T03:04:05Z");
+    LogMailbox mailbox = new LogMailbox(8, controller::logSince, InstantSource.fixed(now));
+    finish(controller, mailbox);
+    mailbox.told("Saved \u00e4");
+    LogLine told = mailbox.since(3).getFirst();
+    assertEquals("Saved \u00e4", told.text());
+    assertEquals(LogSource.WINDOW, told.source());
+    assertEquals(controller.state().timeS(), told.timeS());
+    assertEquals(now, told.wall());
+  }
+}

@@ -1,0 +1,538 @@
+package org.pendant.desktop.move;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.Pace;
+import org.pendant.controller.box.BoxSetup;
+import org.pendant.controller.jog.JogDirection;
+import org.pendant.controller.jog.JogFrame;
+import org.pendant.controller.jog.JogMove;
+import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.safety.SafetyInput;
+import org.pendant.kit.settings.Settings;
+import org.pendant.language.source.Source;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
+
+/** The screen that moves the arm, with a controller but without a window. */
+final class MovePresenterTest {
+  private static final int FRAMES_A_REFRESH = 17;
+
+  private final Map<String, String> remembered = new HashMap<>();
+  private final Settings settings =
+      new Settings() {
+        @Override
+        public Optional<String> get(String name) {
+          return Optional.ofNullable(remembered.get(name));
+        }
+
+        @Override
+        public void put(String name, String text) {
+          remembered.put(name, text);
+        }
+      };
+  private final List<Command> sent = new ArrayList<>();
+  private final List<Optional<Joints>> ghosts = new ArrayList<>();
+  private Controller controller = new Controller(ControllerOptions.headless());
+  private MovePresenter presenter = presenter();
+
+  private MovePresenter presenter() {
+    return new MovePresenter(
+        command -> {
+          sent.add(command);
+          return controller.submit(command);
+        },
+        Runnable::run,
+        settings,
+        ArmLibrary.load("ur5e"),
+        SafetyConfiguration.standard(ArmLibrary.load("ur5e")),
+        ghosts::add);
+  }
+
+  private void refresh(int times) {
+    for (int i = 0; i < times; i++) {
+      controller.runUntil(() -> false, FRAMES_A_REFRESH);
+      presenter.take(controller.state(), Pace.REAL_TIME);
+    }
+  }
+
+  private String obstacle() {
+    return presenter.obstacle().map(Obstacle::text).orElse("");
+  }
+
+  private Joints position() {
+    return controller.state().arm().targetPositionRad();
+  }
+
+  @Test
+  void aHeldJointTurnsUntilItIsLetGo() {
+    refresh(1);
+    presenter.jog().turn(0, 1);
+    refresh(60);
+    assertTrue(position().get(0) > 0.2, "at " + position().get(0));
+    presenter.jog().release();
+    refresh(20);
+    Joints rest = position();
+    refresh(20);
+    assertEquals(rest, position());
+  }
+
+  @Test
+  void aScreenThatIsNoLongerRefreshedMovesNothing() {
+    refresh(1);
+    presenter.jog().turn(0, 1);
+    refresh(20);
+    controller.runUntil(() -> false, 300);
+    assertEquals(Joints.ZERO, controller.state().arm().targetSpeedRadPerS());
+  }
+
+  @Test
+  void theToolMovesAlongTheChosenAxesAtTheChosenSpeed() {
+    refresh(1);
+    presenter.jog().setAxes(JogAxes.TOOL);
+    presenter.jog().setSpeedFraction(0.2);
+    JogDirection up = JogDirection.along(0, 0, 1);
+    presenter.jog().move(up);
+    assertEquals(new Command.Jog(new JogMove.MoveTool(up, JogFrame.TOOL), 0.2), sent.getLast());
+  }
+
+  @Test
+  void anArmThatIsOffIsOfferedToBeSwitchedOn() {
+    controller = new Controller(ControllerOptions.headless().withPower(false));
+    refresh(1);
+    assertFalse(presenter.movable());
+    assertEquals("Power off: the arm cannot be moved.", obstacle());
+    presenter.jog().turn(0, 1);
+    assertEquals(List.of(), sent);
+    assertEquals("Switch on", presenter.obstacle().orElseThrow().remedy());
+    presenter.removeObstacle();
+    refresh(200);
+    assertTrue(presenter.movable(), obstacle());
+  }
+
+  @Test
+  void aRunningProgramIsOfferedToBeStopped() {
+    var _ =
+        controller.submit(
+            new Command.StartProgram(
+                controller
+                    .load(
+                        Source.of(
+                            "t",
+                            "def p():\n sleep(9)\nend\n".getBytes(StandardCharsets.ISO_8859_1)))
+                    .program()
+                    .orElseThrow()));
+    refresh(1);
+    assertEquals("Program p is running. Stop it to move the arm by hand.", obstacle());
+    presenter.removeObstacle();
+    refresh(1);
+    assertEquals("", obstacle());
+  }
+
+  @Test
+  void aStopThatComesWhileAButtonIsHeldLetsItGo() {
+    refresh(1);
+    presenter.jog().turn(0, 1);
+    refresh(20);
+    var _ = controller.submit(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    refresh(2);
+    assertEquals(new Command.StopJog(), sent.getLast());
+    assertTrue(obstacle().startsWith("Safeguard stop."), obstacle());
+  }
+
+  @Test
+  void timeMustGoByAtAPaceThatHandsCanFollow() {
+    refresh(1);
+    presenter.take(controller.state(), new Pace.Paused());
+    assertEquals("Robot time is paused. Let it go on to move the arm by hand.", obstacle());
+    presenter.take(controller.state(), new Pace.Times(5));
+    assertTrue(obstacle().contains("at most 4 times"), obstacle());
+    presenter.take(controller.state(), new Pace.Times(4));
+    assertEquals("", obstacle());
+  }
+
+  @Test
+  void aSliderAtZeroIsTold() {
+    var _ = controller.submit(new Command.SetSpeedFraction(0));
+    refresh(1);
+    assertEquals("The speed slider is at 0 %, which holds the arm. Move it up.", obstacle());
+  }
+
+  @Test
+  void typedJointsAreGoneToAndShownAsAGhost() {
+    refresh(1);
+    presenter.goals().joints().type(0, "20");
+    refresh(1);
+    assertEquals(Math.toRadians(20), ghosts.getLast().orElseThrow().get(0), 1e-12);
+    presenter.holdJointGoal();
+    refresh(150);
+    assertEquals(Math.toRadians(20), position().get(0), 1e-12);
+    presenter.jog().release();
+    presenter.goals().joints().reset();
+    refresh(1);
+    assertEquals(Optional.empty(), ghosts.getLast());
+  }
+
+  @Test
+  void aJointBeyondItsRangeIsToldAtItsFieldInTheUnitShown() {
+    refresh(1);
+    presenter.goals().joints().type(2, "400");
+    assertEquals("must be -363.000 to 363.000 deg", presenter.goals().joints().problem(2));
+    sent.clear();
+    presenter.holdJointGoal();
+    assertEquals(List.of(), sent);
+  }
+
+  @Test
+  void aTypedPoseIsGoneTo() {
+    refresh(1);
+    Pose goal = controller.state().arm().targetTcpInBase();
+    presenter.goals().pose().type(2, "600 mm");
+    refresh(1);
+    assertTrue(presenter.goals().poseReachable(), presenter.goals().poseText());
+    presenter.holdPoseGoal();
+    refresh(200);
+    Pose reached = controller.state().arm().targetTcpInBase();
+    assertEquals(0.6, reached.z(), 1e-6);
+    assertEquals(0, Poses.distance(goal.with(2, 0.6), reached), 1e-4);
+  }
+
+  @Test
+  void anUnreachablePoseIsExplained() {
+    refresh(1);
+    presenter.goals().pose().type(0, "3 m");
+    refresh(1);
+    assertEquals(
+        "The arm cannot reach this pose: farther than the stretched arm reaches",
+        presenter.goals().poseText());
+    assertEquals(Optional.empty(), ghosts.isEmpty() ? Optional.empty() : ghosts.getLast());
+    sent.clear();
+    presenter.holdPoseGoal();
+    assertEquals(List.of(), sent);
+  }
+
+  @Test
+  void aPoseCloseToASingularityIsToldButGoneTo() {
+    Joints straightWrist = BoxSetup.START_RAD.with(4, 0.001);
+    controller = new Controller(ControllerOptions.headless().withStart(straightWrist));
+    refresh(1);
+    presenter.goals().pose().type(0, presenter.goals().pose().text(0));
+    refresh(1);
+    assertTrue(presenter.goals().poseText().startsWith("Close to the wrist singularity"));
+    assertTrue(presenter.goals().poseReachable());
+  }
+
+  @Test
+  void aFormIsKeptForTheNextStartAndShowsTheSamePose() {
+    refresh(1);
+    presenter.goals().pose().type(0, "400");
+    Pose before = presenter.form().pose(presenter.goals().pose().values());
+    PoseForm form = new PoseForm(DisplayUnit.INCH, DisplayUnit.RADIAN, RotationForm.ROLL_PITCH_YAW);
+    presenter.setForm(form);
+    assertEquals("15.7480", presenter.goals().pose().text(0));
+    assertEquals(0, Poses.distance(before, form.pose(presenter.goals().pose().values())), 1e-9);
+    assertEquals("-1.57080", presenter.goals().joints().text(1));
+    presenter = presenter();
+    assertEquals(form, presenter.form());
+  }
+
+  @Test
+  void anAlignedToolPointsAlongAnAxis() {
+    controller =
+        new Controller(ControllerOptions.headless().withStart(BoxSetup.START_RAD.with(3, -1.4)));
+    refresh(1);
+    presenter.holdAlignment();
+    refresh(150);
+    Pose tcp = controller.state().arm().targetTcpInBase();
+    assertEquals(0, Poses.distance(tcp, ToolAlignment.nearest(tcp)), 1e-6);
+  }
+
+  @Test
+  void homeIsWhereARobotIsSwitchedOn() {
+    controller =
+        new Controller(ControllerOptions.headless().withStart(BoxSetup.START_RAD.with(0, 0.2)));
+    refresh(1);
+    presenter.holdHome();
+    refresh(150);
+    assertEquals(BoxSetup.START_RAD, position());
+  }
+
+  @Test
+  void theToolCentreIsTypedAndSet() {
+    refresh(1);
+    presenter.tool().tcp().type(2, "120 mm");
+    presenter.tool().setTcp("gripper");
+    refresh(2);
+    assertEquals(0.12, controller.state().arm().tool().inFlange().z(), 1e-12);
+    assertEquals("gripper", presenter.tool().tcpName());
+    assertFalse(presenter.tool().tcp().edited());
+    assertEquals("120.00", presenter.tool().tcp().text(2));
+  }
+
+  @Test
+  void thePayloadIsTypedCheckedAndSet() {
+    refresh(1);
+    Draft payload = presenter.tool().payload();
+    payload.type(0, "-1");
+    assertEquals("the mass must be at least 0 kg", presenter.tool().payloadProblem());
+    payload.type(0, "6");
+    assertTrue(presenter.tool().payloadProblem().startsWith("More than the 5.0 kg"));
+    payload.type(0, "60");
+    presenter.tool().setPayload();
+    refresh(1);
+    assertEquals(
+        "the mass is 60 kg, must be 0 to 20 kg on ur5e", presenter.tool().payloadProblem());
+    payload.type(0, "1500 g");
+    presenter.tool().setPayload();
+    refresh(2);
+    assertEquals(1.5, controller.state().readings().payload().massKg());
+    assertEquals("", presenter.tool().payloadProblem());
+  }
+
+  @Test
+  void whyTheArmWentNoFurtherStaysToBeRead() {
+    refresh(1);
+    presenter.jog().setSpeedFraction(1);
+    presenter.jog().turn(2, -1);
+    refresh(300);
+    presenter.jog().release();
+    refresh(5);
+    assertEquals("joint 2 is at the end of its range", presenter.jog().reason());
+    presenter.jog().turn(2, 1);
+    assertEquals("", presenter.jog().reason());
+  }
+
+  @Test
+  void stepsAddUpHoweverFastTheyFollowEachOther() {
+    refresh(1);
+    double before = controller.state().arm().targetTcpInBase().z();
+    presenter.jog().setSize(JogSize.MEDIUM);
+    for (int i = 0; i < 5; i++) {
+      presenter.jog().move(JogDirection.along(0, 0, 1));
+      presenter.jog().letGo();
+      refresh(2);
+    }
+    refresh(60);
+    assertEquals(before + 0.005, controller.state().arm().targetTcpInBase().z(), 1e-6);
+    assertFalse(controller.state().arm().moving());
+    assertEquals(new Command.StopJog(), sent.getLast());
+  }
+
+  @Test
+  void aStepLeadsToItsGoalThoughTheScreenHangsOnTheWay() {
+    refresh(1);
+    presenter.jog().setSize(JogSize.COARSE);
+    presenter.jog().setSpeedFraction(0.1);
+    Pose before = controller.state().arm().targetTcpInBase();
+    presenter.jog().move(JogDirection.along(0, 0, -1));
+    refresh(1);
+    controller.runUntil(() -> false, 300);
+    Pose stopped = controller.state().arm().targetTcpInBase();
+    assertTrue(before.z() - stopped.z() < 0.0099, "it stops on the way, at " + stopped);
+    refresh(60);
+    assertEquals(before.z() - 0.01, controller.state().arm().targetTcpInBase().z(), 1e-6);
+    assertFalse(controller.state().arm().moving());
+  }
+
+  @Test
+  void aStepTurnsAJointByItsSize() {
+    refresh(1);
+    presenter.jog().setSize(JogSize.COARSE);
+    presenter.jog().turn(0, 1);
+    presenter.jog().letGo();
+    refresh(100);
+    assertEquals(Math.toRadians(10), position().get(0), 1e-12);
+  }
+
+  @Test
+  void aStepAlongTheToolFollowsItsAxes() {
+    refresh(1);
+    Pose before = controller.state().arm().targetTcpInBase();
+    presenter.jog().setAxes(JogAxes.TOOL);
+    presenter.jog().setSize(JogSize.COARSE);
+    presenter.jog().move(JogDirection.along(0, 0, 1));
+    refresh(100);
+    Pose expected = Poses.trans(before, new Pose(0, 0, 0.01, 0, 0, 0));
+    assertEquals(0, Poses.distance(expected, controller.state().arm().targetTcpInBase()), 1e-6);
+  }
+
+  @Test
+  void aStepBeyondTheRangeOfAJointIsToldAndNotDone() {
+    controller =
+        new Controller(
+            ControllerOptions.headless()
+                .withStart(BoxSetup.START_RAD.with(5, Math.toRadians(362.5))));
+    refresh(1);
+    presenter.jog().setSize(JogSize.MEDIUM);
+    presenter.jog().turn(5, 1);
+    assertEquals("joint 5 is at the end of its range", presenter.jog().reason());
+    assertEquals(List.of(), sent);
+  }
+
+  @Test
+  void anArmOnItsWayThroughAStepStopsWhenTheScreenIsLeft() {
+    refresh(1);
+    presenter.jog().setSpeedFraction(0.1);
+    presenter.jog().setSize(JogSize.COARSE);
+    presenter.jog().turn(0, 1);
+    presenter.jog().letGo();
+    refresh(5);
+    presenter.jog().release();
+    refresh(20);
+    assertTrue(position().get(0) > 0 && position().get(0) < Math.toRadians(9));
+  }
+
+  @Test
+  void poseAndJointsOfAGoalBelongTogether() {
+    refresh(1);
+    presenter.goals().joints().type(0, "90");
+    refresh(1);
+    Pose there =
+        controller
+            .state()
+            .arm()
+            .kinematics()
+            .tcpPose(BoxSetup.START_RAD.with(0, Math.PI / 2), Pose.ZERO);
+    assertEquals(there.x(), presenter.goals().pose().values()[0], 1e-9);
+    presenter.goals().pose().type(2, "600");
+    assertFalse(presenter.goals().joints().edited(), "typed in one, forgotten in the other");
+    refresh(1);
+    Joints q = Joints.of(presenter.goals().joints().values());
+    assertEquals(0.6, controller.state().arm().kinematics().tcpPose(q, Pose.ZERO).z(), 1e-6);
+    presenter.goals().pose().reset();
+    refresh(1);
+    assertEquals("0.000", presenter.goals().joints().text(0));
+  }
+
+  @Test
+  void homeIsSetToHereAndKeptForThisKindOfRobot() {
+    controller =
+        new Controller(ControllerOptions.headless().withStart(BoxSetup.START_RAD.with(0, 0.2)));
+    refresh(1);
+    presenter.setHomeHere();
+    presenter = presenter();
+    assertEquals(BoxSetup.START_RAD.with(0, 0.2), presenter.home().homeRad());
+    ArmDescription other = ArmLibrary.load("ur10e");
+    presenter.setArm(other, SafetyConfiguration.standard(other));
+    assertEquals(BoxSetup.START_RAD, presenter.home().homeRad());
+  }
+
+  @Test
+  void homeIsTypedWithinTheRanges() {
+    refresh(1);
+    presenter.home().draft().type(0, "400");
+    presenter.home().setTyped();
+    assertTrue(presenter.home().standard());
+    assertEquals("must be -363.000 to 363.000 deg", presenter.home().draft().problem(0));
+    presenter.home().draft().type(0, "10");
+    presenter.home().setTyped();
+    presenter.holdHome();
+    refresh(100);
+    assertEquals(Math.toRadians(10), position().get(0), 1e-12);
+  }
+
+  @Test
+  void aFrameOfPeoplesOwnLeadsTheToolAndShowsPoses() {
+    refresh(1);
+    presenter.frame().draft().type(5, "90");
+    presenter.frame().setTyped();
+    presenter.jog().setAxes(JogAxes.FRAME);
+    Pose before = controller.state().arm().targetTcpInBase();
+    refresh(1);
+    assertEquals(before.y(), presenter.goals().pose().values()[0], 1e-9, "x there is y here");
+    presenter.jog().setSize(JogSize.COARSE);
+    presenter.jog().move(JogDirection.along(1, 0, 0));
+    refresh(100);
+    assertEquals(before.y() + 0.01, controller.state().arm().targetTcpInBase().y(), 1e-6);
+    presenter = presenter();
+    assertEquals(Math.PI / 2, presenter.frame().inBase().rz(), 1e-12, "kept");
+  }
+
+  @Test
+  void aPoseTypedInTheFrameIsGoneToThere() {
+    refresh(1);
+    presenter.frame().set(new Pose(0.1, 0, 0, 0, 0, 0));
+    presenter.jog().setAxes(JogAxes.FRAME);
+    refresh(1);
+    presenter.goals().pose().type(0, "300");
+    refresh(1);
+    presenter.holdPoseGoal();
+    refresh(250);
+    assertEquals(0.4, controller.state().arm().targetTcpInBase().x(), 1e-6);
+  }
+
+  @Test
+  void namedToolsAreKeptAndShownAgain() {
+    refresh(1);
+    ToolPresenter tool = presenter.tool();
+    assertEquals("Give the TCP a name to keep it.", tool.keep(" "));
+    tool.tcp().type(2, "150");
+    assertEquals("", tool.keep("gripper"));
+    tool.resetTcp();
+    presenter = presenter();
+    refresh(1);
+    assertEquals(List.of("gripper"), presenter.tool().named().names());
+    presenter.tool().choose("gripper");
+    assertEquals("150.00", presenter.tool().tcp().text(2));
+    presenter.tool().named().forget("gripper");
+    assertEquals(List.of(), presenter().tool().named().names());
+  }
+
+  @Test
+  void settingsThatWereSpoiledByHandAreSkipped() {
+    remembered.put("move.home.ur5e", "1 2 x");
+    remembered.put("move.frame", "nan");
+    remembered.put("move.tcps", "good\t0 0 0.1 0 0 0\nbad\t1 2\n\t");
+    remembered.put("move.speed", "fast");
+    presenter = presenter();
+    assertTrue(presenter.home().standard());
+    assertEquals(Pose.ZERO, presenter.frame().inBase());
+    assertEquals(List.of("good"), presenter.tool().named().names());
+    assertEquals(0.5, presenter.jog().speedFraction());
+  }
+
+  @Test
+  void theInertiaIsCheckedAndDeclared() {
+    refresh(1);
+    Draft payload = presenter.tool().payload();
+    payload.type(0, "2");
+    payload.type(ToolPresenter.INERTIA, "-1");
+    assertTrue(presenter.tool().payloadProblem().contains("at least 0"));
+    payload.type(ToolPresenter.INERTIA, "0.01");
+    payload.type(ToolPresenter.INERTIA + 3, "5");
+    assertTrue(presenter.tool().payloadProblem().startsWith("Inertia: no body has it"));
+    payload.type(ToolPresenter.INERTIA + 3, "0");
+    assertEquals("", presenter.tool().payloadProblem());
+    presenter.tool().setPayload();
+    refresh(2);
+    assertEquals(0.01, controller.state().readings().payload().ixx());
+    assertEquals(2, controller.state().readings().payload().massKg());
+  }
+
+  @Test
+  void safetyLimitsNarrowTheRangesThatAreShown() {
+    ArmDescription arm = ArmLibrary.load("ur5e");
+    JointRange range = JointRange.of(arm.joints().get(0), -1, 2);
+    assertEquals(new JointRange(-1, 2, false), range);
+    assertEquals(
+        presenter.range(0).maxRad(),
+        2 * Math.PI + Math.toRadians(3),
+        1e-12,
+        "the arm's own where they are wider");
+  }
+}

@@ -1,0 +1,50 @@
+package org.pendant.desktop.plot;
+
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.language.source.Source;
+import org.pendant.script.variables.VariablePath;
+
+/** A controller whose frames go on a tape. */
+final class RecordedArm {
+  private Controller controller = new Controller(ControllerOptions.headless());
+  final PlotHistory plotHistory = new PlotHistory();
+
+  void run(String program) {
+    Source source = Source.of("test.script", program);
+    var _ =
+        controller.submit(
+            new Command.StartProgram(controller.load(source).program().orElseThrow()));
+  }
+
+  /** Has variables read in every frame. */
+  void trace(String... paths) {
+    var _ =
+        controller.submit(
+            new Command.TraceVariables("test", Stream.of(paths).map(VariablePath::of).toList()));
+  }
+
+  void frames(int count) {
+    for (int i = 0; i < count; i++) {
+      controller.advance();
+      plotHistory.frame(controller.state());
+    }
+  }
+
+  void restart() {
+    controller = new Controller(ControllerOptions.headless());
+  }
+
+  Controller controller() {
+    return controller;
+  }
+
+  /** The quantity of this id. */
+  static Quantity quantity(String id) {
+    Optional<Quantity> found = Quantities.standard().find(id);
+    return found.orElseThrow();
+  }
+}

@@ -1,0 +1,91 @@
+package org.pendant.desktop.preview;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.pendant.desktop.session.Session;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.action.Actions;
+import org.pendant.kit.settings.Settings;
+
+/** A workbench around some views, for tests and previews; it remembers what it was told. */
+public class PreviewWorkbench implements Workbench {
+  private final Optional<Session> session;
+  private final Memory settings = new Memory();
+  private final ActionTable actions = new ActionTable(settings);
+  private final List<String> told = new ArrayList<>();
+
+  /** Settings that are forgotten with the end. */
+  private static final class Memory implements Settings {
+    private final Map<String, String> remembered = new HashMap<>();
+
+    @Override
+    public Optional<String> get(String name) {
+      return Optional.ofNullable(remembered.get(name));
+    }
+
+    @Override
+    public void put(String name, String text) {
+      remembered.put(name, text);
+    }
+  }
+
+  /** A workbench that forgets everything with its end. */
+  public PreviewWorkbench(Session session) {
+    this.session = Optional.of(session);
+  }
+
+  /** One without a session, for tests that drive a controller themselves. */
+  public PreviewWorkbench() {
+    session = Optional.empty();
+  }
+
+  @Override
+  public Session session() {
+    return session.orElseThrow(() -> new UnsupportedOperationException("there is no session"));
+  }
+
+  @Override
+  public Actions actions() {
+    return actions;
+  }
+
+  /** Does an action, as a key or the palette would. */
+  public void run(String action) {
+    actions.run(action);
+  }
+
+  @Override
+  public Settings settings() {
+    return settings;
+  }
+
+  @Override
+  public void show(String viewId) {
+    told.add("show " + viewId);
+  }
+
+  @Override
+  public void showSource(int line, int column) {
+    told.add("source " + line + ":" + column);
+  }
+
+  @Override
+  public List<Path> openFiles() {
+    return List.of();
+  }
+
+  @Override
+  public void notify(String text) {
+    told.add(text);
+  }
+
+  /** What views have told and asked of the window, oldest first. */
+  public List<String> told() {
+    return List.copyOf(told);
+  }
+}

@@ -1,0 +1,38 @@
+package org.pendant.desktop.program;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.pendant.desktop.program.Trees.move;
+import static org.pendant.desktop.program.Trees.place;
+import static org.pendant.desktop.program.Trees.waypoint;
+
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.installation.Installation;
+import org.pendant.desktop.scene.WaypointMarkers;
+import org.pendant.project.program.ProgramTree;
+
+final class ProgramPlacesTest {
+  /** Keys: move 2, A 3, B 4, A 5. */
+  private final ProgramTree tree =
+      Trees.of(move(waypoint("A"), waypoint("B"), waypoint("A"), waypoint("untaught")))
+          .withWaypoint("A", place(1))
+          .withWaypoint("B", place(2));
+
+  @Test
+  void eachPlaceIsMarkedOnceAndGoneToInOrder() {
+    WaypointMarkers marks = ProgramPlaces.of(tree, Installation.NONE, Set.of(4L));
+    assertEquals(
+        List.of("A", "B"), marks.marks().stream().map(WaypointMarkers.Mark::name).toList());
+    assertEquals(List.of(List.of(0, 1, 0)), marks.ways());
+    assertEquals(
+        List.of(false, true), marks.marks().stream().map(WaypointMarkers.Mark::chosen).toList());
+  }
+
+  @Test
+  void suppressedNodesAreNotGoneTo() {
+    ProgramTree less = tree.withNode(4, node -> node.withSuppressed(true));
+    assertEquals(
+        List.of(List.of(0, 0)), ProgramPlaces.of(less, Installation.NONE, Set.of()).ways());
+  }
+}

@@ -1,0 +1,125 @@
+package org.pendant.desktop.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import org.pendant.models.pose.Pose;
+
+final class TraceRingTest {
+  private static void add(TraceRing ring, double x, double timeS) {
+    ring.add(new Pose(x, 0, 0, 0, 0, 0), Pose.ZERO, timeS);
+  }
+
+  @Test
+  void pointsAreKeptOldestFirst() {
+    TraceRing ring = new TraceRing(10);
+    add(ring, 0, 0);
+    add(ring, 0.1, 1);
+    add(ring, 0.3, 2);
+
+    Trace trace = ring.trace();
+
+    assertEquals(3, trace.size());
+    assertEquals(0, trace.x(0));
+    assertEquals(0.3f, trace.x(2));
+  }
+
+  @Test
+  void theOldestAreForgotten() {
+    TraceRing ring = new TraceRing(3);
+    for (int i = 0; i < 8; i++) {
+      add(ring, 0.01 * i, i);
+    }
+
+    Trace trace = ring.trace();
+
+    assertEquals(3, trace.size());
+    assertEquals(0.05f, trace.x(0));
+    assertEquals(0.07f, trace.x(2));
+  }
+
+  @Test
+  void speedsAreSharesOfARoundSpeed() {
+    TraceRing ring = new TraceRing(10);
+    add(ring, 0, 0);
+    add(ring, 0.1, 1);
+    add(ring, 0.5, 2);
+
+    Trace trace = ring.trace();
+
+    assertEquals(0.4, trace.scaleMPerS(), 1e-6);
+    assertEquals(0.25, trace.speedShare(1), 1e-6);
+    assertEquals(1, trace.speedShare(2), 1e-6);
+    add(ring, 1.06, 3);
+    assertEquals(0.8, ring.trace().scaleMPerS(), 1e-6);
+    add(ring, 1.96, 4);
+    assertEquals(1, ring.trace().scaleMPerS(), 1e-6);
+  }
+
+  @Test
+  void theOldestFadeBeforeTheyGo() {
+    TraceRing ring = new TraceRing(10);
+    for (int i = 0; i < 5; i++) {
+      add(ring, 0.01 * i, i);
+    }
+    assertEquals(1, ring.trace().opacity(0));
+
+    for (int i = 5; i < 12; i++) {
+      add(ring, 0.01 * i, i);
+    }
+
+    Trace trace = ring.trace();
+    assertTrue(trace.opacity(0) < 0.5);
+    assertTrue(trace.opacity(0) < trace.opacity(1));
+    assertEquals(1, trace.opacity(9));
+  }
+
+  @Test
+  void anArmAtRestAddsNothing() {
+    TraceRing ring = new TraceRing(10);
+    add(ring, 0, 0);
+    Trace before = ring.trace();
+    add(ring, 0.0001, 1);
+
+    assertSame(before, ring.trace());
+    add(ring, 0.1, 2);
+    assertNotSame(before, ring.trace());
+  }
+
+  @Test
+  void anotherToolBeginsAnotherLine() {
+    TraceRing ring = new TraceRing(10);
+    add(ring, 0, 0);
+    add(ring, 0.1, 1);
+    ring.add(new Pose(0.1, 0, -0.2, 0, 0, 0), new Pose(0, 0, 0.2, 0, 0, 0), 1.002);
+
+    Trace trace = ring.trace();
+
+    assertTrue(trace.begins(0));
+    assertFalse(trace.begins(1));
+    assertTrue(trace.begins(2));
+    assertEquals(0.1, trace.scaleMPerS(), 1e-6);
+  }
+
+  @Test
+  void clearingForgetsEverything() {
+    TraceRing ring = new TraceRing(10);
+    add(ring, 0, 0);
+    ring.clear();
+
+    assertEquals(0, ring.trace().size());
+  }
+
+  @Test
+  void aRingOfOnePointIsRefused() {
+    IllegalArgumentException refused =
+        assertThrows(IllegalArgumentException.class, () -> new TraceRing(1));
+
+    assertEquals("trace: capacity is 1, must be at least 2", refused.getMessage());
+  }
+}

@@ -1,0 +1,63 @@
+package org.pendant.desktop.scene.picture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.ServiceLoader;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Test;
+import org.pendant.command.service.GraphicsUnavailable;
+import org.pendant.command.service.Picture;
+import org.pendant.command.service.PictureRenderer;
+import org.pendant.command.service.StandardView;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.state.ArmState;
+import org.pendant.controller.world.Scene;
+
+final class OffscreenPicturesTest {
+
+  /** The bytes of a picture; aborts the test where there is no OpenGL. */
+  private static byte[] picture(StandardView view, boolean dark) throws IOException {
+    ControllerOptions options = ControllerOptions.headless();
+    ArmState arm = new Controller(options).state().arm();
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    try (PictureRenderer renderer = new OffscreenPictures().start()) {
+      renderer.trace(arm, 0);
+      renderer.write(new Picture(options.robotId(), arm, Scene.EMPTY, view, dark, 120, 80), out);
+    } catch (GraphicsUnavailable e) {
+      Assumptions.abort("no OpenGL on this machine: " + e.getMessage());
+    }
+    return out.toByteArray();
+  }
+
+  @Test
+  void drawsAnImageOfTheSizeThatIsWanted() throws IOException {
+    BufferedImage image = ImageIO.read(new ByteArrayInputStream(picture(StandardView.ISO, false)));
+
+    assertEquals(120, image.getWidth());
+    assertEquals(80, image.getHeight());
+  }
+
+  @Test
+  void viewsAndThemesDiffer() throws IOException {
+    byte[] picture = picture(StandardView.ISO, false);
+
+    assertFalse(Arrays.equals(picture, picture(StandardView.FRONT, false)));
+    assertFalse(Arrays.equals(picture, picture(StandardView.ISO, true)));
+  }
+
+  @Test
+  void theCommandLineFindsThem() {
+    assertInstanceOf(
+        OffscreenPictures.class,
+        ServiceLoader.load(PictureRenderer.Factory.class).findFirst().orElseThrow());
+  }
+}

@@ -1,0 +1,108 @@
+package org.pendant.desktop.shell;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Proxy;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.RecoveryFolder;
+import org.pendant.kit.fault.ReportedFaults;
+
+@Timeout(value = 60, unit = TimeUnit.SECONDS)
+final class AutosaveTest {
+  @TempDir Path folder;
+
+  private final List<String> told = new ArrayList<>();
+
+  @Test
+  void textsAreKeptAgainAfterAFaultInTheBackground() throws Exception {
+    try (ReportedFaults faults = new ReportedFaults()) {
+      Programs programs = new Programs(ProgramDocument.untitled("a.script", ""));
+      Autosave autosave = keeper(programs, throwing(1));
+      programs.current().setText("lost = 1\n");
+      look(autosave, () -> kept("lost = 1"));
+      assertEquals(1, faults.all().size());
+      assertEquals(1, told.size(), told::toString);
+      programs.current().setText("lost = 2\n");
+      look(autosave, () -> kept("lost = 2"));
+    }
+  }
+
+  @Test
+  void oneTextThatCannotBeKeptDoesNotKeepOthersFromBeingKept() throws Exception {
+    try (ReportedFaults faults = new ReportedFaults()) {
+      ProgramDocument first = ProgramDocument.untitled("first.script", "");
+      Programs programs = new Programs(first);
+      ProgramDocument second = ProgramDocument.untitled("second.script", "");
+      programs.select(second);
+      first.setText("lost = 1\n");
+      second.setText("lost = 2\n");
+      Autosave autosave = keeper(programs, throwing(1));
+      DispatchThread.run(autosave::look);
+      DispatchThread.await(() -> kept("lost = 2"));
+      DispatchThread.await(() -> !told.isEmpty());
+      assertEquals(1, faults.all().size());
+      assertTrue(told.getFirst().startsWith("Unsaved texts cannot be kept"), told::toString);
+    }
+  }
+
+  private Autosave keeper(Programs programs, Path kept) {
+    return new Autosave(
+        programs, new ActiveInstallation(), new RecoveryFolder(kept), new Notices(), told::add);
+  }
+
+  /** Looks again and again, as the window does. */
+  private static void look(Autosave autosave, BooleanSupplier until) throws Exception {
+    while (!until.getAsBoolean()) {
+      DispatchThread.run(autosave::look);
+    }
+  }
+
+  private boolean kept(String text) {
+    try (Stream<Path> files = Files.list(folder)) {
+      for (Path each : files.filter(path -> path.toString().endsWith(".recovery")).toList()) {
+        if (Files.readString(each).contains(text)) {
+          return true;
+        }
+      }
+      return false;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** The folder, which throws when it is used for the first {@code times}. */
+  private Path throwing(int times) {
+    AtomicInteger left = new AtomicInteger(times);
+    return (Path)
+        Proxy.newProxyInstance(
+            AutosaveTest.class.getClassLoader(),
+            new Class<?>[] {Path.class},
+            (proxy, method, arguments) -> {
+              if (left.getAndDecrement() > 0) {
+                throw new IllegalStateException("a fault");
+              }
+              try {
+                return method.invoke(folder, arguments);
+              } catch (InvocationTargetException e) {
+                throw e.getCause();
+              }
+            });
+  }
+}

@@ -1,0 +1,82 @@
+package org.pendant.desktop.shell;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.awt.Frame;
+import java.awt.GraphicsEnvironment;
+import java.awt.Window;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import javax.swing.AbstractButton;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.pendant.kit.settings.ConfigurationFolder;
+
+/** The whole window, where there is a display. */
+final class DesktopTest {
+  @TempDir Path folder;
+
+  @Test
+  @Timeout(value = 60, unit = TimeUnit.SECONDS)
+  void itOpensRemembersAndCloses() throws Exception {
+    assumeFalse(GraphicsEnvironment.isHeadless(), "there is no display to open a window on");
+    System.setProperty(ConfigurationFolder.PROPERTY, folder.toString());
+    try {
+      Desktop desktop = Desktop.open();
+      Frame frame = frame();
+      EventQueue.invokeAndWait(
+          () -> {
+            for (String name : new String[] {"program-run", "program-stop", "rail-run"}) {
+              assertTrue(find(frame, name).orElseThrow().isShowing(), name);
+            }
+            ((AbstractButton) find(frame, "rail-log").orElseThrow()).doClick();
+            frame.setBounds(0, 0, 1024, 700);
+            frame.dispatchEvent(
+                new java.awt.event.WindowEvent(frame, java.awt.event.WindowEvent.WINDOW_CLOSING));
+          });
+      desktop.awaitClosed();
+      String settings = Files.readString(folder.resolve("settings.txt"));
+      assertTrue(settings.contains("dock.main.selected = log"), settings);
+      assertTrue(settings.contains("window.bounds = 0 0 1024 700"), settings);
+      assertEquals(0, Arrays.stream(Window.getWindows()).filter(Window::isShowing).count());
+    } finally {
+      System.clearProperty(ConfigurationFolder.PROPERTY);
+    }
+  }
+
+  /** Waits in the dispatch thread's own order: each turn comes after what was waiting there. */
+  private static Frame frame() throws Exception {
+    while (true) {
+      EventQueue.invokeAndWait(() -> {});
+      for (Frame each : Frame.getFrames()) {
+        if ("pendant".equals(each.getName()) && each.isShowing()) {
+          return each;
+        }
+      }
+    }
+  }
+
+  private static Optional<Component> find(Container in, String name) {
+    for (Component each : in.getComponents()) {
+      if (name.equals(each.getName())) {
+        return Optional.of(each);
+      }
+      if (each instanceof Container container) {
+        Optional<Component> found = find(container, name);
+        if (found.isPresent()) {
+          return found;
+        }
+      }
+    }
+    return Optional.empty();
+  }
+}

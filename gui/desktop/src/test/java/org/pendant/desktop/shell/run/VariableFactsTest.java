@@ -1,0 +1,81 @@
+package org.pendant.desktop.shell.run;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.language.source.Source;
+import org.pendant.script.variables.VariableSamples;
+
+final class VariableFactsTest {
+
+  private static VariableSamples samples(String... lines) {
+    Controller controller = new Controller(ControllerOptions.headless());
+    Source source = Source.of("test.script", String.join("\n", lines) + "\n");
+    var _ =
+        controller.submit(
+            new Command.StartProgram(controller.load(source).program().orElseThrow()));
+    controller.advance();
+    return controller.state().variables();
+  }
+
+  @Test
+  void favouritesComeFirstAndStringsAreInQuotes() {
+    VariableSamples samples =
+        samples("def p():", "  a = 1", "  name = \"bolt\"", "  sleep(1)", "  late = 2", "end");
+    VariableFacts facts = VariableFacts.of(samples, Set.of("name"), List.of());
+    assertEquals(
+        List.of(
+            new VariableFacts.Row("name", "\"bolt\"", true, false),
+            new VariableFacts.Row("a", "1", false, false),
+            new VariableFacts.Row("late", "\u2013", false, false)),
+        facts.rows());
+    assertEquals(0, facts.more());
+  }
+
+  @Test
+  void thoseOfTheInstallationAreThereAtAnyTime() {
+    List<InstallationVariable> installed =
+        List.of(
+            new InstallationVariable("parts", "7", false),
+            new InstallationVariable("shift", "2", true));
+    assertEquals(
+        List.of(
+            new VariableFacts.Row("shift", "2", true, true),
+            new VariableFacts.Row("parts", "7", false, true)),
+        VariableFacts.of(VariableSamples.NONE, Set.of(), installed).rows());
+    assertEquals(
+        List.of(
+            new VariableFacts.Row("shift", "2", true, true),
+            new VariableFacts.Row("parts", "8", false, true)),
+        VariableFacts.of(
+                samples("def p():", "  parts = 8", "  sleep(1)", "end"), Set.of(), installed)
+            .rows());
+  }
+
+  @Test
+  void whatHasNoRoomIsCounted() {
+    StringBuilder text = new StringBuilder("def p():\n");
+    for (int i = 0; i < 25; i++) {
+      text.append("  v").append(i).append(" = 1\n");
+    }
+    VariableFacts facts =
+        VariableFacts.of(
+            samples(text.append("  sleep(1)\nend").toString()), Set.of("v24"), List.of());
+    assertEquals(VariableFacts.MOST, facts.rows().size());
+    assertEquals("v24", facts.rows().getFirst().name());
+    assertEquals(25 - VariableFacts.MOST, facts.more());
+  }
+
+  @Test
+  void thereIsNothingBeforeTheFirstProgram() {
+    assertEquals(
+        new VariableFacts(List.of(), 0),
+        VariableFacts.of(VariableSamples.NONE, Set.of(), List.of()));
+  }
+}

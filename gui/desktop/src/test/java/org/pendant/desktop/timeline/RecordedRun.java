@@ -1,0 +1,39 @@
+package org.pendant.desktop.timeline;
+
+import org.pendant.controller.Command;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.language.source.Source;
+import org.pendant.recording.RecordingRing;
+
+/** A controller that is recorded. */
+final class RecordedRun {
+  private final Controller controller = new Controller(ControllerOptions.headless());
+  final RecordingRing ring = new RecordingRing(controller.state(), controller::programSource);
+
+  RecordedRun start(String text) {
+    var _ =
+        controller.submit(
+            new Command.StartProgram(
+                controller.load(Source.of("test.script", text)).program().orElseThrow()));
+    return this;
+  }
+
+  RecordedRun frames(int count) {
+    for (int i = 0; i < count; i++) {
+      controller.advance();
+      ring.take(controller.state());
+    }
+    return this;
+  }
+
+  RecordedRun pause() {
+    var _ = controller.submit(new Command.PauseProgram());
+    return this;
+  }
+
+  ControllerState state() {
+    return controller.state();
+  }
+}

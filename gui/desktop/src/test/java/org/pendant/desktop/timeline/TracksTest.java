@@ -1,0 +1,86 @@
+package org.pendant.desktop.timeline;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.pendant.recording.RecordingMark;
+import org.pendant.recording.RecordingMark.Kind;
+
+final class TracksTest {
+  private static RecordingMark mark(Kind kind, double timeS, String text) {
+    return new RecordingMark(kind, Math.round(500 * timeS), timeS, text, 0);
+  }
+
+  @Test
+  void aProgramHasABarFromItsStartToItsEnd() {
+    List<Tracks.Run> runs =
+        Tracks.runs(
+            List.of(
+                mark(Kind.PROGRAM_STARTED, 1, "a"),
+                mark(Kind.PROGRAM_ENDED, 2, "a"),
+                mark(Kind.PROGRAM_STARTED, 3, "b"),
+                mark(Kind.PROGRAM_FAILED, 4, "why"),
+                mark(Kind.PROGRAM_STARTED, 5, "c")),
+            0,
+            6,
+            Optional.empty());
+    assertEquals(
+        List.of(
+            new Tracks.Run(1, 2, "a", false),
+            new Tracks.Run(3, 4, "b", true),
+            new Tracks.Run(5, 6, "c", false)),
+        runs);
+  }
+
+  @Test
+  void theProgramGoesOnWhenASecondaryOneFails() {
+    assertEquals(
+        List.of(new Tracks.Run(1, 5, "a", false)),
+        Tracks.runs(
+            List.of(
+                mark(Kind.PROGRAM_STARTED, 1, "a"),
+                mark(Kind.PROGRAM_FAILED, 2, "why"),
+                mark(Kind.PROGRAM_ENDED, 5, "a")),
+            0,
+            6,
+            Optional.empty()));
+  }
+
+  @Test
+  void aProgramThatRanBeforeBeginsWithTheRecording() {
+    assertEquals(
+        List.of(new Tracks.Run(10, 12, "old", false)),
+        Tracks.runs(List.of(mark(Kind.PROGRAM_ENDED, 12, "old")), 10, 20, Optional.of("old")));
+  }
+
+  @Test
+  void findsEdgesPausesWarningsAndSpeed() {
+    RecordedRun run =
+        new RecordedRun()
+            .start(
+                """
+                def p():
+                  sleep(0.1)
+                  set_standard_digital_out(0, True)
+                  movej([0, -1.2, -1.5, -1.5, 1.5, 0], a=3, v=2)
+                end
+                """)
+            .frames(100)
+            .pause()
+            .frames(200);
+    Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 0.6), 300);
+
+    assertEquals(1, tracks.outputs().size(), tracks.outputs()::toString);
+    assertEquals(0.1, tracks.outputs().getFirst().fromS(), 0.01);
+    assertTrue(tracks.inputs().isEmpty());
+    assertEquals(1, tracks.pauses().size(), tracks.pauses()::toString);
+    assertTrue(tracks.pauses().getFirst().fromS() >= 0.2);
+    assertEquals("p", tracks.runs().getFirst().name());
+    assertFalse(tracks.speedMPerS().isEmpty());
+    assertTrue(tracks.about(0.05, 0).endsWith("p runs"), tracks.about(0.05, 0));
+  }
+}

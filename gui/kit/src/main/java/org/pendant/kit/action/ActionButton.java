@@ -1,0 +1,48 @@
+package org.pendant.kit.action;
+
+import javax.swing.JButton;
+import org.pendant.kit.theme.GlyphIcon;
+
+/** A button that does an action of the table and shows whether it can be done, and why not. */
+@SuppressWarnings("serial") // never written to a stream
+public final class ActionButton extends JButton {
+  private final transient ActionTable actions;
+  private final String id;
+  private String shown = "";
+
+  /** A button for the action {@code id}. */
+  public ActionButton(ActionTable actions, String id, String text, GlyphIcon icon) {
+    super(text, icon);
+    this.actions = actions;
+    this.id = id;
+    setName(id.replace('.', '-'));
+    setFocusable(true);
+    addActionListener(event -> actions.run(id));
+    refresh();
+  }
+
+  /** Shows whether the action can be done now. */
+  public void refresh() {
+    boolean enabled =
+        actions.find(id).map(Action::enabled).filter(e -> e.getAsBoolean()).isPresent();
+    if (enabled != isEnabled()) {
+      setEnabled(enabled);
+    }
+    String tip = tip();
+    if (!tip.equals(shown)) {
+      shown = tip;
+      setToolTipText(tip);
+      getAccessibleContext().setAccessibleName(actions.find(id).map(Action::title).orElse(id));
+      getAccessibleContext().setAccessibleDescription(tip);
+    }
+  }
+
+  private String tip() {
+    String title = actions.find(id).map(Action::title).orElse(id);
+    String keys = KeyText.shown(actions.keysOf(id));
+    String reason = actions.reason(id);
+    return title
+        + (keys.isEmpty() ? "" : " (" + keys + ")")
+        + (reason.isEmpty() ? "" : ": " + reason);
+  }
+}

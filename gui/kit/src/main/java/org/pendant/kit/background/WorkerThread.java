@@ -1,0 +1,24 @@
+package org.pendant.kit.background;
+
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import org.pendant.kit.fault.Faults;
+
+/** One thread that does what would hold up the window. It does not keep the program alive. */
+public final class WorkerThread implements WorkQueue {
+  private final ScheduledExecutorService executor;
+
+  /** A thread of this name, waiting for work. */
+  public WorkerThread(String name) {
+    executor =
+        Executors.newSingleThreadScheduledExecutor(
+            Thread.ofPlatform().daemon().name(name).factory());
+  }
+
+  @Override
+  public void run(int delayMs, Runnable work) {
+    // The executor would keep a fault to itself: it belongs to whoever looks after threads.
+    var _ = executor.schedule(() -> Faults.guard(work), delayMs, TimeUnit.MILLISECONDS);
+  }
+}

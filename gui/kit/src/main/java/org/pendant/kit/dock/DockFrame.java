@@ -1,0 +1,254 @@
+package org.pendant.kit.dock;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Graphics;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JLayer;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.SwingUtilities;
+import javax.swing.plaf.LayerUI;
+import org.pendant.kit.theme.Palette;
+
+/** The views: one in the main area, the others as tabs in docks on three sides of it. */
+public final class DockFrame {
+  private final DockPlan plan;
+  private final Map<String, Dockable> views = new LinkedHashMap<>();
+  private final Map<String, Side> home;
+  private final Map<Side, DockPane> panes = new EnumMap<>(Side.class);
+  private final Map<Side, Divider> dividers = new EnumMap<>(Side.class);
+  private final List<Runnable> listeners = new ArrayList<>();
+  private final JPanel main = new JPanel(new BorderLayout());
+  private final JPanel area = new JPanel(null);
+  private final JLayer<JPanel> layer;
+  private final ViewFocus focus;
+  private Optional<String> shown = Optional.empty();
+  private Optional<Rectangle> drop = Optional.empty();
+
+  /**
+   * All views where the plan says.
+   *
+   * @param home where each view belongs at first
+   */
+  public DockFrame(DockPlan plan, List<? extends Dockable> all, Map<String, Side> home) {
+    this.plan = plan;
+    this.home = new LinkedHashMap<>(home);
+    all.forEach(view -> views.put(view.id(), view));
+    focus = new ViewFocus(views.values());
+    main.setName("main-area");
+    main.add(nothing(), BorderLayout.CENTER);
+    area.add(main);
+    for (Side side : List.of(Side.LEFT, Side.RIGHT, Side.BOTTOM)) {
+      DockPane pane = new DockPane(side, plan, views::get, this);
+      Divider divider = new Divider(side, pixels -> resize(side, pixels));
+      panes.put(side, pane);
+      dividers.put(side, divider);
+      area.add(pane);
+      area.add(divider);
+    }
+    area.setLayout(new DockLayout(plan, main, panes, dividers));
+    layer = new JLayer<>(area, new DropShade());
+    layer.setName("dock-frame");
+    fill();
+  }
+
+  /** What is shown. */
+  public JComponent component() {
+    return layer;
+  }
+
+  /** Every view. */
+  public List<Dockable> views() {
+    return List.copyOf(views.values());
+  }
+
+  /** Brings a view to the front, wherever it is, and gives it the focus. */
+  public void show(String id) {
+    reveal(id);
+    give(id);
+  }
+
+  private void give(String id) {
+    Dockable view = views.get(id);
+    if (view != null) {
+      // A tab is not visible, and takes no focus, before it is laid out.
+      area.validate();
+      focus.give(view);
+    }
+  }
+
+  /** Brings a view to the front; the focus stays where it is. */
+  public void reveal(String id) {
+    plan.select(id);
+    plan.sideOf(id).ifPresent(side -> plan.setCollapsed(side, false));
+    fill();
+  }
+
+  /** The view in the main area. */
+  public Optional<String> mainView() {
+    return plan.selected(Side.MAIN);
+  }
+
+  /** Moves a view. */
+  public void move(String id, Side to) {
+    move(id, to, Integer.MAX_VALUE);
+  }
+
+  /**
+   * Moves a view.
+   *
+   * @param index of its tab there, from 0; the last place if there are fewer
+   */
+  void move(String id, Side to, int index) {
+    plan.move(id, to, index);
+    fill();
+    give(id);
+  }
+
+  /** Where a view is. */
+  public Side sideOf(String id) {
+    return plan.sideOf(id).orElseThrow();
+  }
+
+  /** The places a view may go to. */
+  public JPopupMenu moveMenu(String id) {
+    return TabDrag.menu(this, id);
+  }
+
+  /** Shows only the tabs of a side, or all of it. */
+  public void setCollapsed(Side side, boolean collapsed) {
+    boolean hides = collapsed && ViewFocus.within(panes.get(side));
+    plan.setCollapsed(side, collapsed);
+    fill();
+    if (hides) {
+      mainView().ifPresent(this::give);
+    }
+  }
+
+  /** Changes between all of a side and only its tabs. */
+  public void toggle(Side side) {
+    setCollapsed(side, !plan.collapsed(side));
+  }
+
+  /** Puts everything where it belongs at first. */
+  public void reset() {
+    plan.reset(home);
+    fill();
+  }
+
+  /** Tells {@code listener} when another view is in the main area. */
+  public void addListener(Runnable listener) {
+    listeners.add(listener);
+  }
+
+  /** Shows what the plan says; what is there already stays as it is, with its focus. */
+  private void fill() {
+    Optional<String> front = plan.selected(Side.MAIN);
+    if (!front.equals(shown)) {
+      shown = front;
+      main.removeAll();
+    }
+    panes.values().forEach(DockPane::follow);
+    if (main.getComponentCount() == 0) {
+      main.add(
+          front.isPresent() ? views.get(front.get()).component() : nothing(), BorderLayout.CENTER);
+      main.revalidate();
+    }
+    area.revalidate();
+    area.repaint();
+    List.copyOf(listeners).forEach(Runnable::run);
+  }
+
+  private static JLabel nothing() {
+    JLabel label = new JLabel("Drag the tab of a panel here", JLabel.CENTER);
+    label.setForeground(Palette.quiet());
+    return label;
+  }
+
+  private void resize(Side side, int pixels) {
+    int sign = side == Side.LEFT ? 1 : -1;
+    plan.setSize(side, plan.size(side) + UIScale.unscale(sign * pixels));
+    area.revalidate();
+  }
+
+  // --- dragging
+
+  Side sideAt(Point point) {
+    for (Map.Entry<Side, DockPane> each : panes.entrySet()) {
+      if (each.getValue().isVisible() && each.getValue().getBounds().contains(point)) {
+        return each.getKey();
+      }
+    }
+    if (point.x < area.getWidth() / 5) {
+      return Side.LEFT;
+    }
+    if (point.x > area.getWidth() * 4 / 5) {
+      return Side.RIGHT;
+    }
+    return point.y > area.getHeight() * 2 / 3 ? Side.BOTTOM : Side.MAIN;
+  }
+
+  /** The place of a tab that is dropped at {@code point} of {@code side}. */
+  int indexAt(Side side, Point point) {
+    DockPane pane = panes.get(side);
+    return pane == null
+        ? Integer.MAX_VALUE
+        : pane.indexAt(SwingUtilities.convertPoint(area, point, pane));
+  }
+
+  void showDrop(Point point) {
+    drop = Optional.of(areaOf(sideAt(point)));
+    layer.repaint();
+  }
+
+  void hideDrop() {
+    drop = Optional.empty();
+    layer.repaint();
+  }
+
+  private Rectangle areaOf(Side side) {
+    if (side == Side.MAIN) {
+      return main.getBounds();
+    }
+    if (panes.get(side).isVisible()) {
+      return panes.get(side).getBounds();
+    }
+    int size = UIScale.scale(plan.size(side));
+    int width = area.getWidth();
+    int height = area.getHeight();
+    return switch (side) {
+      case LEFT -> new Rectangle(0, 0, size, height);
+      case RIGHT -> new Rectangle(width - size, 0, size, height);
+      case BOTTOM -> new Rectangle(main.getX(), height - size, main.getWidth(), size);
+      case MAIN -> main.getBounds();
+    };
+  }
+
+  /** Shows where a dragged view would go. */
+  @SuppressWarnings("serial") // never written to a stream
+  private final class DropShade extends LayerUI<JPanel> {
+    @Override
+    public void paint(Graphics g, JComponent c) {
+      super.paint(g, c);
+      if (drop.isPresent()) {
+        Rectangle shade = drop.get();
+        Color color = Palette.accent();
+        g.setColor(new Color(color.getRed(), color.getGreen(), color.getBlue(), 60));
+        g.fillRect(shade.x, shade.y, shade.width, shade.height);
+        g.setColor(color);
+        g.drawRect(shade.x, shade.y, shade.width - 1, shade.height - 1);
+      }
+    }
+  }
+}

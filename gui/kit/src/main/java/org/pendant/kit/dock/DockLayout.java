@@ -1,0 +1,113 @@
+package org.pendant.kit.dock;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.LayoutManager;
+import java.awt.Rectangle;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.function.Consumer;
+
+/** Places the main area, the docks around it and the dividers between them. */
+final class DockLayout implements LayoutManager {
+  /** The main area keeps this width and height, in pixels before scaling, as long as it can. */
+  private static final int MAIN_WIDTH = 280;
+
+  private static final int MAIN_HEIGHT = 160;
+  private static final int DIVIDER = 6;
+
+  private final DockPlan plan;
+  private final Component main;
+  private final Map<Side, DockPane> panes;
+  private final Map<Side, Divider> dividers;
+
+  DockLayout(
+      DockPlan plan, Component main, Map<Side, DockPane> panes, Map<Side, Divider> dividers) {
+    this.plan = plan;
+    this.main = main;
+    this.panes = new EnumMap<>(panes);
+    this.dividers = new EnumMap<>(dividers);
+  }
+
+  @Override
+  public void layoutContainer(Container parent) {
+    int width = parent.getWidth();
+    int height = parent.getHeight();
+    int room = width - UIScale.scale(MAIN_WIDTH);
+    int right = thickness(Side.RIGHT, room);
+    int left = thickness(Side.LEFT, room - right);
+    int bottom = thickness(Side.BOTTOM, height - UIScale.scale(MAIN_HEIGHT));
+    int inner = width - left - right;
+    int gap = UIScale.scale(DIVIDER);
+
+    place(Side.LEFT, left, r -> r.setBounds(0, 0, left, height), gap);
+    place(Side.RIGHT, right, r -> r.setBounds(width - right, 0, right, height), gap);
+    place(Side.BOTTOM, bottom, r -> r.setBounds(left, height - bottom, inner, bottom), gap);
+    main.setBounds(left, 0, inner, height - bottom);
+  }
+
+  /** How much a dock takes with its divider; 0 for an empty one. */
+  private int thickness(Side side, int room) {
+    if (plan.views(side).isEmpty()) {
+      return 0;
+    }
+    if (plan.collapsed(side)) {
+      Dimension strip = panes.get(side).getPreferredSize();
+      return side == Side.BOTTOM ? strip.height : strip.width;
+    }
+    int smallest = UIScale.scale(DockPlan.SMALLEST);
+    int wanted = UIScale.scale(plan.size(side)) + UIScale.scale(DIVIDER);
+    return Math.max(smallest, Math.min(wanted, room));
+  }
+
+  private void place(Side side, int thickness, Consumer<Rectangle> bounds, int gap) {
+    Rectangle area = new Rectangle();
+    bounds.accept(area);
+    boolean divided = thickness > 0 && !plan.collapsed(side);
+    panes.get(side).setVisible(thickness > 0);
+    dividers.get(side).setVisible(divided);
+    if (!divided) {
+      panes.get(side).setBounds(area);
+      return;
+    }
+    Rectangle line = new Rectangle(area);
+    switch (side) {
+      case LEFT -> {
+        line.x = area.x + area.width - gap;
+        line.width = gap;
+        area.width -= gap;
+      }
+      case RIGHT -> {
+        line.width = gap;
+        area.x += gap;
+        area.width -= gap;
+      }
+      case BOTTOM -> {
+        line.height = gap;
+        area.y += gap;
+        area.height -= gap;
+      }
+      case MAIN -> throw new IllegalArgumentException("the main area has no divider");
+    }
+    panes.get(side).setBounds(area);
+    dividers.get(side).setBounds(line);
+  }
+
+  @Override
+  public Dimension preferredLayoutSize(Container parent) {
+    return UIScale.scale(new Dimension(1000, 560));
+  }
+
+  @Override
+  public Dimension minimumLayoutSize(Container parent) {
+    return UIScale.scale(new Dimension(MAIN_WIDTH, MAIN_HEIGHT));
+  }
+
+  @Override
+  public void addLayoutComponent(String name, Component component) {}
+
+  @Override
+  public void removeLayoutComponent(Component component) {}
+}

@@ -1,0 +1,141 @@
+package org.pendant.kit.dock;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.List;
+import java.util.function.Function;
+import javax.swing.JButton;
+import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
+import org.pendant.kit.theme.Glyph;
+import org.pendant.kit.theme.GlyphIcon;
+
+/** One dock: its views as tabs, or only the tabs while it is collapsed. */
+@SuppressWarnings("serial") // never written to a stream
+final class DockPane extends JPanel {
+  private final Side side;
+  private final transient DockPlan plan;
+  private final transient Function<String, Dockable> viewOf;
+  private final transient DockFrame frame;
+  private final transient TabDrag drag;
+  private JTabbedPane tabs = new JTabbedPane();
+  private transient Shown shown = new Shown(List.of(), false);
+  private boolean filling;
+
+  /** What was filled in last. */
+  private record Shown(List<String> views, boolean collapsed) {}
+
+  DockPane(Side side, DockPlan plan, Function<String, Dockable> viewOf, DockFrame frame) {
+    super(new BorderLayout());
+    this.side = side;
+    this.plan = plan;
+    this.viewOf = viewOf;
+    this.frame = frame;
+    drag = new TabDrag(frame, index -> plan.views(side).get(index));
+    setName("dock-" + side.word());
+  }
+
+  /** Shows what the plan says; the same tabs as before stay, and what is in them. */
+  void follow() {
+    Shown wanted = new Shown(plan.views(side), plan.collapsed(side));
+    filling = true;
+    if (wanted.equals(shown)) {
+      plan.selected(side)
+          .filter(id -> !wanted.collapsed())
+          .ifPresent(id -> tabs.setSelectedIndex(wanted.views().indexOf(id)));
+    } else {
+      shown = wanted;
+      fill();
+    }
+    filling = false;
+  }
+
+  private void fill() {
+    removeAll();
+    tabs.removeAll();
+    tabs = new JTabbedPane();
+    tabs.setName("dock-tabs-" + side.word());
+    tabs.getAccessibleContext().setAccessibleName("Panels at " + side.title());
+    tabs.putClientProperty("JTabbedPane.tabType", "underlined");
+    tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
+    if (plan.collapsed(side)) {
+      fillStrip();
+    } else {
+      fillTabs();
+    }
+    drag.attach(tabs);
+    add(tabs, BorderLayout.CENTER);
+    revalidate();
+    repaint();
+  }
+
+  private void fillTabs() {
+    List<String> ids = plan.views(side);
+    for (String id : ids) {
+      Dockable view = viewOf.apply(id);
+      tabs.addTab(view.title(), null, view.component(), "Drag to another side, or right click");
+    }
+    plan.selected(side).ifPresent(id -> tabs.setSelectedIndex(ids.indexOf(id)));
+    tabs.putClientProperty("JTabbedPane.trailingComponent", collapseButton());
+    tabs.addChangeListener(
+        event -> {
+          if (!filling && tabs.getSelectedIndex() >= 0) {
+            plan.select(plan.views(side).get(tabs.getSelectedIndex()));
+          }
+        });
+  }
+
+  /** The place of a tab that is dropped at {@code point}. */
+  int indexAt(Point point) {
+    int index = tabs.indexAtLocation(point.x - tabs.getX(), point.y - tabs.getY());
+    return index < 0 ? tabs.getTabCount() : index;
+  }
+
+  private JPanel collapseButton() {
+    Glyph glyph =
+        switch (side) {
+          case LEFT -> Glyph.LEFT;
+          case RIGHT -> Glyph.RIGHT;
+          case BOTTOM, MAIN -> Glyph.DOWN;
+        };
+    JButton button = new JButton(GlyphIcon.of(glyph, 14));
+    button.putClientProperty("JButton.buttonType", "toolBarButton");
+    button.setName("dock-collapse-" + side.word());
+    button.setToolTipText("Show only the tabs");
+    button.getAccessibleContext().setAccessibleName("Collapse the dock at " + side.title());
+    button.addActionListener(event -> frame.setCollapsed(side, true));
+    JPanel right = new JPanel(new BorderLayout());
+    right.setOpaque(false);
+    right.add(button, BorderLayout.EAST);
+    return right;
+  }
+
+  private void fillStrip() {
+    tabs.setTabPlacement(
+        switch (side) {
+          case LEFT -> JTabbedPane.LEFT;
+          case RIGHT -> JTabbedPane.RIGHT;
+          case BOTTOM, MAIN -> JTabbedPane.BOTTOM;
+        });
+    tabs.putClientProperty("JTabbedPane.tabRotation", "auto");
+    for (String id : plan.views(side)) {
+      JPanel nothing = new JPanel();
+      nothing.setPreferredSize(new Dimension(0, 0));
+      tabs.addTab(viewOf.apply(id).title(), null, nothing, "Click to show");
+    }
+    tabs.setSelectedIndex(-1);
+    tabs.addMouseListener(
+        new MouseAdapter() {
+          @Override
+          public void mouseClicked(MouseEvent event) {
+            int index = tabs.indexAtLocation(event.getX(), event.getY());
+            if (index >= 0 && event.getButton() == MouseEvent.BUTTON1) {
+              frame.show(plan.views(side).get(index));
+            }
+          }
+        });
+  }
+}

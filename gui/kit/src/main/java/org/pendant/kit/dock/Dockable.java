@@ -1,0 +1,16 @@
+package org.pendant.kit.dock;
+
+import javax.swing.JComponent;
+
+/** Part of the window that is docked: a screen or a panel. Only the dispatch thread calls it. */
+public interface Dockable {
+
+  /** Stable name in settings and commands, such as {@code log}. */
+  String id();
+
+  /** What people read on its tab. */
+  String title();
+
+  /** What is shown; the same component always. */
+  JComponent component();
+}

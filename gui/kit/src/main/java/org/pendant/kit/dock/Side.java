@@ -1,0 +1,28 @@
+package org.pendant.kit.dock;
+
+import java.util.Locale;
+
+/** Where a view can be. */
+public enum Side {
+  /** In the middle, one at a time. */
+  MAIN("the main area"),
+  LEFT("the left"),
+  RIGHT("the right"),
+  BOTTOM("the bottom");
+
+  private final String title;
+
+  Side(String title) {
+    this.title = title;
+  }
+
+  /** Such as {@code the left}. */
+  public String title() {
+    return title;
+  }
+
+  /** The word in settings and ids. */
+  public String word() {
+    return name().toLowerCase(Locale.ROOT);
+  }
+}

@@ -1,0 +1,82 @@
+package org.pendant.kit.dock;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.KeyboardFocusManager;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.JComponent;
+import javax.swing.JList;
+import javax.swing.JTable;
+import javax.swing.JTree;
+import javax.swing.SwingUtilities;
+import javax.swing.text.JTextComponent;
+
+/**
+ * Where keys go in a view that comes to the front: where they went last, at first to its text,
+ * table, tree or list. Never to a button that nobody has chosen: a space would press it.
+ */
+final class ViewFocus {
+  private final Map<Dockable, Component> last = new HashMap<>();
+
+  ViewFocus(Collection<Dockable> views) {
+    KeyboardFocusManager.getCurrentKeyboardFocusManager()
+        .addPropertyChangeListener(
+            "permanentFocusOwner",
+            event -> {
+              if (event.getNewValue() instanceof Component owner) {
+                views.stream()
+                    .filter(each -> SwingUtilities.isDescendingFrom(owner, each.component()))
+                    .forEach(each -> last.put(each, owner));
+              }
+            });
+  }
+
+  /** Gives the focus to a view. */
+  void give(Dockable view) {
+    JComponent whole = view.component();
+    Component there = last.get(view);
+    if (there != null && there.isShowing() && SwingUtilities.isDescendingFrom(there, whole)) {
+      there.requestFocusInWindow();
+    } else {
+      content(whole).orElse(whole).requestFocusInWindow();
+    }
+  }
+
+  /** Whether keys go to a component or to something in it. */
+  static boolean within(Component component) {
+    Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+    return owner != null && SwingUtilities.isDescendingFrom(owner, component);
+  }
+
+  private static Optional<Component> content(Container in) {
+    for (Component each : in.getComponents()) {
+      if (!each.isVisible()) {
+        continue;
+      }
+      if (isContent(each)) {
+        return Optional.of(each);
+      }
+      if (each instanceof Container inner) {
+        Optional<Component> found = content(inner);
+        if (found.isPresent()) {
+          return found;
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static boolean isContent(Component component) {
+    boolean kind =
+        component instanceof JTable
+            || component instanceof JTree
+            || component instanceof JList
+            || (component instanceof JTextComponent text
+                && text.isEditable()
+                && !(text instanceof javax.swing.JTextField));
+    return kind && component.isFocusable() && component.isEnabled();
+  }
+}

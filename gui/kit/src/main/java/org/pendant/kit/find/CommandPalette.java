@@ -1,0 +1,156 @@
+package org.pendant.kit.find;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.event.ActionEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.List;
+import javax.swing.AbstractAction;
+import javax.swing.DefaultListModel;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import javax.swing.ListCellRenderer;
+import javax.swing.SwingUtilities;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.action.FuzzyMatch;
+import org.pendant.kit.action.KeyText;
+import org.pendant.kit.theme.Overlay;
+import org.pendant.kit.theme.Palette;
+
+/** Finds an action by a few letters and does it. */
+public final class CommandPalette {
+  private final ActionTable actions;
+  private final Overlay overlay;
+  private final JTextField query = new JTextField(40);
+  private final DefaultListModel<Action> model = new DefaultListModel<>();
+  private final JList<Action> list = new JList<>(model);
+  private final JLabel nothing = new JLabel("Nothing matches");
+
+  /**
+   * A palette that is closed.
+   *
+   * @param under what it may cover
+   */
+  public CommandPalette(ActionTable actions, JComponent under) {
+    this.actions = actions;
+    JPanel panel = new JPanel(new MigLayout("insets 0, gap 8, wrap 1", "[grow, fill, 0:480:]", ""));
+    panel.setOpaque(false);
+    query.setName("palette-query");
+    query.putClientProperty("JTextField.placeholderText", "What do you want to do?");
+    query.putClientProperty("JTextField.showClearButton", true);
+    query.setToolTipText("A few letters of an action; Enter does it, Escape closes");
+    query.getAccessibleContext().setAccessibleName("Find an action");
+    list.setName("palette-list");
+    list.setToolTipText("Enter or a click does the action");
+    list.getAccessibleContext().setAccessibleName("Actions that match");
+    list.setVisibleRowCount(12);
+    list.setFocusable(false);
+    list.setCellRenderer(new Cell());
+    panel.add(query);
+    panel.add(new JScrollPane(list), "grow, push");
+    panel.add(nothing, "hidemode 3");
+    overlay = new Overlay("palette", under, panel);
+    query.getDocument().addDocumentListener(new Typed(this::filter));
+    key("UP", () -> move(-1));
+    key("DOWN", () -> move(1));
+    key("PAGE_UP", () -> move(-10));
+    key("PAGE_DOWN", () -> move(10));
+    query.addActionListener(event -> run());
+    list.addMouseListener(
+        new MouseAdapter() {
+          @Override
+          public void mouseClicked(MouseEvent event) {
+            run();
+          }
+        });
+  }
+
+  private void key(String keys, Runnable run) {
+    query.getInputMap().put(KeyStroke.getKeyStroke(keys), keys);
+    query
+        .getActionMap()
+        .put(
+            keys,
+            new AbstractAction() {
+              @Override
+              public void actionPerformed(ActionEvent event) {
+                run.run();
+              }
+            });
+  }
+
+  /** Opens it with all actions. */
+  public void open() {
+    nothing.setForeground(Palette.quiet());
+    query.setText("");
+    filter();
+    overlay.open();
+    query.requestFocusInWindow();
+  }
+
+  private void filter() {
+    List<Action> found = FuzzyMatch.filter(query.getText(), actions.all(), Action::title);
+    model.clear();
+    // What can be done comes first.
+    model.addAll(found.stream().filter(each -> each.enabled().getAsBoolean()).toList());
+    model.addAll(found.stream().filter(each -> !each.enabled().getAsBoolean()).toList());
+    nothing.setVisible(found.isEmpty());
+    move(0);
+  }
+
+  private void move(int steps) {
+    if (model.isEmpty()) {
+      return;
+    }
+    int index = Math.clamp((long) list.getSelectedIndex() + steps, 0, model.size() - 1);
+    list.setSelectedIndex(index);
+    list.ensureIndexIsVisible(index);
+  }
+
+  private void run() {
+    Action chosen = list.getSelectedValue();
+    if (chosen != null && chosen.enabled().getAsBoolean()) {
+      overlay.close();
+      SwingUtilities.invokeLater(() -> actions.run(chosen.id()));
+    }
+  }
+
+  /** Title, reason and key in one row; a component, so that it follows the look. */
+  @SuppressWarnings("serial") // never written to a stream
+  private final class Cell extends JPanel implements ListCellRenderer<Action> {
+    private final JLabel title = new JLabel();
+    private final JLabel reason = new JLabel();
+    private final JLabel keys = new JLabel();
+
+    Cell() {
+      super(new MigLayout("insets 4 8 4 8", "[0:pref:]8[grow, 0::]16[right]"));
+      add(title);
+      add(reason);
+      add(keys, "wmin pref");
+    }
+
+    @Override
+    public Component getListCellRendererComponent(
+        JList<? extends Action> all, Action action, int index, boolean selected, boolean focus) {
+      boolean enabled = action.enabled().getAsBoolean();
+      setBackground(selected ? all.getSelectionBackground() : all.getBackground());
+      Color words = selected ? all.getSelectionForeground() : all.getForeground();
+      title.setText(action.title());
+      title.setForeground(enabled ? words : Palette.quiet());
+      reason.setText(actions.reason(action.id()));
+      reason.setForeground(Palette.quiet());
+      keys.setText(KeyText.shown(actions.keysOf(action.id())));
+      keys.setForeground(selected ? words : Palette.quiet());
+      getAccessibleContext().setAccessibleName(action.title());
+      return this;
+    }
+  }
+}

@@ -1,0 +1,227 @@
+package org.pendant.kit.find;
+
+import java.awt.KeyboardFocusManager;
+import java.awt.event.KeyAdapter;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.action.KeyText;
+import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.Overlay;
+import org.pendant.kit.theme.Palette;
+
+/** Shows and changes the keys of the actions. */
+public final class KeyEditor {
+  private final ActionTable actions;
+  private final Overlay overlay;
+  private final JTextField filter = new JTextField();
+  private final KeyTable model;
+  private final JTable table;
+  private final JTextField capture = new JTextField();
+  private final JButton take = new JButton("Take it from there");
+  private final JLabel conflict = new JLabel(" ");
+
+  /**
+   * An editor that is closed.
+   *
+   * @param under what it may cover
+   */
+  public KeyEditor(ActionTable actions, JComponent under) {
+    this.actions = actions;
+    model = new KeyTable(actions);
+    table = new JTable(model);
+    JPanel panel =
+        new JPanel(
+            new MigLayout(
+                "insets 0, gap 8, wrap 1", "[grow, fill, 0:560:]", "[][][grow, 60::340][][]"));
+    panel.setOpaque(false);
+    JLabel heading = new JLabel("Keys");
+    heading.putClientProperty("FlatLaf.styleClass", "h3");
+    panel.add(heading);
+    panel.add(filter);
+    panel.add(new JScrollPane(table), "grow");
+    panel.add(captureRow());
+    panel.add(buttons());
+    overlay = new Overlay("key-editor", under, panel);
+    setUpFilter();
+    setUpTable();
+    setUpCapture();
+    selected();
+  }
+
+  private JPanel captureRow() {
+    JPanel row =
+        new JPanel(new MigLayout("insets 0, gap 8, hidemode 3, wrap 3", "[][180::][]push"));
+    row.setOpaque(false);
+    JLabel label = new JLabel("New key");
+    label.setLabelFor(capture);
+    conflict.setName("key-conflict");
+    row.add(label);
+    row.add(capture, "growx");
+    row.add(button(take, "key-take", "Takes the key away from the other action", this::take));
+    row.add(conflict, "span, growx, wmin 0");
+    return row;
+  }
+
+  private JPanel buttons() {
+    JPanel row = new JPanel(new WrappingRow(4));
+    row.setOpaque(false);
+    row.add(button(new JButton("No key"), "key-none", "Takes the key away", () -> bind("")));
+    row.add(button(new JButton("Reset"), "key-reset", "The key it came with", this::reset));
+    row.add(
+        button(new JButton("Reset all"), "key-reset-all", "All keys as they came", this::resetAll));
+    row.add(button(new JButton("Close"), "key-close", "Closes this panel (Esc)", this::close));
+    return row;
+  }
+
+  private void close() {
+    overlay.close();
+  }
+
+  private static JButton button(JButton button, String name, String tip, Runnable run) {
+    button.setName(name);
+    button.setToolTipText(tip);
+    button.getAccessibleContext().setAccessibleName(button.getText());
+    button.addActionListener(event -> run.run());
+    return button;
+  }
+
+  private void setUpFilter() {
+    filter.setName("key-filter");
+    filter.putClientProperty("JTextField.placeholderText", "Filter by title or key");
+    filter.setToolTipText("Letters of a title, or a key such as F5");
+    filter.getAccessibleContext().setAccessibleName("Filter actions");
+    filter
+        .getDocument()
+        .addDocumentListener(
+            new Typed(
+                () -> {
+                  model.filter(filter.getText());
+                  selectFirst();
+                }));
+  }
+
+  private void setUpTable() {
+    table.setName("key-table");
+    table.setToolTipText("Choose an action, then press its new key in the field below");
+    table.getAccessibleContext().setAccessibleName("Actions and their keys");
+    table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    table.setFillsViewportHeight(true);
+    // Tab leaves a table that cannot be edited.
+    table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+    table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
+    table.getColumnModel().getColumn(0).setPreferredWidth(340);
+    table.getSelectionModel().addListSelectionListener(event -> selected());
+  }
+
+  private void setUpCapture() {
+    capture.setName("key-capture");
+    capture.setEditable(false);
+    capture.putClientProperty("JTextField.placeholderText", "Click here and press a key");
+    capture.setToolTipText("The key that you press here does the chosen action from now on");
+    capture.getAccessibleContext().setAccessibleName("Press the new key");
+    capture.addKeyListener(
+        new KeyAdapter() {
+          @Override
+          public void keyPressed(KeyEvent event) {
+            pressed(event);
+          }
+        });
+  }
+
+  private void pressed(KeyEvent event) {
+    KeyStroke stroke = KeyStroke.getKeyStrokeForEvent(event);
+    if (KeyText.modifier(event.getKeyCode())) {
+      return;
+    }
+    if (KeyText.bindable(stroke)) {
+      event.consume();
+      bind(KeyText.keys(stroke));
+    } else if (event.getKeyCode() != KeyEvent.VK_ESCAPE) {
+      say(
+          KeyText.shown(stroke)
+              + " is needed for writing and moving around; hold Ctrl, Alt or both with it",
+          true);
+    }
+  }
+
+  private void say(String text, boolean wrong) {
+    conflict.setForeground(wrong ? Palette.error() : Palette.quiet());
+    conflict.setText(text.isEmpty() ? " " : text);
+    conflict.setToolTipText(text.isEmpty() ? null : text);
+  }
+
+  /** Opens it. */
+  public void open() {
+    filter.setText("");
+    model.filter("");
+    overlay.open();
+    selectFirst();
+    filter.requestFocusInWindow();
+  }
+
+  private void selectFirst() {
+    if (table.getRowCount() > 0) {
+      table.setRowSelectionInterval(0, 0);
+    }
+  }
+
+  private Optional<Action> chosen() {
+    int row = table.getSelectedRow();
+    return row < 0 ? Optional.empty() : Optional.of(model.action(row));
+  }
+
+  private void selected() {
+    capture.setText(chosen().map(each -> KeyText.shown(actions.keysOf(each.id()))).orElse(""));
+    List<Action> others =
+        chosen()
+            .map(each -> actions.conflicts(each.id(), actions.keysOf(each.id())))
+            .orElse(List.of());
+    take.setVisible(!others.isEmpty());
+    String titles = String.join(", ", others.stream().map(Action::title).toList());
+    say(others.isEmpty() ? "" : "Also the key of: " + titles, true);
+  }
+
+  /** Leaves the key to the chosen action alone. */
+  private void take() {
+    chosen()
+        .ifPresent(
+            each ->
+                actions
+                    .conflicts(each.id(), actions.keysOf(each.id()))
+                    .forEach(other -> actions.rebind(other.id(), "")));
+    changed();
+  }
+
+  private void bind(String keys) {
+    chosen().ifPresent(each -> actions.rebind(each.id(), keys));
+    changed();
+  }
+
+  private void reset() {
+    chosen().ifPresent(each -> actions.reset(each.id()));
+    changed();
+  }
+
+  private void resetAll() {
+    actions.all().forEach(each -> actions.reset(each.id()));
+    changed();
+  }
+
+  private void changed() {
+    model.fireTableRowsUpdated(0, Math.max(0, model.getRowCount() - 1));
+    selected();
+  }
+}

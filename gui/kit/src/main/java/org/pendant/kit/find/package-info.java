@@ -1,0 +1,2 @@
+/** Finding and rebinding actions. Open {@link org.pendant.kit.find.CommandPalette} first. */
+package org.pendant.kit.find;

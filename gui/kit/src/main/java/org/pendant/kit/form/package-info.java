@@ -1,0 +1,2 @@
+/** Parts of forms. Open {@link org.pendant.kit.form.Measure} first. */
+package org.pendant.kit.form;

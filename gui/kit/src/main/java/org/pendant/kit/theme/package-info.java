@@ -1,0 +1,4 @@
+/**
+ * How the desktop looks: themes, scale and icons. Open {@link org.pendant.kit.theme.Look} first.
+ */
+package org.pendant.kit.theme;

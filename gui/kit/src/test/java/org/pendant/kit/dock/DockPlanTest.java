@@ -1,0 +1,118 @@
+package org.pendant.kit.dock;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.pendant.kit.settings.Settings;
+
+final class DockPlanTest {
+  private final Map<String, String> remembered = new HashMap<>();
+  private final Settings settings =
+      new Settings() {
+        @Override
+        public Optional<String> get(String name) {
+          return Optional.ofNullable(remembered.get(name));
+        }
+
+        @Override
+        public void put(String name, String text) {
+          remembered.put(name, text);
+        }
+      };
+
+  private static Map<String, Side> home() {
+    Map<String, Side> home = new LinkedHashMap<>();
+    home.put("run", Side.MAIN);
+    home.put("log", Side.MAIN);
+    home.put("scene", Side.RIGHT);
+    home.put("variables", Side.RIGHT);
+    home.put("problems", Side.BOTTOM);
+    return home;
+  }
+
+  private DockPlan plan() {
+    return new DockPlan(settings, home());
+  }
+
+  @Test
+  void viewsAreAtHomeAtFirst() {
+    assertEquals(List.of("run", "log"), plan().views(Side.MAIN));
+    assertEquals(Optional.of("scene"), plan().selected(Side.RIGHT));
+    assertTrue(plan().collapsed(Side.BOTTOM));
+  }
+
+  @Test
+  void whatIsMovedIsInFrontThereNowAndNextTime() {
+    plan().move("log", Side.BOTTOM);
+    DockPlan next = plan();
+    assertEquals(List.of("run"), next.views(Side.MAIN));
+    assertEquals(List.of("problems", "log"), next.views(Side.BOTTOM));
+    assertEquals(Optional.of("log"), next.selected(Side.BOTTOM));
+    assertFalse(next.collapsed(Side.BOTTOM));
+  }
+
+  @Test
+  void aViewGoesWhereItsTabIsDropped() {
+    DockPlan plan = plan();
+    plan.move("variables", Side.RIGHT, 0);
+    assertEquals(List.of("variables", "scene"), plan().views(Side.RIGHT));
+    plan.move("problems", Side.RIGHT, 1);
+    assertEquals(List.of("variables", "problems", "scene"), plan().views(Side.RIGHT));
+    plan.move("variables", Side.RIGHT, 99);
+    assertEquals(List.of("problems", "scene", "variables"), plan().views(Side.RIGHT));
+  }
+
+  @Test
+  void anEmptySideStaysEmpty() {
+    DockPlan plan = plan();
+    plan.move("scene", Side.LEFT);
+    plan.move("variables", Side.LEFT);
+    assertEquals(List.of(), plan().views(Side.RIGHT));
+    assertEquals(Optional.empty(), plan().selected(Side.RIGHT));
+  }
+
+  @Test
+  void unknownAndDoubleNamesInSettingsAreLeftOutAndNewViewsAreAtHome() {
+    remembered.put("dock.left.views", "scene gone scene");
+    remembered.put("dock.bottom.views", "scene");
+    remembered.put("dock.right.size", "wide");
+    DockPlan plan = plan();
+    assertEquals(List.of("scene"), plan.views(Side.LEFT));
+    assertEquals(List.of("variables"), plan.views(Side.RIGHT));
+    assertEquals(List.of("problems"), plan.views(Side.BOTTOM));
+    assertEquals(420, plan.size(Side.RIGHT));
+  }
+
+  @Test
+  void sizesAreRememberedWithinReason() {
+    DockPlan plan = plan();
+    plan.setSize(Side.RIGHT, 412);
+    plan.setSize(Side.BOTTOM, -5);
+    assertEquals(412, plan().size(Side.RIGHT));
+    assertEquals(DockPlan.SMALLEST, plan().size(Side.BOTTOM));
+  }
+
+  @Test
+  void theMainAreaIsNeverCollapsed() {
+    DockPlan plan = plan();
+    plan.setCollapsed(Side.MAIN, true);
+    assertFalse(plan.collapsed(Side.MAIN));
+  }
+
+  @Test
+  void everythingGoesHomeOnRequest() {
+    DockPlan plan = plan();
+    plan.move("run", Side.LEFT);
+    plan.setSize(Side.RIGHT, 500);
+    plan.reset(home());
+    assertEquals(List.of("run", "log"), plan().views(Side.MAIN));
+    assertEquals(420, plan().size(Side.RIGHT));
+  }
+}

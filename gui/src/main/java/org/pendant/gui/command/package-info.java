@@ -1,6 +1,0 @@
-/**
- * The {@code pendant} command line: subcommands, their options, output streams and exit codes. Open
- * {@link org.pendant.gui.command.Pendant} first; {@link org.pendant.gui.command.RunCommand} is the
- * one that CI calls.
- */
-package org.pendant.gui.command;

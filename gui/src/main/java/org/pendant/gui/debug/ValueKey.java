@@ -1,8 +1,0 @@
-package org.pendant.gui.debug;
-
-/**
- * What stays the same about a value from one stop to the next.
- *
- * @param expression what yields it in that scope, as the debugger takes it
- */
-record ValueKey(Scope scope, String expression) {}

@@ -1,8 +1,0 @@
-package org.pendant.gui.editor;
-
-/** A panel that follows the editor. */
-interface EditorListener {
-
-  /** There is a new analysis of the program in front, another program, or another caret. */
-  void editorChanged();
-}

@@ -1,5 +1,0 @@
-/**
- * The script editor of the desktop, with its panels for outline, problems and search results. Open
- * {@link org.pendant.gui.editor.ScriptEditor} first.
- */
-package org.pendant.gui.editor;

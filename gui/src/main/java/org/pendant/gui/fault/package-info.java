@@ -1,6 +1,0 @@
-/**
- * What becomes of our own mistakes: they end nothing but the piece of work that made them, and are
- * told once. Open {@link org.pendant.gui.fault.Faults} first; {@link
- * org.pendant.gui.fault.FaultFile} keeps what there is to know.
- */
-package org.pendant.gui.fault;

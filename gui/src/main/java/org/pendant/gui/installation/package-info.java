@@ -1,5 +1,0 @@
-/**
- * The Installation screen: pages with forms, each for a part of the installation. Open {@link
- * org.pendant.gui.installation.InstallationView} first.
- */
-package org.pendant.gui.installation;

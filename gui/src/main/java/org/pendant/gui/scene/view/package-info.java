@@ -1,5 +1,0 @@
-/**
- * The 3D view as a part of a window. Open {@link org.pendant.gui.scene.view.SceneView} first, then
- * {@link org.pendant.gui.scene.view.PictureLoop}, which keeps drawing off the dispatch thread.
- */
-package org.pendant.gui.scene.view;

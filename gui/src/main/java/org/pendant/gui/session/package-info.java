@@ -1,5 +1,0 @@
-/**
- * What the desktop works with, without any Swing: the controller at its own pace, the open
- * programs, and what may be done with both now. Open {@link org.pendant.gui.session.Session} first.
- */
-package org.pendant.gui.session;

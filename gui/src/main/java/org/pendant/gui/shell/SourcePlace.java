@@ -1,9 +1,0 @@
-package org.pendant.gui.shell;
-
-/** Shows a place of the current program. */
-@FunctionalInterface
-interface SourcePlace {
-
-  /** Lines and columns count from 1. */
-  void show(int line, int column);
-}

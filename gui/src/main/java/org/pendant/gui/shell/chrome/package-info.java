@@ -1,5 +1,0 @@
-/**
- * What is always visible around the views: header, rail, status line and footer. Open {@link
- * org.pendant.gui.shell.chrome.Footer} first.
- */
-package org.pendant.gui.shell.chrome;

@@ -1,5 +1,0 @@
-/**
- * Single screens in a window of their own, with a controller that runs a program, to try them by
- * hand. Open {@link org.pendant.gui.preview.Preview} first.
- */
-package org.pendant.gui.preview;
