@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Timeout;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
 import org.pendant.project.program.ControlScript;
+import org.pendant.protocols.ClosedPort;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.egress.HostPolicy;
 
@@ -97,13 +98,14 @@ class ScriptRequestTest {
 
   @Test
   void saysThatNobodyAnswers() throws Exception {
-    FakeDriver gone = new FakeDriver("");
-    gone.close();
-    assertEquals(
-        "External Control: nobody answers at "
-            + gone.host().text()
-            + " (connection refused); the driver must be running",
-        refusal(ask(gone.host(), LONG)));
+    try (ClosedPort closed = new ClosedPort()) {
+      ControlHost gone = new ControlHost("127.0.0.1", closed.number());
+      assertEquals(
+          "External Control: nobody answers at "
+              + gone.text()
+              + " (connection refused); the driver must be running",
+          refusal(ask(gone, LONG)));
+    }
   }
 
   @Test

@@ -15,6 +15,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.pendant.protocols.ClosedPort;
 import org.pendant.protocols.Peer;
 import org.pendant.protocols.ScriptRun;
 import org.pendant.protocols.egress.AllowedHosts;
@@ -504,15 +505,12 @@ class ModbusClientsTest {
 
   @Test
   void aPortWhereNobodyListensRefuses() throws Exception {
-    int port;
-    try (Peer peer = Peer.that(device)) {
-      port = peer.port();
-    }
-    try (ScriptRun script = new ScriptRun()) {
+    try (ClosedPort closed = new ClosedPort();
+        ScriptRun script = new ScriptRun()) {
       script.run(
           UNTIL_VALID
               + "  modbus_add_signal(\"127.0.0.1:"
-              + port
+              + closed.number()
               + "\", 1, 5, 2, \"s\")\n  until_error(\"s\", 111)\n");
     }
   }

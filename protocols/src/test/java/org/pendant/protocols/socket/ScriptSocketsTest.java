@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.OutputStream;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -15,6 +13,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.pendant.protocols.ClosedPort;
 import org.pendant.protocols.Peer;
 import org.pendant.protocols.ScriptRun;
 import org.pendant.protocols.egress.AllowedHosts;
@@ -219,15 +218,13 @@ class ScriptSocketsTest {
 
   @Test
   void nobodyAtThePortIsFalse() throws Exception {
-    int free;
-    try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      free = server.getLocalPort();
-    }
-    try (ScriptRun script = new ScriptRun()) {
+    try (ClosedPort closed = new ClosedPort();
+        ScriptRun script = new ScriptRun()) {
       assertEquals(
-          List.of("False"), script.run("  textmsg(socket_open(\"127.0.0.1\", " + free + "))\n"));
+          List.of("False"),
+          script.run("  textmsg(socket_open(\"127.0.0.1\", " + closed.number() + "))\n"));
       assertEquals(
-          List.of("socket_open: \"127.0.0.1\", port " + free + ": connection refused"),
+          List.of("socket_open: \"127.0.0.1\", port " + closed.number() + ": connection refused"),
           script.reported());
     }
   }

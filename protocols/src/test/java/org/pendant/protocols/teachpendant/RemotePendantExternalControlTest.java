@@ -21,6 +21,7 @@ import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.StateStream;
+import org.pendant.protocols.ClosedPort;
 import org.pendant.protocols.dashboard.DashboardServer;
 import org.pendant.protocols.dashboard.DashboardTalk;
 import org.pendant.protocols.egress.AllowedHosts;
@@ -162,21 +163,22 @@ class RemotePendantExternalControlTest {
   @Test
   void aProgramDoesNotStartWithoutTheDriverAndTheLogSaysWhy() throws Exception {
     save("drive.urp", NODE);
-    FakeDriver gone = new FakeDriver("");
-    gone.close();
-    RemotePendant remotePendant = panel(Optional.of(gone.host()));
-    try (DashboardServer server =
-            DashboardServer.open(box.serverContext(), PortNumbers.anyFree(), remotePendant);
-        DashboardTalk client = new DashboardTalk(server.ports().getFirst().number())) {
-      assertEquals("Loading program: drive.urp", client.ask("load drive.urp"));
-      assertEquals("Failed to execute: play", client.ask("play"));
-      assertEquals("STOPPED drive.urp", client.ask("programState"));
+    try (ClosedPort closed = new ClosedPort()) {
+      ControlHost gone = new ControlHost("127.0.0.1", closed.number());
+      RemotePendant remotePendant = panel(Optional.of(gone));
+      try (DashboardServer server =
+              DashboardServer.open(box.serverContext(), PortNumbers.anyFree(), remotePendant);
+          DashboardTalk client = new DashboardTalk(server.ports().getFirst().number())) {
+        assertEquals("Loading program: drive.urp", client.ask("load drive.urp"));
+        assertEquals("Failed to execute: play", client.ask("play"));
+        assertEquals("STOPPED drive.urp", client.ask("programState"));
+      }
+      assertEquals(
+          "dashboard: play: External Control: nobody answers at "
+              + gone.text()
+              + " (connection refused); the driver must be running",
+          box.nextLogged());
     }
-    assertEquals(
-        "dashboard: play: External Control: nobody answers at "
-            + gone.host().text()
-            + " (connection refused); the driver must be running",
-        box.nextLogged());
   }
 
   @Test

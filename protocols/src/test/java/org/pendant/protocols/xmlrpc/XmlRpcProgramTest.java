@@ -16,6 +16,7 @@ import java.util.function.UnaryOperator;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.pendant.protocols.ClosedPort;
 import org.pendant.protocols.Peer;
 import org.pendant.protocols.ScriptRun;
 import org.pendant.protocols.egress.AllowedHosts;
@@ -314,11 +315,9 @@ class XmlRpcProgramTest {
 
   @Test
   void anAbsentServerEndsTheProgram() throws Exception {
-    int port;
-    try (Peer peer = Peer.that(client -> {})) {
-      port = peer.port();
-    }
-    try (ScriptRun script = new ScriptRun()) {
+    try (ClosedPort closed = new ClosedPort();
+        ScriptRun script = new ScriptRun()) {
+      int port = closed.number();
       script.run("  rpc_factory(\"xmlrpc\", \"http://127.0.0.1:" + port + "/RPC2\")\n");
       assertTrue(
           script
