@@ -5,9 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.EventQueue;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
@@ -42,12 +46,9 @@ final class ProgramRunnerTest {
           (program, from) -> RunPlan.of(script(program, starts.getAndIncrement() == 0)));
 
       EventQueue.invokeAndWait(runner::runOrResume);
-      while (runner.loading()) {
-        EventQueue.invokeAndWait(() -> {});
-      }
+      await(runner);
       assertEquals(1, told.size(), told::toString);
       assertTrue(told.getFirst().startsWith("a.script cannot run: internal error"), told::toString);
-      assertFalse(runner.loading());
 
       EventQueue.invokeAndWait(runner::runOrResume);
       while (session.state().program().state() != ProgramState.RUNNING) {
@@ -58,8 +59,9 @@ final class ProgramRunnerTest {
   }
 
   private static void await(ProgramRunner runner) throws Exception {
-    while (runner.loading()) {
-      EventQueue.invokeAndWait(() -> {});
+    AtomicBoolean loading = new AtomicBoolean(true);
+    while (loading.get()) {
+      EventQueue.invokeAndWait(() -> loading.set(runner.loading()));
     }
   }
 
@@ -99,19 +101,21 @@ final class ProgramRunnerTest {
 
   @Test
   void aProgramWithoutItsDriverDoesNotStartAndSaysWhy() throws Exception {
-    FakeDriver gone = new FakeDriver("");
-    gone.close();
-    try (Session session = Session.start(ControllerOptions.headless())) {
+    try (Socket closed = new Socket();
+        Session session = Session.start(ControllerOptions.headless())) {
+      // bound, so that nobody else gets the port, and nothing listens
+      closed.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
+      ControlHost gone = new ControlHost("127.0.0.1", closed.getLocalPort());
       ProgramDocument document = ProgramDocument.untitled("a.script", "");
       ProgramRunner runner =
           new ProgramRunner(session, new Programs(document), told::add, (line, column) -> {});
-      runner.setTexts((program, from) -> waiting(program, gone.host()));
+      runner.setTexts((program, from) -> waiting(program, gone));
       EventQueue.invokeAndWait(runner::runOrResume);
       await(runner);
       assertEquals(
           List.of(
               "a.script cannot run: External Control: nobody answers at "
-                  + gone.host().text()
+                  + gone.text()
                   + " (connection refused); the driver must be running"),
           told);
       assertEquals(ProgramState.STOPPED, session.state().program().state());
