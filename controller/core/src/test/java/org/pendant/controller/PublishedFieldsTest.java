@@ -3,7 +3,6 @@ package org.pendant.controller;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.ByteBuffer;
 import java.time.InstantSource;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.freedrive.FreeAxes;
@@ -13,6 +12,7 @@ import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.rtde.FieldType;
+import org.pendant.controller.rtde.OutputField;
 import org.pendant.controller.rtde.OutputFields;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.models.arm.Joints;
@@ -25,36 +25,38 @@ final class PublishedFieldsTest {
 
   private final RunningProgram robot = new RunningProgram();
 
-  private ByteBuffer encoded(String name, FieldType type) {
-    var field = OutputFields.of(name).orElseThrow();
+  private double element(String name, FieldType type, int index) {
+    OutputField field = OutputFields.of(name).orElseThrow();
     assertEquals(type, field.type());
-    ByteBuffer out = ByteBuffer.allocate(type.bytes());
-    field.encoder().put(robot.state(), out);
-    return out.flip();
+    return field.quantity().numbers(robot.state())[field.from() + index];
   }
 
   private double number(String name) {
-    return encoded(name, FieldType.DOUBLE).getDouble();
+    return element(name, FieldType.DOUBLE, 0);
   }
 
   private int integer(String name) {
-    return encoded(name, FieldType.INT32).getInt();
+    return (int) element(name, FieldType.INT32, 0);
   }
 
   private int bits(String name) {
-    return encoded(name, FieldType.UINT32).getInt();
+    return (int) element(name, FieldType.UINT32, 0);
+  }
+
+  private long longBits(String name) {
+    return (long) element(name, FieldType.UINT64, 0);
   }
 
   private double element(String name, int index) {
-    return encoded(name, FieldType.VECTOR6D).getDouble(Double.BYTES * index);
+    return element(name, FieldType.VECTOR6D, index);
   }
 
   private double element3(String name, int index) {
-    return encoded(name, FieldType.VECTOR3D).getDouble(Double.BYTES * index);
+    return element(name, FieldType.VECTOR3D, index);
   }
 
   private int jointMode(int joint) {
-    return encoded("joint_mode", FieldType.VECTOR6INT32).getInt(Integer.BYTES * joint);
+    return (int) element("joint_mode", FieldType.VECTOR6INT32, joint);
   }
 
   @Test
@@ -134,13 +136,9 @@ final class PublishedFieldsTest {
             new SignalWrite.Digital(new Signal(SignalBank.TOOL_OUT, 1), true)));
     robot.done(new Command.SetInput("tool_in[0]", true));
     robot.done(new Command.SetInput("configurable_in[7]", true));
-    assertEquals(
-        1 << 2 | 1 << 8 | 1 << 17,
-        encoded("actual_digital_output_bits", FieldType.UINT64).getLong());
-    assertEquals(
-        1 << 15 | 1 << 16, encoded("actual_digital_input_bits", FieldType.UINT64).getLong());
-    assertEquals(
-        1 << 7, encoded("actual_configurable_digital_input_bits", FieldType.UINT64).getLong());
+    assertEquals(1 << 2 | 1 << 8 | 1 << 17, longBits("actual_digital_output_bits"));
+    assertEquals(1 << 15 | 1 << 16, longBits("actual_digital_input_bits"));
+    assertEquals(1 << 7, longBits("actual_configurable_digital_input_bits"));
     assertEquals(0.02, number("io_current"), 1e-12);
   }
 
@@ -247,7 +245,7 @@ final class PublishedFieldsTest {
     robot.run(STRETCHED);
     assertEquals(0, number("actual_execution_time"));
     assertEquals(2000, number("target_execution_time"), 1e-9);
-    assertEquals(robot.state().frame(), encoded("control_step", FieldType.UINT64).getLong());
+    assertEquals(robot.state().frame(), longBits("control_step"));
     assertEquals(0.002 * robot.state().frame(), number("timestamp"), 1e-9);
     robot.start("movej([1, -1, -1, -1, 1, 1])\n");
     robot.advance(100);

@@ -19,6 +19,7 @@ import org.pendant.protocols.server.RetriedCommands;
 final class AssemblyHandler {
   private final Controller controller;
   private final RetriedCommands commands;
+  private final StateAssembly state = new StateAssembly();
 
   /** What each scanner has written last, as long as no frame has taken it. */
   private final Map<String, PendingCommand> newest = new ConcurrentHashMap<>();
@@ -51,7 +52,7 @@ final class AssemblyHandler {
   /** What the robot writes now; no bytes when there is no such assembly. */
   ByteBuffer toScanner(int instance) {
     return instance == AssemblyPair.BUILT_IN_TO_PLC
-        ? StateAssembly.of(controller.state())
+        ? state.of(controller.state())
         : ByteBuffer.wrap(image().toPlc(instance).map(AssemblyData::toArray).orElse(new byte[0]));
   }
 

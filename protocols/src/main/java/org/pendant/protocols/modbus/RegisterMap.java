@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.io.PortMap;
 import org.pendant.controller.io.SignalWrite;
+import org.pendant.controller.quantity.PortImage;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.state.PortImage;
 import org.pendant.protocols.modbus.RefusedRequest.Reason;
 
 /**

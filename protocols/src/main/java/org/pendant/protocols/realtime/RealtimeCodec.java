@@ -1,10 +1,9 @@
 package org.pendant.protocols.realtime;
 
-import java.nio.ByteBuffer;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Optional;
+import java.nio.ByteOrder;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.protocols.packet.PacketLayout;
+import org.pendant.protocols.packet.WireType;
 
 /**
  * The package of version 5.10 and later, big-endian: {@code i32 size}, then 152 doubles. The same
@@ -15,59 +14,53 @@ final class RealtimeCodec {
   /** Bytes of a package. */
   static final int BYTES = 1220;
 
-  /**
-   * Some doubles in a row.
-   *
-   * @param field what they are; empty for 0, where nobody outside knows what is meant
-   */
-  private record Slots(Optional<FieldNumbers> field, int count) {}
-
-  private final List<Slots> layout = new ArrayList<>();
+  private final PacketLayout layout;
 
   RealtimeCodec() {
-    fields("timestamp", "target_q", "target_qd", "target_qdd", "target_current", "target_moment");
-    fields("actual_q", "actual_qd", "actual_current", "joint_control_output");
-    fields("actual_TCP_pose", "actual_TCP_speed", "actual_TCP_force");
-    fields("target_TCP_pose", "target_TCP_speed");
-    fields("actual_digital_input_bits", "joint_temperatures", "actual_execution_time");
-    reserved(1);
-    fields("robot_mode", "joint_mode", "safety_mode");
-    reserved(6);
-    fields("actual_tool_accelerometer");
-    reserved(6);
-    fields("speed_scaling", "actual_momentum");
-    reserved(2);
-    fields("actual_main_voltage", "actual_robot_voltage", "actual_robot_current");
-    fields("actual_joint_voltage", "actual_digital_output_bits", "runtime_state");
-    fields("elbow_position", "elbow_velocity", "safety_status");
-    reserved(3);
-    fields("payload", "payload_cog", "payload_inertia");
+    PacketLayout.Builder packet =
+        new PacketLayout.Builder(BYTES, ByteOrder.BIG_ENDIAN).int32(BYTES);
+    put(
+        packet,
+        "timestamp",
+        "target_q",
+        "target_qd",
+        "target_qdd",
+        "target_current",
+        "target_torque");
+    put(packet, "actual_q", "actual_qd", "current", "current");
+    put(packet, "actual_tcp", "tcp_velocity", "tcp_wrench", "target_tcp", "target_tcp_velocity");
+    put(packet, "digital_input_bits", "temperature", "execution_time");
+    reserved(packet, 1);
+    put(packet, "robot_mode", "joint_mode", "safety_mode");
+    reserved(packet, 6);
+    put(packet, "tool_acceleration");
+    reserved(packet, 6);
+    put(packet, "speed_scaling", "momentum");
+    reserved(packet, 2);
+    put(
+        packet,
+        "main_voltage",
+        "robot_voltage",
+        "robot_current",
+        "joint_voltage",
+        "digital_output_bits");
+    put(packet, "runtime_state", "elbow", "elbow_speed", "safety_status");
+    reserved(packet, 3);
+    put(packet, "payload", "payload_cog", "payload_inertia");
+    layout = packet.build();
   }
 
-  private void fields(String... names) {
-    for (String name : names) {
-      FieldNumbers field = new FieldNumbers(name);
-      layout.add(new Slots(Optional.of(field), field.count()));
-    }
+  private static void put(PacketLayout.Builder packet, String... quantities) {
+    packet.put(WireType.FLOAT64, quantities);
   }
 
-  private void reserved(int count) {
-    layout.add(new Slots(Optional.empty(), count));
+  /** Doubles of which nobody outside knows what is meant. */
+  private static void reserved(PacketLayout.Builder packet, int count) {
+    packet.skip(count * Double.BYTES);
   }
 
   /** The package of a frame. */
   byte[] encode(ControllerState state) {
-    ByteBuffer out = ByteBuffer.allocate(BYTES).putInt(BYTES);
-    for (Slots slots : layout) {
-      if (slots.field().isPresent()) {
-        FieldNumbers numbers = slots.field().get().in(state);
-        for (int i = 0; i < slots.count(); i++) {
-          out.putDouble(numbers.number(i));
-        }
-      } else {
-        out.position(out.position() + slots.count() * Double.BYTES);
-      }
-    }
-    return out.array();
+    return layout.encode(state);
   }
 }

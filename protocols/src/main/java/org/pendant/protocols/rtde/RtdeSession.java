@@ -114,10 +114,12 @@ final class RtdeSession implements Session {
       field.ifPresent(fields::add);
       types.add(field.map(each -> each.type().name()).orElse(NOT_FOUND));
     }
-    OutputRecipe recipe = new OutputRecipe(fields, version > 1);
+    boolean numbered = version > 1;
+    int bytes = OutputRecipe.packetBytes(fields, numbered);
     boolean known = fields.size() == wanted.names().size() && Double.isFinite(wanted.frequencyHz());
-    boolean usable = known && recipe.packetBytes() <= Packet.MAX_BYTES;
+    boolean usable = known && bytes <= Packet.MAX_BYTES;
     if (usable) {
+      OutputRecipe recipe = new OutputRecipe(fields, numbered);
       flow.setUp(recipe, Math.clamp(wanted.frequencyHz(), MIN_HZ, Pacing.FRAMES_HZ));
     } else {
       flow.clear();
@@ -127,7 +129,7 @@ final class RtdeSession implements Session {
       complain(
           TextLevel.ERROR,
           "a data package of the recipe would take "
-              + recipe.packetBytes()
+              + bytes
               + " bytes, must be at most "
               + Packet.MAX_BYTES);
     }

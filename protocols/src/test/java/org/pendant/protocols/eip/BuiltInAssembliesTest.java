@@ -48,7 +48,7 @@ class BuiltInAssembliesTest {
                 new SignalWrite.FloatRegister(RegisterDirection.OUTPUT, 23, 2.5))));
     done(new Command.SetSpeedFraction(0.25));
     ControllerState state = controller.state();
-    ByteBuffer data = StateAssembly.of(state);
+    ByteBuffer data = new StateAssembly().of(state);
     assertEquals(480, data.remaining());
     assertEquals(5, data.get(0));
     assertEquals(24, data.get(1));

@@ -65,15 +65,4 @@ class RealtimeCodecTest {
     assertEquals(1, bytes.getDouble(1108), "safety status");
     assertEquals(0, bytes.getDouble(1140), "payload");
   }
-
-  @Test
-  void wholeNumbersOfEveryTypeBecomeDoubles() {
-    controller.advance();
-    FieldNumbers bits = new FieldNumbers("output_bit_registers0_to_31").in(controller.state());
-    assertEquals(1, bits.count());
-    assertEquals(0, bits.number(0));
-    assertEquals(1, new FieldNumbers("control_step").in(controller.state()).number(0));
-    assertEquals(253, new FieldNumbers("joint_mode").in(controller.state()).number(5));
-    assertEquals(1, new FieldNumbers("tool_digital_output0_mode").in(controller.state()).number(0));
-  }
 }

@@ -90,6 +90,26 @@ public final class RegisterLevels {
     return floats[address];
   }
 
+  /**
+   * Writes all registers of a kind to {@code out}, from {@code out[at]} on; booleans as 0 and 1.
+   */
+  public void read(RegisterKind kind, double[] out, int at) {
+    switch (kind) {
+      case BOOLEAN -> {
+        for (int i = 0; i < Long.SIZE; i++) {
+          out[at + i] = lowBits >>> i & 1;
+          out[at + Long.SIZE + i] = highBits >>> i & 1;
+        }
+      }
+      case INTEGER -> {
+        for (int i = 0; i < integers.length; i++) {
+          out[at + i] = integers[i];
+        }
+      }
+      case FLOAT -> System.arraycopy(floats, 0, out, at, floats.length);
+    }
+  }
+
   @Override
   public boolean equals(Object other) {
     return other instanceof RegisterLevels levels

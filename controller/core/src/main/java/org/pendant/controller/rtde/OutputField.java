@@ -1,21 +1,20 @@
 package org.pendant.controller.rtde;
 
-import java.nio.ByteBuffer;
-import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.quantity.StateQuantity;
 
 /**
  * Something about the controller that RTDE clients may ask for by its name, and programs with
  * {@code get_rtde_value} (manual 18.10).
  *
  * @param name such as {@code actual_q}
- * @param encoder puts its value, {@code type.bytes()} bytes, into a big-endian buffer
+ * @param quantity what it tells
+ * @param from the first of its components that the field has
+ * @param count how many it has
  */
-public record OutputField(String name, FieldType type, Encoder encoder) {
+public record OutputField(String name, StateQuantity quantity, int from, int count) {
 
-  /** Puts one value of a snapshot into a buffer. */
-  @FunctionalInterface
-  public interface Encoder {
-    /** Puts the value at the buffer's position. */
-    void put(ControllerState state, ByteBuffer out);
+  /** The type of its values. */
+  public FieldType type() {
+    return FieldType.of(quantity.type(), count);
   }
 }

@@ -1,12 +1,11 @@
 package org.pendant.controller.rtde;
 
-import java.nio.ByteBuffer;
 import java.util.Collection;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.pendant.controller.box.Published;
+import org.pendant.controller.quantity.PortImage;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.state.PortImage;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueKind;
@@ -19,7 +18,6 @@ public final class PublishedState implements Published {
   private static final long UINT32 = 0xFFFF_FFFFL;
 
   private final Supplier<ControllerState> newest;
-  private final ByteBuffer value = ByteBuffer.allocate(FieldType.VECTOR6D.bytes());
 
   /** Reads what {@code newest} gives. */
   public PublishedState(Supplier<ControllerState> newest) {
@@ -32,38 +30,26 @@ public final class PublishedState implements Published {
   }
 
   private Value read(OutputField field) {
-    value.clear();
-    field.encoder().put(newest.get(), value);
-    value.flip();
+    ControllerState state = newest.get();
     return switch (field.type()) {
-      case BOOL -> Value.of(value.get() != 0);
-      case UINT8 -> Value.of(Byte.toUnsignedInt(value.get()));
-      case UINT32 -> whole(value.getInt() & UINT32);
-      case UINT64 -> whole(value.getLong());
-      case INT32 -> Value.of(value.getInt());
-      case DOUBLE -> Value.of(value.getDouble());
-      case VECTOR3D, VECTOR6D -> floats();
-      case VECTOR6INT32, VECTOR6UINT32 -> ints();
+      case BOOL -> Value.of(number(field, state) != 0);
+      case UINT8, INT32 -> Value.of((int) number(field, state));
+      case UINT32 -> whole((long) number(field, state) & UINT32);
+      case UINT64 -> whole((long) number(field, state));
+      case DOUBLE -> Value.of(number(field, state));
+      case VECTOR3D, VECTOR6D -> NumberList.of(field.quantity().numbers(state));
+      case VECTOR6INT32, VECTOR6UINT32 ->
+          NumberList.owning(field.quantity().numbers(state), field.count(), ValueKind.INT);
     };
+  }
+
+  private static double number(OutputField field, ControllerState state) {
+    return field.quantity().getter().element(field.from()).applyAsDouble(state);
   }
 
   /** Scripts have ints of 32 bits with a sign; what does not fit is a float. */
   private static Value whole(long number) {
     return number == (int) number ? Value.of((int) number) : Value.of((double) number);
-  }
-
-  private Value floats() {
-    double[] numbers = new double[value.remaining() / Double.BYTES];
-    value.asDoubleBuffer().get(numbers);
-    return NumberList.of(numbers);
-  }
-
-  private Value ints() {
-    double[] numbers = new double[value.remaining() / Integer.BYTES];
-    for (int i = 0; i < numbers.length; i++) {
-      numbers[i] = value.getInt();
-    }
-    return NumberList.owning(numbers, numbers.length, ValueKind.INT);
   }
 
   @Override

@@ -1,4 +1,4 @@
-package org.pendant.controller.state;
+package org.pendant.controller.quantity;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

@@ -1,0 +1,190 @@
+package org.pendant.controller.quantity;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Function;
+import java.util.function.IntFunction;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Wrench;
+
+/**
+ * A list of declarations. Each declares a quantity by its name, its group and, for a single number,
+ * its title; what follows in the chain belongs to the quantity before.
+ */
+final class QuantityList {
+  private static final List<String> JOINTS =
+      List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
+  private static final List<String> AXES = List.of("x", "y", "z", "rx", "ry", "rz");
+
+  private final List<StateQuantity> quantities = new ArrayList<>();
+
+  List<StateQuantity> all() {
+    return List.copyOf(quantities);
+  }
+
+  QuantityList add(
+      String name, String group, ScalarType type, List<Component> components, Getter getter) {
+    quantities.add(new StateQuantity(name, group, "", type, components, getter, List.of(), false));
+    return this;
+  }
+
+  /** What the last one is, where its titles do not say enough. */
+  QuantityList explained(String text) {
+    quantities.add(quantities.removeLast().explained(text));
+    return this;
+  }
+
+  /** RTDE fields with the whole of the last one. */
+  QuantityList rtde(String... names) {
+    quantities.add(quantities.removeLast().published(List.of(names), false));
+    return this;
+  }
+
+  /** An RTDE field for each component of the last one; an empty name for none. */
+  QuantityList rtdeEach(IntFunction<String> name) {
+    StateQuantity last = quantities.removeLast();
+    quantities.add(last.published(IntStream.range(0, last.size()).mapToObj(name).toList(), true));
+    return this;
+  }
+
+  QuantityList number(
+      String name,
+      String group,
+      String title,
+      PhysicalUnit unit,
+      ToDoubleFunction<ControllerState> value) {
+    return scalar(name, group, title, ScalarType.DOUBLE, unit, value);
+  }
+
+  /** A count, a code or bits. */
+  QuantityList whole(
+      String name,
+      String group,
+      String title,
+      ScalarType type,
+      ToDoubleFunction<ControllerState> value) {
+    return scalar(name, group, title, type, PhysicalUnit.NONE, value);
+  }
+
+  /** 0 or 1. */
+  QuantityList flag(
+      String name, String group, String title, ToDoubleFunction<ControllerState> value) {
+    return scalar(name, group, title, ScalarType.BOOL, PhysicalUnit.LEVEL, value);
+  }
+
+  private QuantityList scalar(
+      String name,
+      String group,
+      String title,
+      ScalarType type,
+      PhysicalUnit unit,
+      ToDoubleFunction<ControllerState> value) {
+    return add(
+        name,
+        group,
+        type,
+        List.of(new Component(name, title, unit)),
+        new Getter.OfScalars(List.of(value)));
+  }
+
+  QuantityList joints(
+      String name, String title, PhysicalUnit unit, Function<ControllerState, Joints> value) {
+    return joints(name, title, ScalarType.DOUBLE, unit, new Getter.OfJoints(value));
+  }
+
+  QuantityList joints(
+      String name, String title, ScalarType type, PhysicalUnit unit, Getter getter) {
+    return add(
+        name, "Joints/" + title, type, numbered(name, Joints.COUNT, JOINTS::get, unit), getter);
+  }
+
+  /** Components that are called by numbers. */
+  static List<Component> numbered(
+      String name, int count, IntFunction<String> title, PhysicalUnit unit) {
+    return IntStream.range(0, count)
+        .mapToObj(i -> new Component(name + "_" + i, title.apply(i), unit))
+        .toList();
+  }
+
+  QuantityList pose(String name, String group, Function<ControllerState, Pose> value) {
+    return spatial(name, name, group, PhysicalUnit.METRE, PhysicalUnit.RADIAN, value);
+  }
+
+  /**
+   * Speed along and about the axes.
+   *
+   * @param stem begins the names of the components
+   */
+  QuantityList velocity(
+      String name, String stem, String group, Function<ControllerState, Pose> value) {
+    return spatial(
+        name, stem, group, PhysicalUnit.METRE_PER_SECOND, PhysicalUnit.RADIAN_PER_SECOND, value);
+  }
+
+  QuantityList acceleration(String name, String group, Function<ControllerState, Pose> value) {
+    return spatial(
+        name,
+        name,
+        group,
+        PhysicalUnit.METRE_PER_SECOND_SQUARED,
+        PhysicalUnit.RADIAN_PER_SECOND_SQUARED,
+        value);
+  }
+
+  private QuantityList spatial(
+      String name,
+      String stem,
+      String group,
+      PhysicalUnit along,
+      PhysicalUnit about,
+      Function<ControllerState, Pose> value) {
+    List<Component> components =
+        IntStream.range(0, Pose.SIZE)
+            .mapToObj(
+                i -> new Component(stem + "_" + AXES.get(i), AXES.get(i), i < 3 ? along : about))
+            .toList();
+    return add(name, group, ScalarType.DOUBLE, components, new Getter.OfPose(value));
+  }
+
+  /**
+   * Forces and torques.
+   *
+   * @param stem begins the names of the components
+   */
+  QuantityList wrench(
+      String name, String stem, String group, Function<ControllerState, Wrench> value) {
+    List<Component> components = new ArrayList<>();
+    for (String axis : AXES.subList(0, 3)) {
+      components.add(new Component(stem + "_force_" + axis, axis, PhysicalUnit.NEWTON));
+    }
+    for (String axis : AXES.subList(0, 3)) {
+      components.add(
+          new Component(stem + "_torque_" + axis, "Torque " + axis, PhysicalUnit.NEWTON_METRE));
+    }
+    return add(name, group, ScalarType.DOUBLE, components, new Getter.OfWrench(value));
+  }
+
+  /**
+   * Numbers along axes.
+   *
+   * @param axes such as {@code x y z}
+   */
+  QuantityList axes(
+      String name,
+      String group,
+      String axes,
+      PhysicalUnit unit,
+      List<ToDoubleFunction<ControllerState>> values) {
+    List<Component> components =
+        Arrays.stream(axes.split(" "))
+            .map(axis -> new Component(name + "_" + axis.toLowerCase(Locale.ROOT), axis, unit))
+            .toList();
+    return add(name, group, ScalarType.DOUBLE, components, new Getter.OfScalars(values));
+  }
+}
