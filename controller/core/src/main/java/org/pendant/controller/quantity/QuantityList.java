@@ -78,7 +78,7 @@ final class QuantityList {
     return scalar(name, group, title, ScalarType.BOOL, PhysicalUnit.LEVEL, value);
   }
 
-  private QuantityList scalar(
+  QuantityList scalar(
       String name,
       String group,
       String title,

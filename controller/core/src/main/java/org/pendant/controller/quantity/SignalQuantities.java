@@ -90,7 +90,8 @@ final class SignalQuantities {
   }
 
   private static void addTool(QuantityList list) {
-    list.whole("tool_voltage", TOOL, "Tool voltage", INT32, s -> s.signals().tool().voltageV())
+    list.scalar(
+            "tool_voltage", TOOL, "Tool voltage", INT32, VOLT, s -> s.signals().tool().voltageV())
         .rtde("tool_output_voltage");
     list.whole(
             "tool_output_mode",

@@ -2,67 +2,70 @@ package org.pendant.desktop.io;
 
 import java.util.List;
 import java.util.Locale;
-import org.pendant.controller.state.ArmReadings;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.pendant.controller.quantity.Component;
+import org.pendant.controller.quantity.StateQuantities;
+import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.models.arm.Joints;
-import org.pendant.models.dynamics.Payload;
-import org.pendant.models.pose.Wrench;
+import org.pendant.desktop.workbench.ScreenUnit;
 
 /** Sensor readings as texts; the rows are always the same, so that only texts change. */
 final class Readings {
+  private static final List<Reading> OF_JOINT =
+      List.of(
+          new Reading("Position", 1, "actual_q"),
+          new Reading("Current", 2, "current"),
+          new Reading("Torque", 1, "torque"),
+          new Reading("Temperature", 1, "temperature"));
+
+  private static final List<Reading> OF_ROBOT =
+      List.of(
+          new Reading("Tool temperature", 1, "tool_temperature"),
+          new Reading("Controller temperature", 1, "box_temperature"),
+          new Reading("Tool current", 3, "tool_current"),
+          new Reading("TCP force", 1, "tcp_force"),
+          new Reading("Force along base x, y, z", 1, StateQuantities.of("tcp_wrench"), 0, 3),
+          new Reading("Torque about base x, y, z", 2, StateQuantities.of("tcp_wrench"), 3, 3),
+          new Reading("Payload", 2, "payload"),
+          new Reading("Centre of gravity", 1, "payload_cog"));
+
   /** Titles of the columns of {@link #joint}. */
-  static final List<String> JOINT_COLUMNS = List.of("Position", "Current", "Torque", "Temperature");
+  static final List<String> JOINT_COLUMNS = OF_JOINT.stream().map(Reading::title).toList();
 
   /** Titles of the joints from base to wrist 3. */
   static final List<String> JOINTS =
-      List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
+      StateQuantities.of("actual_q").components().stream().map(Component::title).toList();
 
   /** Titles of {@link #others}. */
-  static final List<String> OTHERS =
-      List.of(
-          "Tool temperature",
-          "Controller temperature",
-          "Tool current",
-          "TCP force",
-          "Force along base x, y, z",
-          "Torque about base x, y, z",
-          "Payload",
-          "Centre of gravity");
+  static final List<String> OTHERS = OF_ROBOT.stream().map(Reading::title).toList();
 
   private Readings() {}
 
+  /** Some components of a quantity, of one unit, with so many digits behind the point. */
+  private record Reading(String title, int digits, StateQuantity quantity, int from, int count) {
+    Reading(String title, int digits, String quantity) {
+      this(title, digits, StateQuantities.of(quantity), 0, StateQuantities.of(quantity).size());
+    }
+
+    String text(ControllerState state, int first, int size) {
+      double[] numbers = quantity.numbers(state);
+      ScreenUnit unit = ScreenUnit.of(quantity.components().get(first).unit());
+      return unit.after(
+          IntStream.range(first, first + size)
+              .mapToObj(i -> number(digits, unit.scale() * numbers[i]))
+              .collect(Collectors.joining(", ")));
+    }
+  }
+
   /** What is known of one joint, 0 to 5, in the order of the columns. */
   static List<String> joint(ControllerState state, int joint) {
-    ArmReadings readings = state.readings();
-    Joints positionRad = state.arm().actualPositionRad();
-    return List.of(
-        number(1, Math.toDegrees(positionRad.get(joint))) + "\u00b0",
-        number(2, readings.currentA().get(joint)) + " A",
-        number(1, readings.torqueNm().get(joint)) + " Nm",
-        number(1, readings.temperatureC().get(joint)) + " \u00b0C");
+    return OF_JOINT.stream().map(each -> each.text(state, joint, 1)).toList();
   }
 
   /** The texts beside {@link #OTHERS}. */
   static List<String> others(ControllerState state) {
-    ArmReadings readings = state.readings();
-    Wrench wrench = readings.flangeWrenchInBase();
-    Payload payload = readings.payload();
-    double forceN =
-        Math.sqrt(
-            wrench.fx() * wrench.fx() + wrench.fy() * wrench.fy() + wrench.fz() * wrench.fz());
-    return List.of(
-        number(1, readings.toolTemperatureC()) + " \u00b0C",
-        number(1, readings.controllerTemperatureC()) + " \u00b0C",
-        number(3, readings.toolCurrentA()) + " A",
-        number(1, forceN) + " N",
-        three(1, wrench.fx(), wrench.fy(), wrench.fz()) + " N",
-        three(2, wrench.mx(), wrench.my(), wrench.mz()) + " Nm",
-        number(2, payload.massKg()) + " kg",
-        three(1, 1e3 * payload.cogXM(), 1e3 * payload.cogYM(), 1e3 * payload.cogZM()) + " mm");
-  }
-
-  private static String three(int digits, double x, double y, double z) {
-    return number(digits, x) + ", " + number(digits, y) + ", " + number(digits, z);
+    return OF_ROBOT.stream().map(each -> each.text(state, each.from, each.count)).toList();
   }
 
   /** Without a minus sign in front of nothing but zeros. */

@@ -11,6 +11,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.ArrayList;
 import java.util.List;
+import org.pendant.desktop.workbench.ScreenUnit;
 import org.pendant.kit.theme.Palette;
 
 /** Paints one chart: grid, axis of values, lines and cursors. */
@@ -112,7 +113,7 @@ final class ChartPainter {
       pen.drawLine(x, area.y, x, area.y + area.height);
     }
     pen.setColor(Palette.quiet());
-    if (!unit.isEmpty() && !unit.equals(Quantity.DIGITAL)) {
+    if (!unit.isEmpty() && !unit.equals(ScreenUnit.LEVEL)) {
       pen.drawString(unit, area.x + 6, area.y + metrics.getAscent() + 2);
     }
   }

@@ -3,6 +3,7 @@ package org.pendant.desktop.plot;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.workbench.ScreenUnit;
 
 /**
  * A number that changes over time and can be drawn. Two of the same id are equal.
@@ -14,6 +15,7 @@ import org.pendant.controller.state.ControllerState;
  * @param unit what its values are in, empty for none
  * @param value reads it from a snapshot; not a number where the snapshot does not have it
  * @param given the name that people have given to it, asked for anew each time; empty for none
+ * @param hint what it is in more words, which a search finds as well; may be empty
  */
 public record Quantity(
     String id,
@@ -22,10 +24,8 @@ public record Quantity(
     String label,
     String unit,
     ToDoubleFunction<ControllerState> value,
-    Supplier<String> given) {
-  /** The unit of levels. */
-  static final String DIGITAL = "0/1";
-
+    Supplier<String> given,
+    String hint) {
   /** One that people do not name. */
   public Quantity(
       String id,
@@ -34,12 +34,12 @@ public record Quantity(
       String label,
       String unit,
       ToDoubleFunction<ControllerState> value) {
-    this(id, group, title, label, unit, value, () -> "");
+    this(id, group, title, label, unit, value, () -> "", "");
   }
 
   /** Whether it only has the values 0 and 1. */
   public boolean digital() {
-    return unit.equals(DIGITAL);
+    return unit.equals(ScreenUnit.LEVEL);
   }
 
   /** Whether it is a script variable, of which every frame is kept. */

@@ -32,6 +32,9 @@ import org.pendant.kit.layout.Typed;
 
 /** The list of what can be drawn, with a search above it. */
 final class QuantityTree {
+  /** Groups whose parts are in sight before anybody opens one; all would be a hundred rows. */
+  private static final Set<String> OPEN_AT_FIRST = Set.of(ScriptVariables.GROUP, "Joints", "TCP");
+
   private final Quantities quantities;
   private final Consumer<List<Quantity>> chosen;
   private final JPanel content = new JPanel(new BorderLayout());
@@ -151,7 +154,7 @@ final class QuantityTree {
     boolean searching = !search.getText().isBlank();
     for (int row = 0; row < tree.getRowCount(); row++) {
       TreePath path = tree.getPathForRow(row);
-      if (searching || path.getPathCount() == 2) {
+      if (searching || OPEN_AT_FIRST.contains(path.getLastPathComponent().toString())) {
         tree.expandPath(path);
       }
     }
@@ -236,10 +239,12 @@ final class QuantityTree {
         boolean focused) {
       super.getTreeCellRendererComponent(of, value, isSelected, expanded, leaf, row, focused);
       setIcon(null);
+      setToolTipText(null);
       if (((DefaultMutableTreeNode) value).getUserObject() instanceof Quantity quantity) {
         boolean plain = quantity.unit().isEmpty() || quantity.digital();
         String title = quantity.namedTitle();
         ((JLabel) this).setText(plain ? title : title + " (" + quantity.unit() + ")");
+        setToolTipText(quantity.hint().isEmpty() ? null : quantity.hint());
       }
       return this;
     }

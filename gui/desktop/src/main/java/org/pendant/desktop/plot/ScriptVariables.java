@@ -19,7 +19,7 @@ final class ScriptVariables {
   /** Ids of variables begin with this; their path follows. */
   static final String PREFIX = "var:";
 
-  private static final String GROUP = "Script variables";
+  static final String GROUP = "Script variables";
 
   /** Parts of one value that are listed; others can be dragged from the panel of variables. */
   private static final int MAX_PARTS = 64;

@@ -26,4 +26,12 @@ final class ReadingsTest {
     assertEquals("0.0\u00b0", Readings.joint(state, 0).getFirst());
     assertEquals("-90.0\u00b0", Readings.joint(state, 1).getFirst());
   }
+
+  @Test
+  void whatHasAxesIsOneText() {
+    ControllerState state = new Controller(ControllerOptions.headless()).state();
+    assertEquals(
+        "0.0, 0.0, 0.0 mm",
+        Readings.others(state).get(Readings.OTHERS.indexOf("Centre of gravity")));
+  }
 }
