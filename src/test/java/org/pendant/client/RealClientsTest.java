@@ -11,12 +11,14 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.Launcher;
 
 /** Every program of {@code src/test/clients} against a box of its own. */
+@Tag("slow")
 class RealClientsTest {
   /** The options of a program's box stand behind this. */
   private static final String SERVE = "# serve:";

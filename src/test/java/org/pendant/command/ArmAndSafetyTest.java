@@ -8,11 +8,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.Launcher.Result;
 
 /** The arm, what it touches and what stops it, through {@code pendant run}. */
+@Tag("slow")
 final class ArmAndSafetyTest {
   @TempDir Path folder;
 

@@ -11,10 +11,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.command.Launcher.Result;
 
 /** The programs in examples/ and the documentation that is generated. */
+@Tag("slow")
 final class ExamplesTest {
 
   private static String[] command(String subcommand) throws IOException {

@@ -9,11 +9,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.Launcher.Result;
 
 /** Files that no robot ever saw get an error message, never a stack trace. */
+@Tag("slow")
 final class HostileInputTest {
   private static final int TEN_MB = 10_000_000;
 

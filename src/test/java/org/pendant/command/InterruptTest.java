@@ -9,11 +9,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Ctrl-C and its relatives, in the middle of a move. */
+@Tag("slow")
 final class InterruptTest {
   /** The columns of the target joint speeds in the record. */
   private static final int FIRST_TARGET_SPEED = 7;

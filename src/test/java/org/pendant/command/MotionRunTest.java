@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -15,6 +16,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.pendant.command.Launcher.Result;
 
 /** Moves as somebody at the command line meets them. */
+@Tag("slow")
 final class MotionRunTest {
   private static final String READY = "  movej([0, -1.57, -1.57, -1.57, 1.57, 0])\n";
 

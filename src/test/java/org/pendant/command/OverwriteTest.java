@@ -10,11 +10,13 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.Launcher.Result;
 
 /** A slip of a file name destroys nothing. */
+@Tag("slow")
 final class OverwriteTest {
   private static final String PROGRAM = "def own():\n  textmsg(\"runs\")\nend\n";
   private static final String NEVER = ", which this command reads and never overwrites";

@@ -9,11 +9,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.Launcher.Result;
 
 /** The safety settings of PolyScope's installations hold in headless runs. */
+@Tag("slow")
 final class PolyScopeSafetyTest {
   private static final String CELL =
       """

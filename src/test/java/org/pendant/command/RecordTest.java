@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.Launcher.Result;
@@ -24,6 +25,7 @@ import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingFile;
 
 /** {@code pendant run --record}. */
+@Tag("slow")
 final class RecordTest {
   private static final int RUNS = 10;
   private static final int KILLS = 4;

@@ -3,9 +3,11 @@ package org.pendant.fuzz;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** The short run of the fuzzer; a failure says the seed and the text. */
+@Tag("slow")
 final class ScriptFuzzTest {
   private final ScriptFuzzer fuzzer = new ScriptFuzzer();
 

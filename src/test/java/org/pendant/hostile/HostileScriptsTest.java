@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -20,6 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
  * the computer would count otherwise. {@code -Dpendant.hostile=all} watches each program for
  * longer.
  */
+@Tag("slow")
 class HostileScriptsTest {
   private static final boolean ALL = "all".equals(System.getProperty("pendant.hostile"));
 

@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,6 +29,7 @@ import org.pendant.command.Launcher;
  * <p>The computer may be busy, so the best of a few tries counts. {@code -Dpendant.hostile=all}
  * tries every way with every program.
  */
+@Tag("slow")
 class HostileStopsTest {
   private static final boolean ALL = "all".equals(System.getProperty("pendant.hostile"));
 

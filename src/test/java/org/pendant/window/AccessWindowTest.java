@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** That everything can be reached and read, by key, by a screen reader and in a small window. */
+@Tag("slow")
 final class AccessWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 

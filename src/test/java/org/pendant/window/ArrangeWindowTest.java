@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** Panels that are dragged and folded, and keys that are changed. */
+@Tag("slow")
 final class ArrangeWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 

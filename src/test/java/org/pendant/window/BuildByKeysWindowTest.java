@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
@@ -14,6 +15,7 @@ import org.pendant.project.program.text.ProgramText;
 import org.pendant.project.program.text.ReadProgram;
 
 /** A program made of nodes, from nothing to the file and back, by the keyboard alone. */
+@Tag("slow")
 final class BuildByKeysWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 

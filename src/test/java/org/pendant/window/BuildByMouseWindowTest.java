@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** A program made of nodes, from nothing, by the mouse alone. */
+@Tag("slow")
 final class BuildByMouseWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 

@@ -6,10 +6,12 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** That keys go where people type, whatever the program does meanwhile. */
+@Tag("slow")
 final class FocusWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 

@@ -8,10 +8,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A program of PolyScope X in the window: it is shown and run, and nobody writes onto it. */
+@Tag("slow")
 final class ForeignProgramWindowTest {
   private static final String PICK =
       """

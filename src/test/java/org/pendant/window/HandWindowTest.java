@@ -2,10 +2,12 @@ package org.pendant.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** Moving by hand, and what the log leads to. */
+@Tag("slow")
 final class HandWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 

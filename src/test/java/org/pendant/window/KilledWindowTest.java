@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.desktop.session.RecoveryFolder;
@@ -24,6 +25,7 @@ import org.pendant.project.program.text.ReadProgram;
  * Windows that are killed at random moments while somebody types into the form of a node. The
  * desktop's own tests kill many more processes, without windows.
  */
+@Tag("slow")
 final class KilledWindowTest {
   private static final int KILLS = 3;
   private static final long SEED = 11;

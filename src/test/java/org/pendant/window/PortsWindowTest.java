@@ -5,11 +5,13 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.pendant.client.Served;
 
 /** The ports of the controller in the window, and a program that comes by them. */
+@Tag("slow")
 final class PortsWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 

@@ -1,9 +1,11 @@
 package org.pendant.window;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** Writing, running and debugging programs in the window. */
+@Tag("slow")
 final class ProgramWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 

@@ -1,9 +1,11 @@
 package org.pendant.window;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** Popups and questions of programs, answered by keyboard, with Stop always in sight. */
+@Tag("slow")
 final class PromptWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,6 +32,7 @@ import org.pendant.project.program.WaypointTarget;
 import org.pendant.project.program.text.ProgramText;
 
 /** Starting programs that are trees: at a node, and with the arm away from where they go first. */
+@Tag("slow")
 final class StartWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 

@@ -1,9 +1,11 @@
 package org.pendant.window;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** Variables of a program that runs, in the panel, on the Run screen and in charts. */
+@Tag("slow")
 final class VariablesWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.safety.SafetyMode;
@@ -15,6 +16,7 @@ import org.pendant.models.pose.Wrench;
 import org.pendant.script.vm.ProgramState;
 
 /** Programs in force mode, mostly with nothing to press on. */
+@Tag("slow")
 final class ForceModeProgramTest {
   /** Presses along y of the base with 20 N, at most 0.1 m/s. */
   private static final String ALONG_Y =

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -26,6 +27,7 @@ import org.pendant.models.pose.Poses;
 import org.pendant.models.pose.Wrench;
 
 /** Where a guided arm does not go, and how fast it does not become. */
+@Tag("slow")
 final class FreedriveLimitsTest {
   private static final FreeAxes X_ONLY = new FreeAxes(true, false, false, false, false, false);
 

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.box.Inertia;
@@ -35,6 +36,7 @@ import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.Program;
 
 /** The arm moves by hand while somebody repeats the command, and rests otherwise. */
+@Tag("slow")
 final class JoggingTest {
   /** How often a screen repeats, in frames: 30 times a second. */
   private static final int REPEAT_FRAMES = 17;

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
@@ -22,6 +23,7 @@ import org.pendant.models.pose.Poses;
 import org.pendant.script.vm.ProgramState;
 
 /** Moves with all that the arm can do, by an arm that has mass and drives. */
+@Tag("slow")
 final class OptimoveProgramTest {
   private final RunningProgram running = new RunningProgram();
 

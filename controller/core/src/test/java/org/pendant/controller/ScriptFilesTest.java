@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicContainer;
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
 import org.pendant.controller.ScriptCase.Kind;
 import org.pendant.controller.ScriptCase.Mark;
@@ -35,6 +36,7 @@ import org.pendant.script.vm.ScriptFailure;
  * Runs every program in {@code src/test/resources/scripts} and compares it with the expectations
  * beside its lines, which {@link ScriptCase} explains. Adding a case is adding a line.
  */
+@Tag("slow")
 final class ScriptFilesTest {
   /** Robot time after which a program hangs, in frames: two minutes. */
   private static final int MAX_FRAMES = 60_000;

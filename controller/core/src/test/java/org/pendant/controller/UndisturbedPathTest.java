@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -16,6 +17,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.script.vm.ProgramState;
 
 /** Whatever holds a program up or slows it down changes no point of the path of its arm. */
+@Tag("slow")
 final class UndisturbedPathTest {
   private static final String CHAIN =
       """

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -23,6 +24,7 @@ import org.pendant.models.pose.Poses;
  * Chains of ten blended moves keep to the accelerations that the moves themselves may use: those of
  * the leading axis between joint moves, those of the tool between lines.
  */
+@Tag("slow")
 final class BlendLimitsTest {
   private static final double FRAME_S = FrameTime.FRAME_S;
   private static final int MOVES = 10;

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.InverseKinematics;
@@ -18,6 +19,7 @@ import org.pendant.models.pose.Poses;
  * A thousand random chains of ten blended moves of every kind: none is slower than with a stop at
  * each waypoint, none jumps, and no blend needs much more than the moves that it joins.
  */
+@Tag("slow")
 final class BlendedChainTest {
   private static final int CHAINS = 1000;
   private static final int MOVES = 10;

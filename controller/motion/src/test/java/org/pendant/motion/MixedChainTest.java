@@ -6,11 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.InverseKinematics;
 
 /** Random chains of every kind of move, blended as it comes. */
+@Tag("slow")
 final class MixedChainTest {
   private static final int CHAINS = 100;
 

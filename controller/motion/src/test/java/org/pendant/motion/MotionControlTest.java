@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
@@ -19,6 +20,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.motion.profile.ProfileLimits;
 
+@Tag("slow")
 final class MotionControlTest {
   private static final double FRAME_S = FrameTime.FRAME_S;
   private static final Joints READY =

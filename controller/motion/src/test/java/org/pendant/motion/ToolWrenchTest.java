@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
@@ -15,6 +16,7 @@ import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
 
 /** Limits of what the payload does to the tool hold from the first frame of a chain to the last. */
+@Tag("slow")
 final class ToolWrenchTest {
   private static final Payload LOAD = Payload.of(3, 0.02, 0, 0.1);
   private static final Pose FRAME = new Pose(0, 0, 0.1, 0, 0, 0.7);

@@ -19,6 +19,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.Controller;
@@ -26,6 +27,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 
+@Tag("slow")
 final class RecordingFileTest {
   @TempDir Path folder;
 

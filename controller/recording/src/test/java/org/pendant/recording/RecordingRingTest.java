@@ -11,6 +11,7 @@ import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
@@ -23,6 +24,7 @@ import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.vm.Program;
 
+@Tag("slow")
 final class RecordingRingTest {
   private static final String BUSY =
       """

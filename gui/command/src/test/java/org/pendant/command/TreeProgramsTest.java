@@ -11,11 +11,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.project.polyscope.xml.PackedXml;
 
 /** Program trees on the command line: run, check and convert. */
+@Tag("slow")
 class TreeProgramsTest {
   private static final String URP =
       "<URProgram name=\"pick\" installation=\"cell\"><children><MainProgram runOnlyOnce=\"true\">"

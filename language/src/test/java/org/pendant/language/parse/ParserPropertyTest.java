@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.DiagnosticFormat;
@@ -16,6 +17,7 @@ import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.Script;
 import org.pendant.language.syntax.Statement;
 
+@Tag("slow")
 class ParserPropertyTest {
   private static final byte[] PIECES =
       "()[]=:;'\"#$\n\r \t+-*/%!<>.,&|{}\\@0e1xp\u00E9end if def else return not run"

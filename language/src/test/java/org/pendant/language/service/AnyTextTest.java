@@ -7,12 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.language.parse.RandomTrees;
 import org.pendant.language.parse.ScriptPrinter;
 import org.pendant.language.source.Source;
 
 /** No text and no offset makes a question fail, and what is renamed can be renamed back. */
+@Tag("slow")
 final class AnyTextTest {
   private static final String PROGRAM =
       """

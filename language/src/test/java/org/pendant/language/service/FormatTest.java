@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.language.parse.RandomTrees;
 import org.pendant.language.parse.ScriptParser;
@@ -14,6 +15,7 @@ import org.pendant.language.parse.ScriptPrinter;
 import org.pendant.language.parse.TreeShape;
 import org.pendant.language.source.Source;
 
+@Tag("slow")
 final class FormatTest {
 
   @Test

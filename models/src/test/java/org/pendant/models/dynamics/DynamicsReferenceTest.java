@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.Parameter;
 import org.junit.jupiter.params.ParameterizedClass;
@@ -18,6 +19,7 @@ import org.pendant.models.reference.ReferenceStates;
 /** Dynamics against an independent implementation, at 100 random states of each arm. */
 @ParameterizedClass
 @MethodSource("org.pendant.models.arm.ArmLibrary#ids")
+@Tag("slow")
 final class DynamicsReferenceTest {
   private static final double RELATIVE = 1e-8;
 

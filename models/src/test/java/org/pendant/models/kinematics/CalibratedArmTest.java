@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Random;
 import org.ejml.simple.SimpleMatrix;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
@@ -19,6 +20,7 @@ import org.pendant.models.pose.Poses;
 import org.pendant.models.pose.StraightLine;
 import org.pendant.models.pose.Transforms;
 
+@Tag("slow")
 class CalibratedArmTest {
   private static final int CASES = 200;
 

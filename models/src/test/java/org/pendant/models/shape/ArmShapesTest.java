@@ -8,6 +8,7 @@ import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,6 +18,7 @@ import org.pendant.models.arm.Confidence;
 import org.pendant.models.arm.DhLengths;
 import org.pendant.models.json.JsonObject;
 
+@Tag("slow")
 class ArmShapesTest {
   /** A slit that a drawing may show between two bodies, m. */
   private static final double SLIT_M = 0.01;

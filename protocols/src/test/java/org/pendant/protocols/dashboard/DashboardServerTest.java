@@ -18,6 +18,7 @@ import java.util.zip.GZIPOutputStream;
 import java.util.zip.ZipFile;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.Command;
@@ -38,6 +39,7 @@ import org.pendant.protocols.teachpendant.PendantSetup;
 import org.pendant.protocols.teachpendant.RemotePendant;
 import org.pendant.script.vm.Program;
 
+@Tag("slow")
 class DashboardServerTest {
   private static final String LOCAL =
       "Command is not allowed due to safety reasons, please switch robot to Remote Control mode"

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -33,6 +34,7 @@ import org.pendant.protocols.server.RemoteControl;
 import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramState;
 
+@Tag("slow")
 class EipServerTest {
   private static final int RPI_US = 20_000;
   private static final String GET_STATE = "0E 03 2004 2464 3003";

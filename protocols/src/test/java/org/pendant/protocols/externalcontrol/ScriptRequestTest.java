@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.pendant.controller.installation.ControlHost;
@@ -22,6 +23,7 @@ import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.egress.HostPolicy;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
+@Tag("slow")
 class ScriptRequestTest {
   private static final String SCRIPT = "# HEADER_BEGIN\ndef f():\nend\n# HEADER_END\n\nf()\n";
 

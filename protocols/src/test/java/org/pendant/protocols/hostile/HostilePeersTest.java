@@ -23,6 +23,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.Command;
@@ -47,6 +48,7 @@ import org.pendant.protocols.server.ServerContext;
 import org.pendant.protocols.teachpendant.PendantSetup;
 import org.pendant.protocols.teachpendant.RemotePendant;
 
+@Tag("slow")
 class HostilePeersTest {
   private static final long SEED = 20_261_122;
   private static final int PACKETS = 100_000;

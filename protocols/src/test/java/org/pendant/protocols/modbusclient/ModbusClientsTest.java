@@ -13,6 +13,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.pendant.protocols.ClosedPort;
@@ -21,6 +22,7 @@ import org.pendant.protocols.ScriptRun;
 import org.pendant.protocols.egress.AllowedHosts;
 
 @Timeout(60)
+@Tag("slow")
 class ModbusClientsTest {
   /** Waits until a signal has been answered, or the program fails. */
   private static final String UNTIL_VALID =

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
@@ -19,6 +20,7 @@ import org.pendant.protocols.script.ScriptHandler;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.RemoteControl;
 
+@Tag("slow")
 class PrimaryServerTest {
   private static final int PRIMARY = 0;
   private static final int SECONDARY = 1;

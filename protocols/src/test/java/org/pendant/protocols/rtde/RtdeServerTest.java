@@ -12,6 +12,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
@@ -28,6 +29,7 @@ import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.RemoteControl;
 import org.pendant.protocols.server.ServerContext;
 
+@Tag("slow")
 class RtdeServerTest {
   private static final int MAX_FRAMES = 5000;
 

@@ -16,6 +16,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +25,7 @@ import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.io.ToolCommunication.Parity;
 
 @Timeout(30)
+@Tag("slow")
 class ToolSerialLineTest {
   private static final ToolCommunication ON =
       new ToolCommunication(true, 115200, Parity.NONE, 1, 1.5f, 3.5f);

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
@@ -13,6 +14,7 @@ import org.pendant.models.pose.Poses;
 import org.pendant.motion.MotionPlan;
 import org.pendant.motion.PlanningException;
 
+@Tag("slow")
 class ServoCTest {
   private final Rig rig = new Rig();
 

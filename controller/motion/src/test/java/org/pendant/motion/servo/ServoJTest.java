@@ -6,12 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.Joints;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.MotionPlan;
 import org.pendant.motion.PlanningException;
 
+@Tag("slow")
 class ServoJTest {
   private final Rig rig = new Rig();
 

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -37,6 +38,7 @@ import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
 
 /** A rerun stands where the old run stood, bit for bit, and goes on as that did. */
+@Tag("slow")
 final class RerunTest {
   private static final int BRANCHES = 20;
   private static final long LAST = 1500;

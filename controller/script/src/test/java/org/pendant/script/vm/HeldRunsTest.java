@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -15,6 +16,7 @@ import org.pendant.script.debug.Debugger;
 import org.pendant.script.value.ScriptError;
 
 /** Being held changes nothing: a program does the same with and without stops. */
+@Tag("slow")
 class HeldRunsTest {
   private static final int PROGRAMS = 100;
   private static final int MAX_FRAMES = 60;

@@ -10,11 +10,13 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** A program does the same whether its functions are interpreted or translated. */
+@Tag("slow")
 class TranslationTest {
   private static final String FIBONACCI =
       """

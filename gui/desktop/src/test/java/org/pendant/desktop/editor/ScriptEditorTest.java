@@ -18,9 +18,11 @@ import java.util.concurrent.CountDownLatch;
 import javax.swing.text.DefaultEditorKit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.desktop.session.ProgramDocument;
 
+@Tag("slow")
 final class ScriptEditorTest {
   private static final String TEXT = "def main():\n  a = 1\n\n  textmsg(a)\nend\n";
 

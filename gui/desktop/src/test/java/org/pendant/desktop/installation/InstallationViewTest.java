@@ -22,6 +22,7 @@ import javax.swing.JList;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.ControlHost;
@@ -30,6 +31,7 @@ import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.Session;
 
+@Tag("slow")
 final class InstallationViewTest {
   private final ActiveInstallation active = new ActiveInstallation();
   private Session session;

@@ -22,6 +22,7 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
@@ -39,6 +40,7 @@ import org.pendant.language.source.Source;
 import org.pendant.script.vm.Program;
 
 /** The screens in a real window, as far as there is a display. */
+@Tag("slow")
 final class ViewsTest {
   private static final String PROGRAM =
       "def talk():\n  textmsg(\"one\")\n  textmsg(\"two\")\n  sync()\n  x = [1][2]\nend\n";

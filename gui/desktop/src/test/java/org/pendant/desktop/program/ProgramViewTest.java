@@ -22,6 +22,7 @@ import javax.swing.JList;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.desktop.debug.DebugPresenter;
@@ -38,6 +39,7 @@ import org.pendant.kit.theme.Theme;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.text.ProgramText;
 
+@Tag("slow")
 final class ProgramViewTest {
   private final ProgramDocument document =
       ProgramDocument.untitled("cell.pendant", ProgramText.write(ProgramTree.empty()));

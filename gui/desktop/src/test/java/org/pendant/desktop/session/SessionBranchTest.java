@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.pendant.controller.Command;
@@ -32,6 +33,7 @@ import org.pendant.script.vm.ProgramState;
 
 /** Going back to a frame and on from there, as people at a screen do. */
 @Timeout(60)
+@Tag("slow")
 final class SessionBranchTest {
   private static final ControllerOptions DESKTOP =
       ControllerOptions.headless()

@@ -16,12 +16,14 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.kit.settings.ConfigurationFolder;
 
 /** The whole window, where there is a display. */
+@Tag("slow")
 final class DesktopTest {
   @TempDir Path folder;
 

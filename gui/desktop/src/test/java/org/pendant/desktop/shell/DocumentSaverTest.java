@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +25,7 @@ import org.pendant.desktop.session.ProgramFile;
 import org.pendant.desktop.session.Programs;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
+@Tag("slow")
 final class DocumentSaverTest {
   private static final int SAVES = 200;
 

@@ -20,6 +20,7 @@ import java.util.concurrent.Future;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.desktop.session.RecoveryFolder;
@@ -31,6 +32,7 @@ import org.pendant.project.program.text.ReadProgram;
  * Processes that are killed while somebody edits program trees in them; {@code -Dtest.kills=47} or
  * more for a thorough run.
  */
+@Tag("slow")
 final class KilledWhileEditingTest {
   private static final int KILLS = Integer.getInteger("test.kills", 16);
   private static final int AT_ONCE = 4;

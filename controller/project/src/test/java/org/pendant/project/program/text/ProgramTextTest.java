@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -28,6 +29,7 @@ import org.pendant.project.program.WaitFor;
 import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.WaypointTarget;
 
+@Tag("slow")
 class ProgramTextTest {
   private static final String PICK =
       """

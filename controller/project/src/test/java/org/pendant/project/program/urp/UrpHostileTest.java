@@ -6,11 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.program.ProgramTree;
 
 /** Files that somebody has damaged, or made to do harm. */
+@Tag("slow")
 class UrpHostileTest {
   private static final String SAMPLE =
       """

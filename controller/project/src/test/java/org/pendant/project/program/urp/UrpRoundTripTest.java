@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.Installation;
 import org.pendant.models.arm.Joints;
@@ -37,6 +38,7 @@ import org.pendant.project.program.text.ProgramText;
 import org.pendant.project.program.text.RandomTrees;
 
 /** What is written is read again as it was. */
+@Tag("slow")
 class UrpRoundTripTest {
   private static final WaypointPosition PLACE =
       new WaypointPosition(

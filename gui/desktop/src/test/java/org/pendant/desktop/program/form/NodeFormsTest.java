@@ -22,6 +22,7 @@ import javax.swing.JTextField;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.desktop.preview.PreviewLook;
@@ -32,6 +33,7 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.check.NodeProblem;
 
 /** Forms in a real window, as far as there is a display. */
+@Tag("slow")
 final class NodeFormsTest {
   private Session session;
   private FakeHost host;

@@ -13,6 +13,7 @@ import java.util.Set;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.command.service.StandardView;
 import org.pendant.controller.world.Material;
@@ -30,6 +31,7 @@ import org.pendant.desktop.scene.Theme;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.pose.Pose;
 
+@Tag("slow")
 final class OffscreenSceneTest {
   private static final int SIZE = 160;
 

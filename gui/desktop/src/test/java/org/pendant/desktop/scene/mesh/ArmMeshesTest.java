@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.pendant.models.arm.ArmLibrary;
@@ -12,6 +13,7 @@ import org.pendant.models.shape.ArmShapes;
 import org.pendant.models.shape.JointHousing;
 import org.pendant.models.shape.Limb;
 
+@Tag("slow")
 final class ArmMeshesTest {
   /** Faces between links are put in the middle of what was measured; seals stand in the gap. */
   private static final float TOLERANCE_M = 0.008f;
