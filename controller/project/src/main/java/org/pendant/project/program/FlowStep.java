@@ -1,5 +1,7 @@
 package org.pendant.project.program;
 
+import java.util.OptionalDouble;
+
 /** Decides which nodes run. */
 public sealed interface FlowStep extends Step {
 
@@ -32,7 +34,12 @@ public sealed interface FlowStep extends Step {
   record Switch(String expression) implements FlowStep {}
 
   /** Runs for a value, a number as it was typed. */
-  record Case(String value) implements FlowStep {}
+  record Case(String value) implements FlowStep {
+    /** The value; empty if it is no number. */
+    public OptionalDouble number() {
+      return PlainNumber.of(value);
+    }
+  }
 
   /** Runs when no case fits. */
   record DefaultCase() implements FlowStep {}

@@ -1,5 +1,7 @@
 package org.pendant.project.program;
 
+import java.util.OptionalDouble;
+
 /** How long a {@link FlowStep.Loop} goes on. */
 public sealed interface LoopRule {
 
@@ -12,7 +14,12 @@ public sealed interface LoopRule {
    * @param count an expression, computed in each turn
    * @param variable that counts the turns from 0; empty for one with a name of its own
    */
-  record Times(String count, String variable) implements LoopRule {}
+  record Times(String count, String variable) implements LoopRule {
+    /** How often, if that is a number and nothing to compute. */
+    public OptionalDouble number() {
+      return PlainNumber.of(count);
+    }
+  }
 
   /**
    * While a condition holds.

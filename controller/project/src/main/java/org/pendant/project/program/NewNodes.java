@@ -2,6 +2,7 @@ package org.pendant.project.program;
 
 import static org.pendant.project.program.ProgramTree.node;
 
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -26,13 +27,6 @@ import org.pendant.project.program.TemplateStep.PatternRole;
  * yet.
  */
 public final class NewNodes {
-  private static final double JOINT_SPEED_RAD_PER_S = Math.toRadians(60);
-  private static final double JOINT_ACCELERATION_RAD_PER_S2 = Math.toRadians(80);
-  private static final double TOOL_SPEED_M_PER_S = 0.25;
-  private static final double TOOL_ACCELERATION_M_PER_S2 = 1.2;
-  private static final double SEEK_SPEED_M_PER_S = 0.05;
-  private static final double PRESSING_N = 20;
-
   private final Set<String> taken;
 
   private NewNodes(ProgramTree tree) {
@@ -61,8 +55,10 @@ public final class NewNodes {
       case HOME ->
           node(
               new Home(
-                  JOINT_SPEED_RAD_PER_S, JOINT_ACCELERATION_RAD_PER_S2, OptionalDouble.empty()));
-      case WAIT -> node(new ActionStep.Wait(new WaitFor.Time(0.01)));
+                  NodeFields.HOME_SPEED.initialValue(),
+                  NodeFields.HOME_ACCELERATION.initialValue(),
+                  NodeFields.HOME_TIME.initial()));
+      case WAIT -> node(new ActionStep.Wait(new WaitFor.Time(NodeFields.WAIT_TIME.initialValue())));
       case SET -> node(new ActionStep.SetAction(new Setting.Nothing()));
       case POPUP -> node(new ActionStep.Popup("", false, PopupKind.MESSAGE, false));
       case HALT -> node(new ActionStep.Halt());
@@ -98,7 +94,13 @@ public final class NewNodes {
       case SCREWDRIVING ->
           node(
               new TemplateStep.Screwdriving(
-                  new ToolChoice.Active(), true, PRESSING_N, false, "", "", 0));
+                  new ToolChoice.Active(),
+                  true,
+                  NodeFields.screwValue(true).initialValue(),
+                  false,
+                  "",
+                  "",
+                  NodeFields.SCREW_TIMEOUT.initialValue()));
       case CONVEYOR_TRACKING -> node(new TemplateStep.ConveyorTracking(1));
       case INITIAL_VALUES -> node(new Section.InitialValues(List.of()));
       case BEFORE_START -> node(new Section.BeforeStart());
@@ -111,11 +113,10 @@ public final class NewNodes {
   }
 
   private static Move move(MoveKind kind) {
-    boolean joint = kind == MoveKind.JOINT;
     return new Move(
         kind,
-        joint ? JOINT_SPEED_RAD_PER_S : TOOL_SPEED_M_PER_S,
-        joint ? JOINT_ACCELERATION_RAD_PER_S2 : TOOL_ACCELERATION_M_PER_S2,
+        NodeFields.speed(kind).initialValue(),
+        NodeFields.acceleration(kind).initialValue(),
         new ToolChoice.Active(),
         WaypointPosition.BASE,
         false);
@@ -133,19 +134,25 @@ public final class NewNodes {
   private static ProgramNode direction() {
     return node(
         new Direction(
-            WaypointPosition.BASE, 0, 0, -1, OptionalDouble.empty(), OptionalDouble.empty()),
+            WaypointPosition.BASE,
+            NodeFields.DIRECTION_X.initialValue(),
+            NodeFields.DIRECTION_Y.initialValue(),
+            NodeFields.DIRECTION_Z.initialValue(),
+            NodeFields.DIRECTION_SPEED.initial(),
+            NodeFields.DIRECTION_ACCELERATION.initial()),
         until());
   }
 
   private static ProgramNode until() {
-    return node(new Until(new UntilRule.Distance(0.1)));
+    return node(new Until(new UntilRule.Distance(NodeFields.UNTIL_DISTANCE.initialValue())));
   }
 
   private ProgramNode palletizing() {
     return node(
         new TemplateStep.Palletizing(
             name("Pallet"),
-            new Pattern.Line(name("StartItem"), name("EndItem"), 4),
+            new Pattern.Line(
+                name("StartItem"), name("EndItem"), (int) NodeFields.LINE_PLACES.initialValue()),
             WaypointPosition.BASE,
             false),
         point(PatternRole.APPROACH),
@@ -165,8 +172,8 @@ public final class NewNodes {
             role,
             name(start),
             MoveKind.LINEAR,
-            TOOL_SPEED_M_PER_S,
-            TOOL_ACCELERATION_M_PER_S2,
+            NodeFields.speed(MoveKind.LINEAR).initialValue(),
+            NodeFields.acceleration(MoveKind.LINEAR).initialValue(),
             OptionalDouble.empty()));
   }
 
@@ -181,24 +188,28 @@ public final class NewNodes {
             name(destack ? "Destack" : "Stack"),
             name("StartPos"),
             WaypointPosition.BASE,
-            List.of(0.0, 0.0, -1.0),
-            0.3,
-            0.02,
+            List.of(
+                NodeFields.SEEK_X.initialValue(),
+                NodeFields.SEEK_Y.initialValue(),
+                NodeFields.SEEK_Z.initialValue()),
+            NodeFields.SEEK_LIMIT.initialValue(),
+            NodeFields.ITEM_HEIGHT.initialValue(),
             "",
-            SEEK_SPEED_M_PER_S,
-            TOOL_ACCELERATION_M_PER_S2),
+            NodeFields.SEEK_SPEED.initialValue(),
+            NodeFields.SEEK_ACCELERATION.initialValue()),
         part(PartKind.SEQUENCE));
   }
 
   private static ProgramNode force() {
-    double turnLimit = Math.toRadians(20);
+    List<Boolean> compliant = List.of(false, false, true, false, false, false);
+    List<Double> wrench = new ArrayList<>();
+    List<Double> limits = new ArrayList<>();
+    for (int i = 0; i < compliant.size(); i++) {
+      wrench.add(NodeFields.wrench(i).initialValue());
+      limits.add(NodeFields.forceLimit(i, compliant.get(i)).initialValue());
+    }
     return node(
-        new TemplateStep.Force(
-            ForceKind.SIMPLE,
-            WaypointPosition.TOOL,
-            List.of(false, false, true, false, false, false),
-            List.of(0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
-            List.of(0.1, 0.1, 0.15, turnLimit, turnLimit, turnLimit)));
+        new TemplateStep.Force(ForceKind.SIMPLE, WaypointPosition.TOOL, compliant, wrench, limits));
   }
 
   /** {@code start} with the smallest number that makes a new name; taken from now on. */

@@ -2,23 +2,15 @@ package org.pendant.project.program.check;
 
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.installation.Wiring;
-import org.pendant.controller.io.AnalogBank;
-import org.pendant.controller.io.AnalogDomain;
+import org.pendant.models.pose.Pose;
 import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.Setting;
 import org.pendant.project.program.WaitFor;
 
 /** Checks nodes that do something else than moving. */
 final class ActionCheck {
-  private static final double MAX_S = 1e6;
-  private static final double MAX_PULSE_S = 1000;
-  private static final double MAX_V = 10;
-  private static final double MIN_A = 0.004;
-  private static final double MAX_A = 0.02;
-  private static final double MAX_KG = 100;
-  private static final double MAX_COG_M = 1;
-
   private final CheckContext findings;
   private final SignalCheck signals;
 
@@ -62,14 +54,11 @@ final class ActionCheck {
   private void wait(ProgramNode node, WaitFor what) {
     switch (what) {
       case WaitFor.Nothing _ -> {}
-      case WaitFor.Time time ->
-          findings.range(node, "what", "time", Shown.SECOND, time.timeS(), 0, MAX_S);
+      case WaitFor.Time time -> findings.number(node, NodeFields.WAIT_TIME, time.timeS());
       case WaitFor.Digital digital -> signals.digital(node, "what", digital.signal());
       case WaitFor.Analog analog -> {
         signals.analog(node, "what", analog.signal());
-        if (!Double.isFinite(analog.value())) {
-          findings.problem(node, "what", "the value is no number");
-        }
+        findings.number(node, NodeFields.waitLevel(analog.signal(), wiring()), analog.value());
       }
       case WaitFor.Expression expression ->
           findings.expression(node, "what", "condition", expression.condition());
@@ -80,10 +69,13 @@ final class ActionCheck {
     switch (setting) {
       case Setting.Nothing _ -> {}
       case Setting.Digital digital -> signals.digitalOut(node, "setting", digital.signal());
-      case Setting.Analog analog -> analog(node, analog);
+      case Setting.Analog analog -> {
+        signals.analogOut(node, "setting", analog.signal());
+        findings.number(node, NodeFields.analogOutput(analog.signal(), wiring()), analog.value());
+      }
       case Setting.Pulse pulse -> {
         signals.digitalOut(node, "setting", pulse.signal());
-        findings.positive(node, "setting", "time", Shown.SECOND, pulse.timeS(), MAX_PULSE_S);
+        findings.number(node, NodeFields.PULSE_TIME, pulse.timeS());
       }
       case Setting.Expression expression -> {
         signals.output(node, "setting", expression.signal());
@@ -100,13 +92,17 @@ final class ActionCheck {
         }
       }
       case Setting.Payload payload -> {
-        findings.range(node, "setting", "mass", Shown.KILOGRAM, payload.massKg(), 0, MAX_KG);
-        cog(node, payload.cogXM());
-        cog(node, payload.cogYM());
-        cog(node, payload.cogZM());
+        findings.number(node, NodeFields.PAYLOAD_MASS, payload.massKg());
+        findings.number(node, NodeFields.PAYLOAD_X, payload.cogXM());
+        findings.number(node, NodeFields.PAYLOAD_Y, payload.cogYM());
+        findings.number(node, NodeFields.PAYLOAD_Z, payload.cogZM());
       }
       case Setting.Tcp tcp -> {
-        if (!tcp.name().isEmpty()) {
+        if (tcp.name().isEmpty()) {
+          for (int i = 0; i < Pose.SIZE; i++) {
+            findings.number(node, NodeFields.tcp(i), tcp.inFlange().get(i));
+          }
+        } else {
           findings.namedTool(node, "setting", tcp.name());
         }
       }
@@ -114,24 +110,8 @@ final class ActionCheck {
     }
   }
 
-  private void cog(ProgramNode node, double offsetM) {
-    findings.range(
-        node, "setting", "centre of gravity", Shown.MILLIMETRE, offsetM, -MAX_COG_M, MAX_COG_M);
-  }
-
-  private void analog(ProgramNode node, Setting.Analog analog) {
-    signals.analogOut(node, "setting", analog.signal());
-    Wiring wiring = findings.installation().wiring();
-    for (int i = 0; i < AnalogBank.SIZE; i++) {
-      if (analog.signal().equals(AnalogBank.STANDARD_OUT.name(i))) {
-        if (wiring.analogOut().get(i) == AnalogDomain.VOLTAGE) {
-          findings.range(node, "setting", "voltage", Shown.VOLT, analog.value(), 0, MAX_V);
-        } else {
-          findings.range(
-              node, "setting", "current", Shown.MILLIAMPERE, analog.value(), MIN_A, MAX_A);
-        }
-      }
-    }
+  private Wiring wiring() {
+    return findings.installation().wiring();
   }
 
   private void increment(ProgramNode node, String variable) {

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.pendant.controller.installation.Feature;
@@ -14,6 +15,7 @@ import org.pendant.language.parse.Lexeme;
 import org.pendant.language.parse.LexemeReader;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.language.source.Source;
+import org.pendant.project.program.NodeField;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
@@ -99,28 +101,21 @@ final class CheckContext {
     }
   }
 
-  /** A number in SI within a range, whose ends belong to it. */
-  void range(
-      ProgramNode node,
-      String field,
-      String what,
-      Shown shown,
-      double value,
-      double low,
-      double high) {
-    if (!(value >= low && value <= high)) {
-      String legal = shown.number(low) + " to " + shown.words(high);
-      problem(node, field, what + " is " + shown.words(value) + ", must be " + legal);
-    }
+  /** A number of a node, in SI. */
+  void number(ProgramNode node, NodeField field, double value) {
+    field
+        .refusal(value)
+        .ifPresent(
+            legal ->
+                problem(
+                    node,
+                    field.component(),
+                    field.words() + " is " + field.unit().words(value) + ", " + legal));
   }
 
-  /** A number in SI above 0 and at most {@code high}. */
-  void positive(
-      ProgramNode node, String field, String what, Shown shown, double value, double high) {
-    if (!(value > 0 && value <= high)) {
-      String legal = "above 0 and at most " + shown.words(high);
-      problem(node, field, what + " is " + shown.words(value) + ", must be " + legal);
-    }
+  /** A number of a node, in SI, that there need not be. */
+  void number(ProgramNode node, NodeField field, OptionalDouble value) {
+    value.ifPresent(number -> number(node, field, number));
   }
 
   /** A name that becomes a variable or function of the script. */

@@ -3,16 +3,12 @@ package org.pendant.project.program.check;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.regex.Pattern;
 import org.pendant.project.program.FlowStep;
 import org.pendant.project.program.LoopRule;
 import org.pendant.project.program.ProgramNode;
 
 /** Checks nodes that decide what runs, and the order in which those stand beside each other. */
 final class FlowCheck {
-  private static final Pattern NUMBER =
-      Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
-
   private final CheckContext findings;
 
   FlowCheck(CheckContext findings) {
@@ -32,7 +28,7 @@ final class FlowCheck {
         cases(node);
       }
       case FlowStep.Case one -> {
-        if (!NUMBER.matcher(one.value().strip()).matches()) {
+        if (one.number().isEmpty()) {
           findings.problem(
               node,
               "value",
@@ -49,10 +45,11 @@ final class FlowCheck {
       case LoopRule.Forever _ -> {}
       case LoopRule.Times times -> {
         findings.expression(node, "rule", "number of turns", times.count());
-        String count = times.count().strip();
-        if (NUMBER.matcher(count).matches() && Double.parseDouble(count) < 0) {
+        if (times.number().orElse(0) < 0) {
           findings.problem(
-              node, "rule", "the number of turns is " + count + ", must not be negative");
+              node,
+              "rule",
+              "the number of turns is " + times.count().strip() + ", must not be negative");
         }
         if (!times.variable().isEmpty()) {
           findings.identifier(node, "rule", "counting variable", times.variable());
@@ -67,9 +64,9 @@ final class FlowCheck {
     Set<Double> values = new HashSet<>();
     boolean hasDefault = false;
     for (ProgramNode each : MotionCheck.running(node)) {
-      if (each.step() instanceof FlowStep.Case(String value)) {
-        if (NUMBER.matcher(value.strip()).matches() && !values.add(Double.valueOf(value.strip()))) {
-          findings.problem(each, "value", "there is another case " + value);
+      if (each.step() instanceof FlowStep.Case one) {
+        if (one.number().isPresent() && !values.add(one.number().getAsDouble())) {
+          findings.problem(each, "value", "there is another case " + one.value());
         }
       } else if (each.step() instanceof FlowStep.DefaultCase) {
         if (hasDefault) {

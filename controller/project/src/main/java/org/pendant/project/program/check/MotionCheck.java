@@ -2,10 +2,10 @@ package org.pendant.project.program.check;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.Timing;
 import org.pendant.project.program.UntilRule;
@@ -14,12 +14,6 @@ import org.pendant.project.program.WaypointTarget;
 
 /** Checks moves and what belongs to them. */
 final class MotionCheck {
-  private static final double MAX_RAD_PER_S = 2 * Math.PI;
-  private static final double MAX_RAD_PER_S2 = 40;
-  private static final double MAX_M_PER_S = 5;
-  private static final double MAX_M_PER_S2 = 150;
-  private static final double MAX_S = 3600;
-  private static final double MAX_M = 10;
   private static final int VIA_AND_END = 2;
 
   private final CheckContext findings;
@@ -43,21 +37,15 @@ final class MotionCheck {
       case MotionStep.Direction direction -> direction(node, direction);
       case MotionStep.Until until -> until(node, until.rule());
       case MotionStep.Home home -> {
-        speeds(
-            node,
-            "speedRadPerS",
-            home.speedRadPerS(),
-            "accelerationRadPerS2",
-            home.accelerationRadPerS2(),
-            MoveKind.JOINT);
-        home.timeS()
-            .ifPresent(time -> findings.positive(node, "timeS", "time", Shown.SECOND, time, MAX_S));
+        findings.number(node, NodeFields.HOME_SPEED, home.speedRadPerS());
+        findings.number(node, NodeFields.HOME_ACCELERATION, home.accelerationRadPerS2());
+        findings.number(node, NodeFields.HOME_TIME, home.timeS());
       }
     }
   }
 
   private void move(ProgramNode node, MotionStep.Move move) {
-    speeds(node, "speed", move.speed(), "acceleration", move.acceleration(), move.kind());
+    speeds(node, move.kind(), move.speed(), move.acceleration());
     findings.tool(node, "tool", move.tool());
     findings.feature(node, "feature", move.feature());
     if (move.byJoints() && move.kind() != MoveKind.JOINT) {
@@ -66,29 +54,10 @@ final class MotionCheck {
     blends(running(node));
   }
 
-  /** Speed and acceleration of joints or the tool. */
-  void speeds(
-      ProgramNode node,
-      String speedField,
-      double speed,
-      String accelerationField,
-      double acceleration,
-      MoveKind kind) {
-    boolean joint = kind == MoveKind.JOINT;
-    findings.positive(
-        node,
-        speedField,
-        "speed",
-        joint ? Shown.DEGREE_PER_S : Shown.MILLIMETRE_PER_S,
-        speed,
-        joint ? MAX_RAD_PER_S : MAX_M_PER_S);
-    findings.positive(
-        node,
-        accelerationField,
-        "acceleration",
-        joint ? Shown.DEGREE_PER_S2 : Shown.MILLIMETRE_PER_S2,
-        acceleration,
-        joint ? MAX_RAD_PER_S2 : MAX_M_PER_S2);
+  /** Speed and acceleration of a move or a place of a pattern. */
+  void speeds(ProgramNode node, MoveKind kind, double speed, double acceleration) {
+    findings.number(node, NodeFields.speed(kind), speed);
+    findings.number(node, NodeFields.acceleration(kind), acceleration);
   }
 
   private void waypoint(
@@ -97,17 +66,19 @@ final class MotionCheck {
     MoveKind kind = move.map(MotionStep.Move::kind).orElse(MoveKind.LINEAR);
     switch (waypoint.timing()) {
       case Timing.AsMove _ -> {}
-      case Timing.Own own ->
-          speeds(node, "timing", own.speed(), "timing", own.acceleration(), kind);
+      case Timing.Own own -> {
+        findings.number(node, NodeFields.waypointSpeed(kind), own.speed());
+        findings.number(node, NodeFields.waypointAcceleration(kind), own.acceleration());
+      }
       case Timing.Duration duration -> {
-        findings.positive(node, "timing", "time", Shown.SECOND, duration.timeS(), MAX_S);
+        findings.number(node, NodeFields.WAYPOINT_TIME, duration.timeS());
         if (kind == MoveKind.PROCESS) {
           findings.problem(
               node, "timing", "a MoveP has a constant speed, a time cannot be given there");
         }
       }
     }
-    blend(node, waypoint.blendRadiusM());
+    findings.number(node, NodeFields.BLEND_RADIUS, waypoint.blendRadiusM());
   }
 
   private void target(ProgramNode node, WaypointTarget target) {
@@ -122,15 +93,8 @@ final class MotionCheck {
     }
   }
 
-  void blend(ProgramNode node, OptionalDouble radiusM) {
-    radiusM.ifPresent(
-        radius ->
-            findings.range(
-                node, "blendRadiusM", "blend radius", Shown.MILLIMETRE, radius, 0, MAX_M));
-  }
-
   private void circle(ProgramNode node, MotionStep.CircleMove circle) {
-    blend(node, circle.blendRadiusM());
+    findings.number(node, NodeFields.BLEND_RADIUS, circle.blendRadiusM());
     long waypoints =
         running(node).stream().filter(each -> each.step() instanceof MotionStep.Waypoint).count();
     if (waypoints != VIA_AND_END) {
@@ -146,23 +110,8 @@ final class MotionCheck {
     } else {
       findings.expression(node, "expression", "direction", direction.expression());
     }
-    direction
-        .speedMPerS()
-        .ifPresent(
-            speed ->
-                findings.positive(
-                    node, "speedMPerS", "speed", Shown.MILLIMETRE_PER_S, speed, MAX_M_PER_S));
-    direction
-        .accelerationMPerS2()
-        .ifPresent(
-            acceleration ->
-                findings.positive(
-                    node,
-                    "accelerationMPerS2",
-                    "acceleration",
-                    Shown.MILLIMETRE_PER_S2,
-                    acceleration,
-                    MAX_M_PER_S2));
+    findings.number(node, NodeFields.DIRECTION_SPEED, direction.speedMPerS());
+    findings.number(node, NodeFields.DIRECTION_ACCELERATION, direction.accelerationMPerS2());
     if (running(node).stream().noneMatch(each -> each.step() instanceof MotionStep.Until)) {
       findings.problem(node, "", "nothing ends the direction, expected an Until below it");
     }
@@ -180,18 +129,10 @@ final class MotionCheck {
   private void until(ProgramNode node, UntilRule rule) {
     switch (rule) {
       case UntilRule.Distance distance ->
-          findings.positive(
-              node, "rule", "distance", Shown.MILLIMETRE, distance.distanceM(), MAX_M);
+          findings.number(node, NodeFields.UNTIL_DISTANCE, distance.distanceM());
       case UntilRule.Contact contact -> {
-        findings.range(
-            node, "rule", "retraction", Shown.MILLIMETRE, contact.retractM(), -MAX_M, MAX_M);
-        findings.positive(
-            node,
-            "rule",
-            "deceleration",
-            Shown.MILLIMETRE_PER_S2,
-            contact.stopDecelerationMPerS2(),
-            MAX_M_PER_S2);
+        findings.number(node, NodeFields.RETRACTION, contact.retractM());
+        findings.number(node, NodeFields.CONTACT_DECELERATION, contact.stopDecelerationMPerS2());
       }
       case UntilRule.Expression expression ->
           findings.expression(node, "rule", "condition", expression.condition());

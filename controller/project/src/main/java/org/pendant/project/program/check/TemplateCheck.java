@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.pendant.controller.installation.ConveyorSetup;
-import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.Pattern;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.TemplateStep;
@@ -19,19 +19,11 @@ import org.pendant.project.program.TreeNames;
 /** Checks templates. */
 final class TemplateCheck {
   private static final int AXES = 6;
-  private static final int FORCES = 3;
-  private static final double MAX_N = 500;
-  private static final double MAX_NM = 100;
-  private static final double MAX_LIMIT = 10;
-  private static final double MAX_M = 5;
-  private static final double MAX_SCREW_M_PER_S = 1;
-  private static final double MAX_S = 3600;
+  private static final int DIRECTION = 3;
   private static final int FIRST_PIN = 8;
   private static final int LAST_PIN = 11;
-  private static final int MAX_PLACES = 1_000_000;
   private static final int SQUARE_CORNERS = 4;
   private static final int BOX_CORNERS = 8;
-  private static final List<String> AXIS_NAMES = List.of("x", "y", "z", "rx", "ry", "rz");
 
   private final CheckContext findings;
   private final SignalCheck signals;
@@ -49,9 +41,8 @@ final class TemplateCheck {
       case TemplateStep.Palletizing palletizing -> palletizing(node, palletizing);
       case TemplateStep.PatternPoint point -> {
         findings.taught(node, "waypoint", point.waypoint());
-        motion.speeds(
-            node, "speed", point.speed(), "acceleration", point.acceleration(), point.kind());
-        motion.blend(node, point.blendRadiusM());
+        motion.speeds(node, point.kind(), point.speed(), point.acceleration());
+        findings.number(node, NodeFields.BLEND_RADIUS, point.blendRadiusM());
       }
       case TemplateStep.Part _ -> {}
       case TemplateStep.Seek seek -> seek(node, seek);
@@ -94,17 +85,17 @@ final class TemplateCheck {
 
   private void pattern(ProgramNode node, Pattern pattern) {
     switch (pattern) {
-      case Pattern.Line line -> count(node, "places of the line", line.count(), 2);
+      case Pattern.Line line -> findings.number(node, NodeFields.LINE_PLACES, line.count());
       case Pattern.Square square -> {
         corners(node, square.corners(), SQUARE_CORNERS);
-        count(node, "columns", square.columns(), 1);
-        count(node, "rows", square.rows(), 1);
+        findings.number(node, NodeFields.COLUMNS, square.columns());
+        findings.number(node, NodeFields.ROWS, square.rows());
       }
       case Pattern.Box box -> {
         corners(node, box.corners(), BOX_CORNERS);
-        count(node, "columns", box.columns(), 1);
-        count(node, "rows", box.rows(), 1);
-        count(node, "layers", box.layers(), 1);
+        findings.number(node, NodeFields.COLUMNS, box.columns());
+        findings.number(node, NodeFields.ROWS, box.rows());
+        findings.number(node, NodeFields.LAYERS, box.layers());
       }
       case Pattern.Places places -> {
         if (places.places().isEmpty()) {
@@ -122,10 +113,6 @@ final class TemplateCheck {
       findings.problem(
           node, "pattern", "the pattern has " + corners.size() + " corners, must have " + wanted);
     }
-  }
-
-  private void count(ProgramNode node, String what, int count, int least) {
-    findings.range(node, "pattern", what, Shown.COUNT, count, least, MAX_PLACES);
   }
 
   /** How many places of each role there are, in the sequence of a template. */
@@ -175,7 +162,7 @@ final class TemplateCheck {
     name(node, seek.name());
     findings.taught(node, "start", seek.start());
     findings.feature(node, "feature", seek.feature());
-    if (seek.direction().size() == FORCES) {
+    if (seek.direction().size() == DIRECTION) {
       motion.vector(
           node,
           "direction",
@@ -185,17 +172,11 @@ final class TemplateCheck {
     } else {
       findings.problem(node, "direction", "the direction is missing, expected x, y and z");
     }
-    findings.positive(node, "limitM", "farthest way", Shown.MILLIMETRE, seek.limitM(), MAX_M);
-    findings.positive(
-        node, "itemHeightM", "thickness of an item", Shown.MILLIMETRE, seek.itemHeightM(), MAX_M);
+    findings.number(node, NodeFields.SEEK_LIMIT, seek.limitM());
+    findings.number(node, NodeFields.ITEM_HEIGHT, seek.itemHeightM());
     findings.expression(node, "found", "condition for an item that is found", seek.found());
-    motion.speeds(
-        node,
-        "speedMPerS",
-        seek.speedMPerS(),
-        "accelerationMPerS2",
-        seek.accelerationMPerS2(),
-        MoveKind.LINEAR);
+    findings.number(node, NodeFields.SEEK_SPEED, seek.speedMPerS());
+    findings.number(node, NodeFields.SEEK_ACCELERATION, seek.accelerationMPerS2());
     parts(node);
     Map<PatternRole, Integer> points = points(node);
     if (!points.isEmpty() && !points.containsKey(PatternRole.POINT)) {
@@ -215,35 +196,10 @@ final class TemplateCheck {
     }
     for (int i = 0; i < AXES; i++) {
       boolean compliant = force.kind() == ForceKind.SIMPLE ? i == 2 : force.compliant().get(i);
-      boolean line = i < FORCES;
-      String axis = AXIS_NAMES.get(i);
       if (compliant) {
-        double most = line ? MAX_N : MAX_NM;
-        findings.range(
-            node,
-            "wrench",
-            (line ? "force along " : "torque about ") + axis,
-            line ? Shown.NEWTON : Shown.NEWTON_METRE,
-            force.wrench().get(i),
-            -most,
-            most);
-        findings.positive(
-            node,
-            "limits",
-            "speed limit of " + axis,
-            line ? Shown.MILLIMETRE_PER_S : Shown.DEGREE_PER_S,
-            force.limits().get(i),
-            MAX_LIMIT);
-      } else {
-        findings.range(
-            node,
-            "limits",
-            "deviation limit of " + axis,
-            line ? Shown.MILLIMETRE : Shown.DEGREE,
-            force.limits().get(i),
-            0,
-            MAX_LIMIT);
+        findings.number(node, NodeFields.wrench(i), force.wrench().get(i));
       }
+      findings.number(node, NodeFields.forceLimit(i, compliant), force.limits().get(i));
     }
     if (force.kind() != ForceKind.SIMPLE && !force.compliant().contains(true)) {
       findings.problem(node, "compliant", "no axis is compliant, nothing can press");
@@ -260,18 +216,11 @@ final class TemplateCheck {
 
   private void screwdriving(ProgramNode node, TemplateStep.Screwdriving screwdriving) {
     findings.tool(node, "tool", screwdriving.tool());
-    boolean byForce = screwdriving.byForce();
-    findings.positive(
-        node,
-        "value",
-        byForce ? "force" : "speed",
-        byForce ? Shown.NEWTON : Shown.MILLIMETRE_PER_S,
-        screwdriving.value(),
-        byForce ? MAX_N : MAX_SCREW_M_PER_S);
+    findings.number(node, NodeFields.screwValue(screwdriving.byForce()), screwdriving.value());
     if (!screwdriving.start().isEmpty()) {
       signals.digitalOut(node, "start", screwdriving.start());
     }
-    findings.range(node, "timeoutS", "time", Shown.SECOND, screwdriving.timeoutS(), 0, MAX_S);
+    findings.number(node, NodeFields.SCREW_TIMEOUT, screwdriving.timeoutS());
     if (!screwdriving.until().isBlank() || MotionCheck.running(node).isEmpty()) {
       findings.expression(
           node, "until", "condition for a screw that is done", screwdriving.until());

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.Timing;
 import org.pendant.project.program.UntilRule;
@@ -12,9 +13,6 @@ import org.pendant.project.program.WaypointPosition;
 
 /** Writes ways that something ends early. */
 final class DirectionWriter {
-  private static final double SPEED_M_PER_S = 0.25;
-  private static final double ACCELERATION_M_PER_S2 = 1.2;
-
   private static final String TCP_SPEED = "get_target_tcp_speed()";
 
   /** From a contact back to where it began. */
@@ -67,9 +65,17 @@ final class DirectionWriter {
       return;
     }
     boolean joint = move.kind() == MoveKind.JOINT;
-    double speed = direction.speedMPerS().orElse(joint ? SPEED_M_PER_S : move.speed());
+    double speed =
+        direction
+            .speedMPerS()
+            .orElse(joint ? NodeFields.speed(MoveKind.LINEAR).initialValue() : move.speed());
     double acceleration =
-        direction.accelerationMPerS2().orElse(joint ? ACCELERATION_M_PER_S2 : move.acceleration());
+        direction
+            .accelerationMPerS2()
+            .orElse(
+                joint
+                    ? NodeFields.acceleration(MoveKind.LINEAR).initialValue()
+                    : move.acceleration());
     Optional<UntilRule.Distance> distance = distance(untils);
     lines.begin(node);
     WatchedMove watched = new WatchedMove(context, node);
@@ -145,7 +151,9 @@ final class DirectionWriter {
       String statement,
       List<ProgramNode> children) {
     double acceleration =
-        move.kind() == MoveKind.JOINT ? ACCELERATION_M_PER_S2 : move.acceleration();
+        move.kind() == MoveKind.JOINT
+            ? NodeFields.acceleration(MoveKind.LINEAR).initialValue()
+            : move.acceleration();
     if (waypoint.timing() instanceof Timing.Own own && move.kind() != MoveKind.JOINT) {
       acceleration = own.acceleration();
     }

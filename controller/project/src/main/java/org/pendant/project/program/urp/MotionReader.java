@@ -11,6 +11,7 @@ import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.polyscope.xml.XmlElement;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.Step;
 import org.pendant.project.program.Timing;
 import org.pendant.project.program.ToolChoice;
@@ -51,11 +52,6 @@ final class MotionReader {
   /** What moves the arm in a move; others stand between them, also such that are switched off. */
   private static final Set<String> WAYS = Set.of(WAYPOINT, CIRCLE, DIRECTION);
 
-  private static final double JOINT_SPEED_RAD_PER_S = Math.toRadians(60);
-  private static final double JOINT_ACCELERATION_RAD_PER_S2 = Math.toRadians(80);
-  private static final double TOOL_SPEED_M_PER_S = 0.25;
-  private static final double TOOL_ACCELERATION_M_PER_S2 = 1.2;
-  private static final double STOP_M_PER_S2 = 3;
   private static final OptionalDouble NONE = OptionalDouble.empty();
   private static final Pattern AXIS = Pattern.compile("([XYZ])(Plus|Minus)");
 
@@ -127,13 +123,10 @@ final class MotionReader {
           default -> MoveKind.JOINT;
         };
     optimal(element);
-    boolean joint = kind == MoveKind.JOINT;
-    double speed =
-        Values.attribute(element, "speed")
-            .orElse(joint ? JOINT_SPEED_RAD_PER_S : TOOL_SPEED_M_PER_S);
+    double speed = Values.attribute(element, "speed").orElse(NodeFields.speed(kind).initialValue());
     double acceleration =
         Values.attribute(element, "acceleration")
-            .orElse(joint ? JOINT_ACCELERATION_RAD_PER_S2 : TOOL_ACCELERATION_M_PER_S2);
+            .orElse(NodeFields.acceleration(kind).initialValue());
     return new MotionStep.Move(
         kind,
         speed,
@@ -296,8 +289,9 @@ final class MotionReader {
     var _ = element.attribute("decelerationAngularAcceleration");
     return Optional.of(
         new UntilRule.Contact(
-            Values.attribute(element, RETRACTION).orElse(0),
-            Values.attribute(element, CONTACT_STOP).orElse(STOP_M_PER_S2)));
+            Values.attribute(element, RETRACTION).orElse(NodeFields.RETRACTION.initialValue()),
+            Values.attribute(element, CONTACT_STOP)
+                .orElse(NodeFields.CONTACT_DECELERATION.initialValue())));
   }
 
   /** The way ends exactly there, so that its deceleration is that of the move. */
@@ -317,8 +311,9 @@ final class MotionReader {
     boolean byTime = element.text("positionOptionType").toUpperCase(Locale.ROOT).contains("TIME");
     OptionalDouble time = Values.attribute(element, MOTION_TIME);
     return new MotionStep.Home(
-        Values.attribute(element, "speed").orElse(JOINT_SPEED_RAD_PER_S),
-        Values.attribute(element, "acceleration").orElse(JOINT_ACCELERATION_RAD_PER_S2),
+        Values.attribute(element, "speed").orElse(NodeFields.HOME_SPEED.initialValue()),
+        Values.attribute(element, "acceleration")
+            .orElse(NodeFields.HOME_ACCELERATION.initialValue()),
         byTime ? time : OptionalDouble.empty());
   }
 }

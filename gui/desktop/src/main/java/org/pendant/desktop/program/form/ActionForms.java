@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.desktop.program.form.Item.Option;
-import org.pendant.kit.form.Measure;
 import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.Section;
 import org.pendant.project.program.WaitFor;
@@ -13,6 +13,7 @@ import org.pendant.project.program.WaitFor;
 /** The forms of nodes that do something else than moving; settings have a class of their own. */
 final class ActionForms {
   static final String NO_SIGNAL = "is no such signal";
+  private static final String ANALOG = "analog_in[0]";
 
   private ActionForms() {}
 
@@ -59,17 +60,15 @@ final class ActionForms {
           case WaitFor.Analog _ -> "analog";
           case WaitFor.Expression _ -> "expression";
         },
-        chosen -> new ActionStep.Wait(waitFor(context.kept(), chosen)));
+        chosen -> new ActionStep.Wait(waitFor(context, chosen)));
     SignalChoices signals = context.signals();
     switch (what) {
       case WaitFor.Nothing _ -> form.quiet("nothing", "The program goes on at once.");
       case WaitFor.Time(double timeS) ->
           form.number(
-              "what.timeS",
+              NodeFields.WAIT_TIME,
               "Time",
               timeS,
-              Measure.SECOND,
-              Range.FROM_ZERO,
               value -> new ActionStep.Wait(new WaitFor.Time(value)));
       case WaitFor.Digital(String signal, boolean level) ->
           form.choice(
@@ -102,10 +101,9 @@ final class ActionForms {
                   above,
                   chosen -> new ActionStep.Wait(new WaitFor.Analog(signal, chosen, value)))
               .number(
-                  "what.value",
+                  NodeFields.waitLevel(signal, context.installation().wiring()),
                   "Value",
                   value,
-                  signals.measure(signal),
                   signals.range(signal),
                   chosen -> new ActionStep.Wait(new WaitFor.Analog(signal, above, chosen)));
       case WaitFor.Expression(String condition) ->
@@ -119,14 +117,22 @@ final class ActionForms {
     return form.build();
   }
 
-  private static WaitFor waitFor(Kept kept, String chosen) {
+  private static WaitFor waitFor(FormContext context, String chosen) {
+    Kept kept = context.kept();
+
     return switch (chosen) {
       case "nothing" -> new WaitFor.Nothing();
-      case "time" -> kept.recall(WaitFor.Time.class, new WaitFor.Time(1));
+      case "time" ->
+          kept.recall(WaitFor.Time.class, new WaitFor.Time(NodeFields.WAIT_TIME.initialValue()));
       case "digital" ->
           kept.recall(WaitFor.Digital.class, new WaitFor.Digital("digital_in[0]", true));
       case "analog" ->
-          kept.recall(WaitFor.Analog.class, new WaitFor.Analog("analog_in[0]", true, 5));
+          kept.recall(
+              WaitFor.Analog.class,
+              new WaitFor.Analog(
+                  ANALOG,
+                  true,
+                  NodeFields.waitLevel(ANALOG, context.installation().wiring()).initialValue()));
       default -> kept.recall(WaitFor.Expression.class, new WaitFor.Expression(""));
     };
   }

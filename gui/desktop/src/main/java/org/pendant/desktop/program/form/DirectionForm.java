@@ -4,8 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.pendant.kit.form.Measure;
 import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.NodeField;
+import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.Step;
 
 /** The form of a straight way in a direction. */
@@ -30,7 +31,10 @@ final class DirectionForm {
             MotionForms.NO_FEATURE,
             feature -> in(step, feature));
     vector(
-        form, List.of(step.x(), step.y(), step.z()), List.of("x", "y", "z"), v -> along(step, v));
+        form,
+        List.of(step.x(), step.y(), step.z()),
+        List.of(NodeFields.DIRECTION_X, NodeFields.DIRECTION_Y, NodeFields.DIRECTION_Z),
+        v -> along(step, v));
     form.expression(
         "expression",
         "or computed",
@@ -43,22 +47,17 @@ final class DirectionForm {
           new Sketch.Arrow(step.x(), step.y(), step.z()),
           "The direction in " + step.feature());
     }
-    Ranges ranges = new Ranges(context.host().state().arm().description());
     form.part("Motion")
         .optional(
-            "speedMPerS",
+            NodeFields.DIRECTION_SPEED,
             "Tool speed",
             step.speedMPerS(),
-            Measure.MILLIMETRE_PER_S,
-            ranges.speeds(false),
             "as the move",
             value -> motion(step, value, step.accelerationMPerS2()))
         .optional(
-            "accelerationMPerS2",
+            NodeFields.DIRECTION_ACCELERATION,
             "Acceleration",
             step.accelerationMPerS2(),
-            Measure.MILLIMETRE_PER_S2,
-            Ranges.accelerations(false),
             "as the move",
             value -> motion(step, step.speedMPerS(), value));
     boolean ends =
@@ -115,7 +114,7 @@ final class DirectionForm {
   }
 
   /** Buttons for the axes both ways, and three numbers. */
-  static void vector(FormBuilder form, List<Double> now, List<String> names, OfVector step) {
+  static void vector(FormBuilder form, List<Double> now, List<NodeField> fields, OfVector step) {
     FormContext context = form.context();
     List<Item.Press> buttons = new ArrayList<>();
     for (int axis = 0; axis < 3; axis++) {
@@ -140,11 +139,9 @@ final class DirectionForm {
       int changed = axis;
       numbers.add(
           form.numberOf(
-              names.get(axis),
+              fields.get(axis),
               AXES.get(axis),
               now.get(axis),
-              Measure.PLAIN,
-              Range.of(-1e6, 1e6),
               value -> {
                 List<Double> vector = new ArrayList<>(now);
                 vector.set(changed, value);

@@ -50,7 +50,7 @@ final class FlowForms {
     if (text.isBlank()) {
       return "";
     }
-    return text.strip().matches("[+-]?\\d+(\\.\\d+)?")
+    return new FlowStep.Case(text).number().isPresent()
         ? ""
         : "'" + text.strip() + "' is not a number";
   }

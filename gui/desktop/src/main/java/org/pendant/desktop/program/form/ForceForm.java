@@ -2,8 +2,9 @@ package org.pendant.desktop.program.form;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntFunction;
 import org.pendant.desktop.program.form.Item.Option;
-import org.pendant.kit.form.Measure;
+import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.TemplateStep.Force;
 import org.pendant.project.program.TemplateStep.ForceKind;
 
@@ -91,18 +92,21 @@ final class ForceForm {
 
   /** With all six numbers of each list. */
   private static Force whole(Force step) {
+    List<Boolean> compliant = filled(step.compliant(), _ -> false);
     return new Force(
         step.kind(),
         step.feature(),
-        filled(step.compliant(), false),
-        filled(step.wrench(), 0.0),
-        filled(step.limits(), 0.1));
+        compliant,
+        filled(step.wrench(), axis -> NodeFields.wrench(axis).initialValue()),
+        filled(
+            step.limits(),
+            axis -> NodeFields.forceLimit(axis, compliant.get(axis)).initialValue()));
   }
 
-  private static <T> List<T> filled(List<T> values, T missing) {
+  private static <T> List<T> filled(List<T> values, IntFunction<T> missing) {
     List<T> all = new ArrayList<>(values);
     while (all.size() < SIZE) {
-      all.add(missing);
+      all.add(missing.apply(all.size()));
     }
     return all;
   }
@@ -130,11 +134,9 @@ final class ForceForm {
     if (free) {
       items.add(
           form.numberOf(
-              "wrench." + axis,
+              NodeFields.wrench(axis),
               line ? "Force" : "Torque",
               force.wrench().get(axis),
-              line ? Measure.NEWTON : Measure.NEWTON_METRE,
-              line ? Range.of(-500, 500) : Range.of(-100, 100),
               value ->
                   lists(
                       force,
@@ -144,22 +146,13 @@ final class ForceForm {
     }
     items.add(
         form.numberOf(
-            "limits." + axis,
+            NodeFields.forceLimit(axis, free),
             free ? "Speed" : "Deviation",
             force.limits().get(axis),
-            limitMeasure(line, free),
-            free ? Range.upTo(10) : Range.of(0, 10),
             value ->
                 lists(
                     force, force.compliant(), force.wrench(), with(force.limits(), axis, value))));
     form.add(new Item.Line("axis-" + axis, simple ? name : "", items));
-  }
-
-  private static Measure limitMeasure(boolean line, boolean free) {
-    if (free) {
-      return line ? Measure.MILLIMETRE_PER_S : Measure.DEGREE_PER_S;
-    }
-    return line ? Measure.MILLIMETRE : Measure.DEGREE;
   }
 
   private static Force lists(

@@ -6,9 +6,11 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.DoubleFunction;
 import java.util.function.Function;
+import java.util.function.IntFunction;
 import java.util.function.UnaryOperator;
 import org.pendant.desktop.program.form.Item.Option;
-import org.pendant.kit.form.Measure;
+import org.pendant.project.program.NodeField;
+import org.pendant.project.program.NumberRange;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Step;
 
@@ -58,61 +60,55 @@ final class FormBuilder {
   }
 
   /** A number that there must be. */
-  FormBuilder number(
-      String name,
-      String label,
-      double value,
-      Measure measure,
-      Range range,
-      DoubleFunction<Step> step) {
-    return add(numberOf(name, label, value, measure, range, step));
+  FormBuilder number(NodeField field, String label, double value, DoubleFunction<Step> step) {
+    return number(field, label, value, field.range(), step);
   }
 
-  Item.Quantity numberOf(
-      String name,
-      String label,
-      double value,
-      Measure measure,
-      Range range,
-      DoubleFunction<Step> step) {
+  /**
+   * A number that there must be.
+   *
+   * @param usual what this arm or signal has of the field's range
+   */
+  FormBuilder number(
+      NodeField field, String label, double value, NumberRange usual, DoubleFunction<Step> step) {
+    return add(numberOf(field, label, value, usual, step));
+  }
+
+  /** As {@link #number}, for a line or a grid. */
+  Item.Quantity numberOf(NodeField field, String label, double value, DoubleFunction<Step> step) {
+    return numberOf(field, label, value, field.range(), step);
+  }
+
+  private Item.Quantity numberOf(
+      NodeField field, String label, double value, NumberRange usual, DoubleFunction<Step> step) {
     return new Item.Quantity(
-        name,
+        field,
         label,
         OptionalDouble.of(value),
-        measure,
-        range,
+        usual,
         "",
         typed -> context.with(step.apply(typed.orElse(value))));
   }
 
   /** A number that there may be. */
   FormBuilder optional(
-      String name,
+      NodeField field,
       String label,
       OptionalDouble value,
-      Measure measure,
-      Range range,
       String whenEmpty,
       Function<OptionalDouble, Step> step) {
     return add(
         new Item.Quantity(
-            name,
+            field,
             label,
             value,
-            measure,
-            range,
+            field.range(),
             whenEmpty,
             typed -> context.with(step.apply(typed))));
   }
 
-  FormBuilder count(String name, String label, int value, int min, Function<Integer, Step> step) {
-    return number(
-        name,
-        label,
-        value,
-        Measure.COUNT,
-        Range.of(min, 1_000_000),
-        typed -> step.apply((int) Math.rint(typed)));
+  FormBuilder count(NodeField field, String label, int value, IntFunction<Step> step) {
+    return number(field, label, value, typed -> step.apply((int) Math.rint(typed)));
   }
 
   /** A line of text that may be anything. */

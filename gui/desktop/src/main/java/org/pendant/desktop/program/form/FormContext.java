@@ -6,8 +6,11 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.program.form.Item.Option;
+import org.pendant.models.arm.JointLimits;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.NodeFields;
+import org.pendant.project.program.NumberRange;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Step;
@@ -52,10 +55,20 @@ record FormContext(FormHost host, ProgramTree tree, ProgramNode node, Kept kept,
     return tree.parentOf(of).flatMap(tree::find);
   }
 
-  /** Whether speeds of this node are those of joints. */
-  boolean joint() {
-    return above(MotionStep.Move.class).map(MotionStep.Move::kind).orElse(MoveKind.LINEAR)
-        == MoveKind.JOINT;
+  /** The kind of the move that this node belongs to. */
+  MoveKind moveKind() {
+    return above(MotionStep.Move.class).map(MotionStep.Move::kind).orElse(MoveKind.LINEAR);
+  }
+
+  /** How fast a move may be, as far as this arm goes. */
+  NumberRange usualSpeed(MoveKind kind) {
+    NumberRange legal = NodeFields.speed(kind).range();
+    double fastest =
+        host.state().arm().description().joints().stream()
+            .mapToDouble(JointLimits::maxSpeedRadPerS)
+            .max()
+            .orElse(legal.max());
+    return kind == MoveKind.JOINT ? NumberRange.upTo(Math.min(fastest, legal.max())) : legal;
   }
 
   /** The feature of the move that this node belongs to. */

@@ -117,11 +117,11 @@ final class FormPresenter {
     }
     double value;
     try {
-      value = number.measure().parse(typed);
+      value = number.parse(typed);
     } catch (IllegalArgumentException refused) {
       return refused.getMessage();
     }
-    String refusal = number.range().refusal(value, number.measure());
+    String refusal = number.refusal(value);
     if (refusal.isEmpty()) {
       change(number, number.edit().apply(OptionalDouble.of(value)));
     }
@@ -206,9 +206,7 @@ final class FormPresenter {
     return switch (item) {
       case Item.Text text -> text.value().isEmpty() ? "" : text.refusal().apply(text.value());
       case Item.Quantity number ->
-          number.value().isPresent()
-              ? number.range().refusal(number.value().getAsDouble(), number.measure())
-              : "";
+          number.value().isPresent() ? number.refusal(number.value().getAsDouble()) : "";
       case Item.Expression _,
           Item.Prose _,
           Item.Code _,

@@ -151,7 +151,7 @@ final class GridView implements FieldView {
     for (int i = fields.size() - 1; i >= 0; i--) {
       String refusal = fields.get(i).refusal();
       fields.get(i).outline(!refusal.isEmpty());
-      FieldViews.describe(fields.get(i), refusal, now(i).range().words(now(i).measure()));
+      FieldViews.describe(fields.get(i), refusal, now(i).legal());
       said = refusal.isEmpty() ? said : now(i).label() + ": " + refusal;
     }
     problem.say(said);

@@ -6,6 +6,8 @@ import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import org.pendant.kit.form.Measure;
+import org.pendant.project.program.NodeField;
+import org.pendant.project.program.NumberRange;
 import org.pendant.project.program.ProgramTree;
 
 /**
@@ -24,21 +26,70 @@ sealed interface Item {
   /**
    * A number.
    *
+   * @param field what it is in the program
    * @param value in SI; empty if there is none
+   * @param usual what this arm or signal has of the field's range
    * @param whenEmpty what no number means; empty if there must be one
    */
   record Quantity(
-      String name,
+      NodeField field,
       String label,
       OptionalDouble value,
-      Measure measure,
-      Range range,
+      NumberRange usual,
       String whenEmpty,
       Function<OptionalDouble, ProgramTree> edit)
       implements Item {
+    @Override
+    public String name() {
+      return field.name();
+    }
+
+    /** In what it is shown and typed. */
+    Measure measure() {
+      return switch (field.unit()) {
+        case MILLIMETRE -> Measure.MILLIMETRE;
+        case MILLIMETRE_PER_S -> Measure.MILLIMETRE_PER_S;
+        case MILLIMETRE_PER_S2 -> Measure.MILLIMETRE_PER_S2;
+        case DEGREE -> Measure.DEGREE;
+        case DEGREE_PER_S -> Measure.DEGREE_PER_S;
+        case DEGREE_PER_S2 -> Measure.DEGREE_PER_S2;
+        case SECOND -> Measure.SECOND;
+        case NEWTON -> Measure.NEWTON;
+        case NEWTON_METRE -> Measure.NEWTON_METRE;
+        case KILOGRAM -> Measure.KILOGRAM;
+        case VOLT -> Measure.VOLT;
+        case MILLIAMPERE -> Measure.MILLIAMPERE;
+        case COUNT -> Measure.COUNT;
+        case NUMBER -> Measure.PLAIN;
+      };
+    }
+
+    /**
+     * Reads what was typed. A limit that is typed as it is shown is that limit, whatever its
+     * decimals are behind those that are shown.
+     *
+     * @return the number in SI
+     * @throws IllegalArgumentException with a sentence for people if it is none
+     */
+    double parse(String typed) {
+      double number = measure().parse(typed);
+      double limit = Math.clamp(number, field.range().min(), field.range().max());
+      return measure().text(number).equals(measure().text(limit)) ? limit : number;
+    }
+
+    /** Which numbers can be taken. */
+    String legal() {
+      return field.range().words(field.unit());
+    }
+
+    /** Why a number, in SI, cannot be taken; empty if it can. */
+    String refusal(double number) {
+      return field.refusal(number).orElse("");
+    }
+
     /** The text of the value. */
     String text() {
-      return value.isPresent() ? measure.text(value.getAsDouble()) : "";
+      return value.isPresent() ? measure().text(value.getAsDouble()) : "";
     }
   }
 

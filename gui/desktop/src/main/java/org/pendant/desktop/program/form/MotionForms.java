@@ -11,6 +11,7 @@ import org.pendant.kit.form.Measure;
 import org.pendant.models.arm.Joints;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Step;
@@ -37,12 +38,11 @@ final class MotionForms {
   }
 
   private static Form move(FormContext context, MotionStep.Move move) {
-    boolean joint = Ranges.joint(move.kind());
-    Ranges ranges = new Ranges(context.host().state().arm().description());
+    boolean joint = move.kind() == MoveKind.JOINT;
+
     context.kept().keep(joint ? "joint" : "tool", move);
     FormBuilder form =
-        new FormBuilder(context, "move", Ranges.words(move.kind()), about(move.kind()))
-            .part("Path");
+        new FormBuilder(context, "move", words(move.kind()), about(move.kind())).part("Path");
     form.add(
         new Item.Choice(
             "kind",
@@ -56,18 +56,15 @@ final class MotionForms {
             "",
             kind -> withKind(context, move, MoveKind.valueOf(kind))));
     form.number(
-            "speed",
+            NodeFields.speed(move.kind()),
             joint ? "Joint speed" : "Tool speed",
             move.speed(),
-            Ranges.speed(joint),
-            ranges.speeds(joint),
+            context.usualSpeed(move.kind()),
             value -> motion(move, value, move.acceleration()))
         .number(
-            "acceleration",
+            NodeFields.acceleration(move.kind()),
             "Acceleration",
             move.acceleration(),
-            Ranges.acceleration(joint),
-            Ranges.accelerations(joint),
             value -> motion(move, move.speed(), value));
     if (joint) {
       form.check(
@@ -91,6 +88,15 @@ final class MotionForms {
     return form.build();
   }
 
+  /** What people call a sort of path. */
+  static String words(MoveKind kind) {
+    return switch (kind) {
+      case JOINT -> "MoveJ";
+      case LINEAR -> "MoveL";
+      case PROCESS -> "MoveP";
+    };
+  }
+
   private static String about(MoveKind kind) {
     return switch (kind) {
       case JOINT -> "Each joint goes its own way to the waypoints below; the quickest move.";
@@ -112,8 +118,8 @@ final class MotionForms {
 
   /** Between joint and tool speeds, what was typed before counts; nothing is converted. */
   private static ProgramTree withKind(FormContext context, MotionStep.Move move, MoveKind kind) {
-    boolean joint = Ranges.joint(kind);
-    boolean same = joint == Ranges.joint(move.kind());
+    boolean joint = kind == MoveKind.JOINT;
+    boolean same = joint == (move.kind() == MoveKind.JOINT);
     MotionStep.Move speeds =
         same
             ? move
@@ -121,13 +127,10 @@ final class MotionForms {
                 .kept()
                 .recall(joint ? "joint" : "tool", MotionStep.Move.class)
                 .orElse(
-                    joint
-                        ? motion(
-                            move,
-                            Ranges.JOINT_SPEED_RAD_PER_S,
-                            Ranges.JOINT_ACCELERATION_RAD_PER_S2)
-                        : motion(
-                            move, Ranges.TOOL_SPEED_M_PER_S, Ranges.TOOL_ACCELERATION_M_PER_S2));
+                    motion(
+                        move,
+                        NodeFields.speed(kind).initialValue(),
+                        NodeFields.acceleration(kind).initialValue()));
     ProgramTree tree =
         context.with(
             new MotionStep.Move(
@@ -236,14 +239,14 @@ final class MotionForms {
                 step.apply(
                     stop
                         ? OptionalDouble.empty()
-                        : OptionalDouble.of(kept.recall("blend", Double.class).orElse(0.025))));
+                        : OptionalDouble.of(
+                            kept.recall("blend", Double.class)
+                                .orElse(NodeFields.BLEND_RADIUS.initialValue()))));
     if (radiusM.isPresent()) {
       form.number(
-          "blendRadiusM",
+          NodeFields.BLEND_RADIUS,
           "Radius",
           radiusM.getAsDouble(),
-          Measure.MILLIMETRE,
-          Range.of(0, 2),
           value -> step.apply(OptionalDouble.of(value)));
     }
   }
@@ -273,26 +276,20 @@ final class MotionForms {
     switch (rule) {
       case UntilRule.Distance(double distanceM, OptionalDouble blendRadiusM) ->
           form.number(
-              "rule.distanceM",
+              NodeFields.UNTIL_DISTANCE,
               "Distance",
               distanceM,
-              Measure.MILLIMETRE,
-              Range.upTo(10),
               value -> new MotionStep.Until(new UntilRule.Distance(value, blendRadiusM)));
       case UntilRule.Contact(double retractM, double decelerationMPerS2) ->
           form.number(
-                  "rule.retractM",
+                  NodeFields.RETRACTION,
                   "Go back",
                   retractM,
-                  Measure.MILLIMETRE,
-                  Range.of(-1, 1),
                   value -> new MotionStep.Until(new UntilRule.Contact(value, decelerationMPerS2)))
               .number(
-                  "rule.stopDecelerationMPerS2",
+                  NodeFields.CONTACT_DECELERATION,
                   "Deceleration",
                   decelerationMPerS2,
-                  Measure.MILLIMETRE_PER_S2,
-                  Ranges.accelerations(false),
                   value -> new MotionStep.Until(new UntilRule.Contact(retractM, value)))
               .quiet(
                   "contact-hint",
@@ -326,8 +323,16 @@ final class MotionForms {
 
   private static UntilRule rule(Kept kept, String chosen) {
     return switch (chosen) {
-      case "distance" -> kept.recall(UntilRule.Distance.class, new UntilRule.Distance(0.1));
-      case "contact" -> kept.recall(UntilRule.Contact.class, new UntilRule.Contact(0, 3));
+      case "distance" ->
+          kept.recall(
+              UntilRule.Distance.class,
+              new UntilRule.Distance(NodeFields.UNTIL_DISTANCE.initialValue()));
+      case "contact" ->
+          kept.recall(
+              UntilRule.Contact.class,
+              new UntilRule.Contact(
+                  NodeFields.RETRACTION.initialValue(),
+                  NodeFields.CONTACT_DECELERATION.initialValue()));
       case "expression" -> kept.recall(UntilRule.Expression.class, new UntilRule.Expression(""));
       default ->
           kept.recall(
@@ -336,7 +341,6 @@ final class MotionForms {
   }
 
   private static Form home(FormContext context, MotionStep.Home home) {
-    Ranges ranges = new Ranges(context.host().state().arm().description());
     FormBuilder form =
         new FormBuilder(
                 context,
@@ -345,25 +349,20 @@ final class MotionForms {
                 "Moves all joints to the home position of the installation.")
             .part("Motion")
             .number(
-                "speedRadPerS",
+                NodeFields.HOME_SPEED,
                 "Joint speed",
                 home.speedRadPerS(),
-                Measure.DEGREE_PER_S,
-                ranges.speeds(true),
+                context.usualSpeed(MoveKind.JOINT),
                 value -> new MotionStep.Home(value, home.accelerationRadPerS2(), home.timeS()))
             .number(
-                "accelerationRadPerS2",
+                NodeFields.HOME_ACCELERATION,
                 "Acceleration",
                 home.accelerationRadPerS2(),
-                Measure.DEGREE_PER_S2,
-                Ranges.accelerations(true),
                 value -> new MotionStep.Home(home.speedRadPerS(), value, home.timeS()))
             .optional(
-                "timeS",
+                NodeFields.HOME_TIME,
                 "Time",
                 home.timeS(),
-                Measure.SECOND,
-                Range.ABOVE_ZERO,
                 "by speed",
                 value ->
                     new MotionStep.Home(home.speedRadPerS(), home.accelerationRadPerS2(), value))

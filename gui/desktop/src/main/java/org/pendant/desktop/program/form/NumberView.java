@@ -1,7 +1,6 @@
 package org.pendant.desktop.program.form;
 
 import java.util.List;
-import java.util.OptionalDouble;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -9,6 +8,7 @@ import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.layout.Squeeze;
 import org.pendant.kit.theme.Palette;
+import org.pendant.project.program.NumberRange;
 
 /** A number with its unit, and what is legal where there is room for it. */
 final class NumberView implements FieldView {
@@ -87,22 +87,22 @@ final class NumberView implements FieldView {
     setProblem("");
   }
 
+  /** What is usual, and whose limits these are if more is legal. */
   private String range() {
-    Range range = item.range();
-    OptionalDouble largest =
-        range.max() < 1e6 ? OptionalDouble.of(range.max()) : OptionalDouble.empty();
-    if (!hinted || largest.isEmpty() || range.min() == Double.NEGATIVE_INFINITY) {
+    NumberRange usual = item.usual();
+    if (!hinted || usual.max() >= 1e6 || usual.min() == Double.NEGATIVE_INFINITY) {
       return "";
     }
-    String max = item.measure().brief(range.max());
-    return range.min() == 0 ? "up to " + max : item.measure().brief(range.min()) + " to " + max;
+    String max = item.measure().brief(usual.max());
+    String limits =
+        usual.min() == 0 ? "up to " + max : item.measure().brief(usual.min()) + " to " + max;
+    return usual.equals(item.field().range()) ? limits : limits + " here";
   }
 
   @Override
   public void setProblem(String problem) {
     String said = panel.say(problem);
     field.outline(!said.isEmpty());
-    String words = item.range().equals(Range.ANY) ? "" : item.range().words(item.measure());
-    FieldViews.describe(field, said, words);
+    FieldViews.describe(field, said, item.legal());
   }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiFunction;
 import org.pendant.desktop.program.form.Item.Option;
+import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.Pattern;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.TemplateStep.Palletizing;
@@ -62,43 +63,37 @@ final class PalletizingForm {
     switch (pattern) {
       case Pattern.Line line ->
           form.count(
-              "pattern.count",
+              NodeFields.LINE_PLACES,
               "Places",
               line.count(),
-              2,
               count -> with(step, new Pattern.Line(line.first(), line.last(), count)));
       case Pattern.Square square -> {
         form.count(
-            "pattern.columns",
+            NodeFields.COLUMNS,
             "In a row",
             square.columns(),
-            1,
             count -> with(step, new Pattern.Square(square.corners(), count, square.rows())));
         form.count(
-            "pattern.rows",
+            NodeFields.ROWS,
             "Rows",
             square.rows(),
-            1,
             count -> with(step, new Pattern.Square(square.corners(), square.columns(), count)));
       }
       case Pattern.Box box -> {
         form.count(
-            "pattern.columns",
+            NodeFields.COLUMNS,
             "In a row",
             box.columns(),
-            1,
             n -> with(step, new Pattern.Box(box.corners(), n, box.rows(), box.layers())));
         form.count(
-            "pattern.rows",
+            NodeFields.ROWS,
             "Rows",
             box.rows(),
-            1,
             n -> with(step, new Pattern.Box(box.corners(), box.columns(), n, box.layers())));
         form.count(
-            "pattern.layers",
+            NodeFields.LAYERS,
             "Layers",
             box.layers(),
-            1,
             n -> with(step, new Pattern.Box(box.corners(), box.columns(), box.rows(), n)));
       }
       case Pattern.Places _ -> {}
@@ -127,11 +122,25 @@ final class PalletizingForm {
     List<String> corners = names(was);
     return switch (chosen) {
       case "line" ->
-          kept.recall(Pattern.Line.class, new Pattern.Line(at(corners, 0), at(corners, 1), 4));
+          kept.recall(
+              Pattern.Line.class,
+              new Pattern.Line(
+                  at(corners, 0), at(corners, 1), (int) NodeFields.LINE_PLACES.initialValue()));
       case "square" ->
-          kept.recall(Pattern.Square.class, new Pattern.Square(some(corners, CORNERS), 3, 2));
+          kept.recall(
+              Pattern.Square.class,
+              new Pattern.Square(
+                  some(corners, CORNERS),
+                  (int) NodeFields.COLUMNS.initialValue(),
+                  (int) NodeFields.ROWS.initialValue()));
       case "box" ->
-          kept.recall(Pattern.Box.class, new Pattern.Box(some(corners, 2 * CORNERS), 3, 2, 2));
+          kept.recall(
+              Pattern.Box.class,
+              new Pattern.Box(
+                  some(corners, 2 * CORNERS),
+                  (int) NodeFields.COLUMNS.initialValue(),
+                  (int) NodeFields.ROWS.initialValue(),
+                  (int) NodeFields.LAYERS.initialValue()));
       default -> kept.recall(Pattern.Places.class, new Pattern.Places(corners));
     };
   }

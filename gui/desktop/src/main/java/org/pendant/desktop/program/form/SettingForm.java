@@ -2,19 +2,19 @@ package org.pendant.desktop.program.form;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.installation.NamedTool;
 import org.pendant.desktop.program.form.Item.Option;
-import org.pendant.kit.form.Measure;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.program.ActionStep;
+import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.Setting;
 
 /** The form of a node that sets something. */
 final class SettingForm {
   private static final List<String> POSE = List.of("X", "Y", "Z", "RX", "RY", "RZ");
   private static final String OTHER = "other";
+  private static final String ANALOG = "analog_out[0]";
   private static final String NAMED = "tcp:";
 
   private SettingForm() {}
@@ -104,16 +104,26 @@ final class SettingForm {
       case "digital" ->
           kept.recall(Setting.Digital.class, new Setting.Digital("digital_out[0]", true));
       case "analog" ->
-          kept.recall(Setting.Analog.class)
-              .orElseGet(
-                  () ->
-                      new Setting.Analog(
-                          "analog_out[0]", context.signals().range("analog_out[0]").min()));
-      case "pulse" -> kept.recall(Setting.Pulse.class, new Setting.Pulse("digital_out[0]", 0.5));
+          kept.recall(
+              Setting.Analog.class,
+              new Setting.Analog(
+                  ANALOG,
+                  NodeFields.analogOutput(ANALOG, context.installation().wiring()).initialValue()));
+      case "pulse" ->
+          kept.recall(
+              Setting.Pulse.class,
+              new Setting.Pulse("digital_out[0]", NodeFields.PULSE_TIME.initialValue()));
       case "expression" ->
           kept.recall(Setting.Expression.class, new Setting.Expression("digital_out[0]", ""));
       case "named" -> kept.recall(Setting.NamedPayload.class, new Setting.NamedPayload(""));
-      case "payload" -> kept.recall(Setting.Payload.class, new Setting.Payload(1, 0, 0, 0));
+      case "payload" ->
+          kept.recall(
+              Setting.Payload.class,
+              new Setting.Payload(
+                  NodeFields.PAYLOAD_MASS.initialValue(),
+                  NodeFields.PAYLOAD_X.initialValue(),
+                  NodeFields.PAYLOAD_Y.initialValue(),
+                  NodeFields.PAYLOAD_Z.initialValue()));
       case "tcp" -> kept.recall(Setting.Tcp.class, new Setting.Tcp("", Pose.ZERO));
       case "increment" -> kept.recall(Setting.Increment.class, new Setting.Increment(""));
       default -> new Setting.Nothing();
@@ -147,10 +157,9 @@ final class SettingForm {
             ActionForms.NO_SIGNAL,
             chosen -> step(new Setting.Analog(chosen, analog.value())))
         .number(
-            "setting.value",
+            NodeFields.analogOutput(analog.signal(), form.context().installation().wiring()),
             "To",
             analog.value(),
-            signals.measure(analog.signal()),
             signals.range(analog.signal()),
             value -> step(new Setting.Analog(analog.signal(), value)));
   }
@@ -164,11 +173,9 @@ final class SettingForm {
             ActionForms.NO_SIGNAL,
             chosen -> step(new Setting.Pulse(chosen, pulse.timeS())))
         .number(
-            "setting.timeS",
+            NodeFields.PULSE_TIME,
             "High for",
             pulse.timeS(),
-            Measure.SECOND,
-            Range.ABOVE_ZERO,
             time -> step(new Setting.Pulse(pulse.signal(), time)));
   }
 
@@ -190,33 +197,25 @@ final class SettingForm {
 
   private static void payload(FormBuilder form, Setting.Payload was) {
     form.number(
-        "setting.massKg",
+        NodeFields.PAYLOAD_MASS,
         "Mass",
         was.massKg(),
-        Measure.KILOGRAM,
-        Range.of(0, 100),
         mass -> step(new Setting.Payload(mass, was.cogXM(), was.cogYM(), was.cogZM())));
-    Range near = Range.of(-1, 1);
+
     form.number(
-            "setting.cogXM",
+            NodeFields.PAYLOAD_X,
             "Centre, X",
             was.cogXM(),
-            Measure.MILLIMETRE,
-            near,
             x -> step(new Setting.Payload(was.massKg(), x, was.cogYM(), was.cogZM())))
         .number(
-            "setting.cogYM",
+            NodeFields.PAYLOAD_Y,
             "Centre, Y",
             was.cogYM(),
-            Measure.MILLIMETRE,
-            near,
             y -> step(new Setting.Payload(was.massKg(), was.cogXM(), y, was.cogZM())))
         .number(
-            "setting.cogZM",
+            NodeFields.PAYLOAD_Z,
             "Centre, Z",
             was.cogZM(),
-            Measure.MILLIMETRE,
-            near,
             z -> step(new Setting.Payload(was.massKg(), was.cogXM(), was.cogYM(), z)));
     form.quiet(
         "payload-hint",
@@ -247,11 +246,9 @@ final class SettingForm {
       int changed = i;
       numbers.add(
           form.numberOf(
-              "setting.pose-" + POSE.get(i).toLowerCase(Locale.ROOT),
+              NodeFields.tcp(i),
               POSE.get(i),
               was.inFlange().get(i),
-              i < 3 ? Measure.MILLIMETRE : Measure.DEGREE,
-              i < 3 ? Range.of(-10, 10) : Range.of(-20, 20),
               value -> step(new Setting.Tcp("", was.inFlange().with(changed, value)))));
     }
     form.add(new Item.Grid("setting.inFlange", "From the flange", 2, numbers));

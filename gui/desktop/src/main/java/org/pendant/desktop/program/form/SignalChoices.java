@@ -2,19 +2,19 @@ package org.pendant.desktop.program.form;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Predicate;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.ModbusSetup;
 import org.pendant.controller.installation.SignalUse;
 import org.pendant.controller.io.AnalogBank;
-import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.desktop.program.form.Item.Option;
-import org.pendant.kit.form.Measure;
+import org.pendant.project.program.NodeFields;
+import org.pendant.project.program.NumberRange;
 
 /** The signals that a node can be about, with the names that the installation gives them. */
 record SignalChoices(Installation installation) {
+  private static final NumberRange REGISTER = NumberRange.of(0, 65_535);
 
   /** Digital inputs. */
   List<Option> digitalInputs() {
@@ -94,34 +94,10 @@ record SignalChoices(Installation installation) {
     return new Option(signal, name.isEmpty() ? signal : name + " (" + signal + ")");
   }
 
-  /** What the values of an analog signal are counted in. */
-  Measure measure(String signal) {
-    return domains(signal)
-        .map(domain -> domain == AnalogDomain.CURRENT ? Measure.MILLIAMPERE : Measure.VOLT)
-        .orElse(Measure.PLAIN);
-  }
-
   /** The values that an analog signal can have, in A, V or units of a register. */
-  Range range(String signal) {
-    return domains(signal)
-        .map(domain -> Range.of(domain.low(), domain.high()))
-        .orElse(Range.of(0, 65535));
-  }
-
-  private Optional<AnalogDomain> domains(String signal) {
-    for (AnalogBank bank : AnalogBank.values()) {
-      List<AnalogDomain> domains =
-          switch (bank) {
-            case STANDARD_IN -> installation.wiring().analogIn();
-            case STANDARD_OUT -> installation.wiring().analogOut();
-            case TOOL_IN -> installation.wiring().toolAnalogIn();
-          };
-      for (int i = 0; i < AnalogBank.SIZE; i++) {
-        if (bank.name(i).equals(signal)) {
-          return Optional.of(domains.get(i));
-        }
-      }
-    }
-    return Optional.empty();
+  NumberRange range(String signal) {
+    return NodeFields.domain(signal, installation.wiring())
+        .map(domain -> NumberRange.of(domain.low(), domain.high()))
+        .orElse(REGISTER);
   }
 }

@@ -26,12 +26,6 @@ public final class Taught {
 
   private Taught() {}
 
-  /** Where a joint, 0 to 5, may be; one that turns without end may be anywhere. */
-  static Range range(ArmDescription arm, int index) {
-    JointLimits limits = arm.joints().get(index);
-    return limits.unlimited() ? Range.ANY : Range.of(limits.lowestRad(), limits.highestRad());
-  }
-
   /** The name of a joint, 0 to 5. */
   static String joint(int index) {
     return JOINTS.get(index);

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.pendant.controller.installation.ConveyorSetup;
 import org.pendant.desktop.program.form.Item.Option;
-import org.pendant.kit.form.Measure;
 import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.SeekChange;
 import org.pendant.project.program.TemplateStep;
 import org.pendant.project.program.TemplateStep.PatternPoint;
@@ -66,24 +66,25 @@ final class TemplateForms {
         point.role() == TemplateStep.PatternRole.POINT
             ? "Teach it with the tool at an item."
             : "Teach it for the same item at which the pattern point is taught.");
-    boolean joint = Ranges.joint(point.kind());
+    boolean joint = point.kind() == MoveKind.JOINT;
     context.kept().keep(joint ? "joint" : "tool", point);
-    Ranges ranges = new Ranges(context.host().state().arm().description());
     form.part("Motion")
-        .oneOf("kind", "Kind", point.kind(), Ranges::words, kind -> withKind(context, point, kind))
+        .oneOf(
+            "kind",
+            "Kind",
+            point.kind(),
+            MotionForms::words,
+            kind -> withKind(context, point, kind))
         .number(
-            "speed",
+            NodeFields.speed(point.kind()),
             joint ? "Joint speed" : "Tool speed",
             point.speed(),
-            Ranges.speed(joint),
-            ranges.speeds(joint),
+            context.usualSpeed(point.kind()),
             value -> motion(point, point.kind(), value, point.acceleration(), point.blendRadiusM()))
         .number(
-            "acceleration",
+            NodeFields.acceleration(point.kind()),
             "Acceleration",
             point.acceleration(),
-            Ranges.acceleration(joint),
-            Ranges.accelerations(joint),
             value -> motion(point, point.kind(), point.speed(), value, point.blendRadiusM()));
     MotionForms.blend(
         form,
@@ -98,8 +99,8 @@ final class TemplateForms {
   }
 
   private static PatternPoint withKind(FormContext context, PatternPoint was, MoveKind kind) {
-    boolean joint = Ranges.joint(kind);
-    if (joint == Ranges.joint(was.kind())) {
+    boolean joint = kind == MoveKind.JOINT;
+    if (joint == (was.kind() == MoveKind.JOINT)) {
       return motion(was, kind, was.speed(), was.acceleration(), was.blendRadiusM());
     }
     return context
@@ -108,19 +109,12 @@ final class TemplateForms {
         .map(before -> motion(was, kind, before.speed(), before.acceleration(), was.blendRadiusM()))
         .orElseGet(
             () ->
-                joint
-                    ? motion(
-                        was,
-                        kind,
-                        Ranges.JOINT_SPEED_RAD_PER_S,
-                        Ranges.JOINT_ACCELERATION_RAD_PER_S2,
-                        was.blendRadiusM())
-                    : motion(
-                        was,
-                        kind,
-                        Ranges.TOOL_SPEED_M_PER_S,
-                        Ranges.TOOL_ACCELERATION_M_PER_S2,
-                        was.blendRadiusM()));
+                motion(
+                    was,
+                    kind,
+                    NodeFields.speed(kind).initialValue(),
+                    NodeFields.acceleration(kind).initialValue(),
+                    was.blendRadiusM()));
   }
 
   private static Form part(FormContext context, TemplateStep.Part part) {
@@ -154,11 +148,9 @@ final class TemplateForms {
         .variable("name", "Name", seek.name(), List.of(), change::name)
         .quiet("count-hint", countHint(seek.name()))
         .number(
-            "itemHeightM",
+            NodeFields.ITEM_HEIGHT,
             "Item height",
             seek.itemHeightM(),
-            Measure.MILLIMETRE,
-            Range.upTo(5),
             value -> change.lengths(seek.limitM(), value))
         .condition("found", "Found when", seek.found(), "such as force() > 20", change::found)
         .part("Start");
@@ -178,34 +170,36 @@ final class TemplateForms {
             seek.feature(),
             MotionForms.NO_FEATURE,
             change::feature);
-    List<Double> way = seek.direction().size() == 3 ? seek.direction() : List.of(0.0, 0.0, -1.0);
+    List<Double> way =
+        seek.direction().size() == 3
+            ? seek.direction()
+            : List.of(
+                NodeFields.SEEK_X.initialValue(),
+                NodeFields.SEEK_Y.initialValue(),
+                NodeFields.SEEK_Z.initialValue());
     DirectionForm.vector(
-        form, way, List.of("direction.x", "direction.y", "direction.z"), change::direction);
+        form,
+        way,
+        List.of(NodeFields.SEEK_X, NodeFields.SEEK_Y, NodeFields.SEEK_Z),
+        change::direction);
     form.drawing(
         "stack",
         new Sketch.Stack(seek.destack(), way.get(0), way.get(1), way.get(2)),
         "The stack and the direction of the search");
-    Ranges ranges = new Ranges(context.host().state().arm().description());
     form.number(
-            "limitM",
+            NodeFields.SEEK_LIMIT,
             "At most",
             seek.limitM(),
-            Measure.MILLIMETRE,
-            Range.upTo(5),
             value -> change.lengths(value, seek.itemHeightM()))
         .number(
-            "speedMPerS",
+            NodeFields.SEEK_SPEED,
             "Tool speed",
             seek.speedMPerS(),
-            Measure.MILLIMETRE_PER_S,
-            ranges.speeds(false),
             value -> change.motion(value, seek.accelerationMPerS2()))
         .number(
-            "accelerationMPerS2",
+            NodeFields.SEEK_ACCELERATION,
             "Acceleration",
             seek.accelerationMPerS2(),
-            Measure.MILLIMETRE_PER_S2,
-            Ranges.accelerations(false),
             value -> change.motion(seek.speedMPerS(), value));
     return form.build();
   }
@@ -242,13 +236,11 @@ final class TemplateForms {
                     context
                         .kept()
                         .recall(byForce ? "force" : "speed", Double.class)
-                        .orElse(byForce ? 20 : 0.005)))
+                        .orElse(NodeFields.screwValue(byForce).initialValue())))
         .number(
-            "value",
+            NodeFields.screwValue(was.byForce()),
             was.byForce() ? "Force" : "Speed",
             was.value(),
-            was.byForce() ? Measure.NEWTON : Measure.MILLIMETRE_PER_S,
-            Range.upTo(was.byForce() ? 500 : 1),
             value -> screw(was, was.tool(), was.byForce(), value));
     List<Option> outputs =
         FormContext.options(
@@ -270,11 +262,9 @@ final class TemplateForms {
             "such as get_standard_digital_in(0)",
             until -> control(was, was.start(), until, was.timeoutS()))
         .number(
-            "timeoutS",
+            NodeFields.SCREW_TIMEOUT,
             "Error after",
             was.timeoutS(),
-            Measure.SECOND,
-            Range.FROM_ZERO,
             value -> control(was, was.start(), was.until(), value))
         .quiet("timeout-hint", "0 waits for ever.");
     return form.build();

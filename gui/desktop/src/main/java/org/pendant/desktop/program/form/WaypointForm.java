@@ -2,7 +2,6 @@ package org.pendant.desktop.program.form;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalDouble;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.program.form.Item.Option;
@@ -12,6 +11,9 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MotionStep.Waypoint;
+import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.NodeField;
+import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.PlaceNames;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Timing;
@@ -174,11 +176,9 @@ final class WaypointForm {
           number(
               context,
               name,
-              "joint-" + i,
+              NodeFields.placeJoint(i),
               Taught.joint(i),
               position.jointsRad().get(i),
-              Measure.DEGREE,
-              Taught.range(arm, i),
               value ->
                   Taught.withJoints(
                       position, position.jointsRad().with(joint, value), arm, installation)));
@@ -188,8 +188,6 @@ final class WaypointForm {
         pose(
             context,
             name,
-            "pose",
-            "Pose",
             position.tcp(),
             pose -> Taught.withTcp(position, pose, arm, installation)));
     boolean known = Taught.frame(installation, position.feature()).isPresent();
@@ -225,8 +223,7 @@ final class WaypointForm {
     WaypointPosition position(Pose pose);
   }
 
-  private static Item.Grid pose(
-      FormContext context, String waypoint, String name, String label, Pose pose, OfPose position) {
+  private static Item.Grid pose(FormContext context, String waypoint, Pose pose, OfPose position) {
     List<Item.Quantity> numbers = new ArrayList<>();
     for (int i = 0; i < Pose.SIZE; i++) {
       int changed = i;
@@ -234,14 +231,12 @@ final class WaypointForm {
           number(
               context,
               waypoint,
-              name + "-" + POSE.get(i).toLowerCase(Locale.ROOT),
+              NodeFields.placePose(i),
               POSE.get(i),
               pose.get(i),
-              i < 3 ? Measure.MILLIMETRE : Measure.DEGREE,
-              i < 3 ? Range.of(-10, 10) : Range.of(-20, 20),
               value -> position.position(pose.with(changed, value))));
     }
-    return new Item.Grid(name, label, 2, numbers);
+    return new Item.Grid("pose", "Pose", 2, numbers);
   }
 
   /** A position for a number. */
@@ -253,18 +248,15 @@ final class WaypointForm {
   private static Item.Quantity number(
       FormContext context,
       String waypoint,
-      String name,
+      NodeField field,
       String label,
       double value,
-      Measure measure,
-      Range range,
       OfNumber position) {
     return new Item.Quantity(
-        name,
+        field,
         label,
         OptionalDouble.of(value),
-        measure,
-        range,
+        field.range(),
         "",
         typed -> context.tree().withWaypoint(waypoint, position.position(typed.orElse(value))));
   }
@@ -314,8 +306,8 @@ final class WaypointForm {
   private static void timing(FormBuilder form, Waypoint waypoint) {
     FormContext context = form.context();
     Kept kept = context.kept();
-    boolean joint = context.joint();
-    Ranges ranges = new Ranges(context.host().state().arm().description());
+    MoveKind kind = context.moveKind();
+
     form.part("Speed")
         .sides(
             "timing",
@@ -334,33 +326,31 @@ final class WaypointForm {
                     waypoint,
                     switch (chosen) {
                       case "move" -> new Timing.AsMove();
-                      case "own" -> kept.recall(Timing.Own.class, ofMove(context, joint));
-                      default -> kept.recall(Timing.Duration.class, new Timing.Duration(2));
+                      case "own" -> kept.recall(Timing.Own.class, ofMove(context, kind));
+                      default ->
+                          kept.recall(
+                              Timing.Duration.class,
+                              new Timing.Duration(NodeFields.WAYPOINT_TIME.initialValue()));
                     }));
     switch (waypoint.timing()) {
       case Timing.AsMove _ -> {}
       case Timing.Own(double speed, double acceleration) ->
           form.number(
-                  "timing.speed",
-                  joint ? "Joint speed" : "Tool speed",
+                  NodeFields.waypointSpeed(kind),
+                  kind == MoveKind.JOINT ? "Joint speed" : "Tool speed",
                   speed,
-                  Ranges.speed(joint),
-                  ranges.speeds(joint),
+                  context.usualSpeed(kind),
                   value -> timed(waypoint, new Timing.Own(value, acceleration)))
               .number(
-                  "timing.acceleration",
+                  NodeFields.waypointAcceleration(kind),
                   "Acceleration",
                   acceleration,
-                  Ranges.acceleration(joint),
-                  Ranges.accelerations(joint),
                   value -> timed(waypoint, new Timing.Own(speed, value)));
       case Timing.Duration(double timeS) ->
           form.number(
-              "timing.timeS",
+              NodeFields.WAYPOINT_TIME,
               "Time",
               timeS,
-              Measure.SECOND,
-              Range.ABOVE_ZERO,
               value -> timed(waypoint, new Timing.Duration(value)));
     }
   }
@@ -369,13 +359,13 @@ final class WaypointForm {
     return new Waypoint(was.target(), timing, was.blendRadiusM());
   }
 
-  private static Timing.Own ofMove(FormContext context, boolean joint) {
+  private static Timing.Own ofMove(FormContext context, MoveKind kind) {
     return context
         .above(MotionStep.Move.class)
         .map(move -> new Timing.Own(move.speed(), move.acceleration()))
         .orElse(
-            joint
-                ? new Timing.Own(Ranges.JOINT_SPEED_RAD_PER_S, Ranges.JOINT_ACCELERATION_RAD_PER_S2)
-                : new Timing.Own(Ranges.TOOL_SPEED_M_PER_S, Ranges.TOOL_ACCELERATION_M_PER_S2));
+            new Timing.Own(
+                NodeFields.waypointSpeed(kind).initialValue(),
+                NodeFields.waypointAcceleration(kind).initialValue()));
   }
 }

@@ -158,8 +158,8 @@ final class FormPresenterTest {
   void keepsTheLastNumberWhenSomethingElseIsTyped() {
     open(move(MoveKind.JOINT));
     assertEquals("'fast' is not a number in deg/s", presenter.typeNumber("speed", "fast"));
-    assertEquals("must be above 0 and at most 180 deg/s", presenter.typeNumber("speed", "181"));
-    assertEquals("must be above 0 and at most 180 deg/s", presenter.typeNumber("speed", "0"));
+    assertEquals("must be above 0 and at most 360 deg/s", presenter.typeNumber("speed", "361"));
+    assertEquals("must be above 0 and at most 360 deg/s", presenter.typeNumber("speed", "0"));
     assertEquals(Math.toRadians(60), ((MotionStep.Move) step()).speed(), CLOSE);
     assertEquals(List.of(), host.told());
   }
@@ -192,7 +192,7 @@ final class FormPresenterTest {
     presenter.choose("what", "digital");
     select(second);
     presenter.choose("what", "time");
-    assertEquals(new ActionStep.Wait(new WaitFor.Time(1)), step());
+    assertEquals(new ActionStep.Wait(new WaitFor.Time(0.01)), step());
   }
 
   @Test

@@ -1,11 +1,11 @@
-package org.pendant.project.program.check;
+package org.pendant.project.program;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 
-/** The unit in which forms show a number, and so also what is said about it; inside it is SI. */
-enum Shown {
+/** Unit in which forms show a number, and so also what is said about it; inside it is SI. */
+public enum FieldUnit {
   MILLIMETRE("mm", 1e-3),
   MILLIMETRE_PER_S("mm/s", 1e-3),
   MILLIMETRE_PER_S2("mm/s²", 1e-3),
@@ -18,7 +18,10 @@ enum Shown {
   KILOGRAM("kg", 1),
   VOLT("V", 1),
   MILLIAMPERE("mA", 1e-3),
-  COUNT("", 1);
+  /** A whole number of things. */
+  COUNT("", 1),
+  /** A number without a unit. */
+  NUMBER("", 1);
 
   /** As many as forms show at most. */
   private static final int DECIMALS = 3;
@@ -28,13 +31,18 @@ enum Shown {
   private final String symbol;
   private final double factor;
 
-  Shown(String symbol, double factor) {
+  FieldUnit(String symbol, double factor) {
     this.symbol = symbol;
     this.factor = factor;
   }
 
+  /** Behind a number; empty for none. */
+  public String symbol() {
+    return symbol;
+  }
+
   /** A number in SI as the form shows it, without the unit. */
-  String number(double value) {
+  public String number(double value) {
     if (!Double.isFinite(value)) {
       return String.valueOf(value);
     }
@@ -45,7 +53,7 @@ enum Shown {
   }
 
   /** As {@link #number}, with the unit. */
-  String words(double value) {
+  public String words(double value) {
     return symbol.isEmpty() ? number(value) : number(value) + " " + symbol;
   }
 }
