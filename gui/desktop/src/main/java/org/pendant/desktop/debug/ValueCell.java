@@ -8,6 +8,7 @@ import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import javax.swing.table.DefaultTableCellRenderer;
+import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.theme.Palette;
 
 /** Paints the cells of a {@link ValueTable}. */
@@ -87,6 +88,10 @@ final class ValueCell extends DefaultTableCellRenderer {
     return this;
   }
 
+  private SvgIcon star(boolean favourite, boolean selected) {
+    return selected ? Star.of(favourite).in(getForeground()) : Star.of(favourite);
+  }
+
   private void quiet(boolean selected) {
     if (!selected) {
       setForeground(Palette.quiet());
@@ -103,7 +108,7 @@ final class ValueCell extends DefaultTableCellRenderer {
       }
       case ValueTableModel.STAR -> {
         setText("");
-        setIcon(row.level() == 0 ? new Star(row.favourite(), selected) : null);
+        setIcon(row.level() == 0 ? star(row.favourite(), selected) : null);
         setToolTipText(
             row.favourite()
                 ? "A favourite: it comes first (S)"

@@ -11,10 +11,14 @@ import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
+import org.pendant.kit.icon.SvgIcon;
 
 /** The open programs as tabs. The tab in front is the program that Run runs. */
 @SuppressWarnings("serial") // never written to a stream
 final class EditorTabs extends JTabbedPane {
+  /** Marks the program that Run runs. */
+  private static final SvgIcon RUNS = SvgIcon.of("mark/run", 12);
+
   private final Programs programs;
   private final Function<ProgramDocument, ProgramEditor> editors;
   private final Runnable shown;
@@ -101,7 +105,7 @@ final class EditorTabs extends JTabbedPane {
     ProgramDocument program = editor.program();
     setTitleAt(index, program.name() + (program.modified() ? " \u2022" : ""));
     boolean runs = index == getSelectedIndex();
-    setIconAt(index, runs ? RunIcon.INSTANCE : null);
+    setIconAt(index, runs ? RUNS : null);
     String place = program.file().map(Object::toString).orElse("Not on disk yet");
     String changes = program.modified() ? "; has changes that are not saved" : "";
     setToolTipTextAt(index, place + changes + (runs ? "; Run runs this program" : ""));

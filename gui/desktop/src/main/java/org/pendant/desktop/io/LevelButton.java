@@ -6,9 +6,9 @@ import javax.swing.JToggleButton;
 @SuppressWarnings("serial") // never written to a stream
 final class LevelButton extends JToggleButton {
 
-  LevelButton(LevelIcon.Form form, Runnable toggle) {
-    setIcon(new LevelIcon(form, false));
-    setSelectedIcon(new LevelIcon(form, true));
+  LevelButton(LevelIcon icon, Runnable toggle) {
+    setIcon(icon.of(false));
+    setSelectedIcon(icon.of(true));
     putClientProperty("JButton.buttonType", "toolBarButton");
     putClientProperty(
         "FlatLaf.style",
@@ -18,8 +18,8 @@ final class LevelButton extends JToggleButton {
 
   /** Looks like a light while it cannot be used. */
   void showLampWhenDisabled() {
-    setDisabledIcon(new LevelIcon(LevelIcon.Form.LAMP, false));
-    setDisabledSelectedIcon(new LevelIcon(LevelIcon.Form.LAMP, true));
+    setDisabledIcon(LevelIcon.LAMP.of(false));
+    setDisabledSelectedIcon(LevelIcon.LAMP.of(true));
   }
 
   void allow(boolean enabled) {

@@ -47,10 +47,7 @@ final class MemoryCell extends DefaultTableCellRenderer {
     setHorizontalAlignment(SwingConstants.TRAILING);
     if (list.memory().levels()) {
       setText("");
-      setIcon(
-          new LevelIcon(
-              list.settable() ? LevelIcon.Form.SWITCH : LevelIcon.Form.LAMP,
-              list.value(index) != 0));
+      setIcon((list.settable() ? LevelIcon.SWITCH : LevelIcon.LAMP).of(list.value(index) != 0));
     } else {
       setText(list.brief(index));
     }

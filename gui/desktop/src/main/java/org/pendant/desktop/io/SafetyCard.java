@@ -18,7 +18,7 @@ final class SafetyCard {
     for (SafetyInput input : SafetyInput.values()) {
       LevelButton button =
           Card.named(
-              new LevelButton(LevelIcon.Form.ALARM, () -> presenter.toggle(input)),
+              new LevelButton(LevelIcon.ALARM, () -> presenter.toggle(input)),
               "safety-" + input.word().replace('_', '-'),
               "Demand: " + title(input));
       JLabel label = new JLabel(title(input));

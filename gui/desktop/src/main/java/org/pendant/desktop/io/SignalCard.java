@@ -41,7 +41,7 @@ final class SignalCard {
   private void addInput(Signal signal) {
     LevelButton level =
         Card.named(
-            new LevelButton(LevelIcon.Form.SWITCH, () -> presenter.toggle(signal)),
+            new LevelButton(LevelIcon.SWITCH, () -> presenter.toggle(signal)),
             SignalName.id(signal),
             "Force " + signal + ", in scripts " + SignalName.inScript(signal));
     JButton pulse =
@@ -65,7 +65,7 @@ final class SignalCard {
   private void addOutput(Signal signal) {
     LevelButton level =
         Card.named(
-            new LevelButton(LevelIcon.Form.SWITCH, () -> presenter.toggle(signal)),
+            new LevelButton(LevelIcon.SWITCH, () -> presenter.toggle(signal)),
             SignalName.id(signal),
             "Set " + signal + " while no program runs, in scripts " + SignalName.inScript(signal));
     level.showLampWhenDisabled();

@@ -52,7 +52,7 @@ final class LogBar {
     this.filter = filter;
     bar.setName("log-bar");
     for (Level level : Level.values()) {
-      levels.put(level, toggle(word(level), new SeverityIcon(level)));
+      levels.put(level, toggle(word(level), SeverityIcon.of(level)));
     }
     for (LogSource source : LogSource.values()) {
       sources.put(source, toggle(source.title(), null));

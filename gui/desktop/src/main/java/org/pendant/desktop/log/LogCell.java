@@ -1,13 +1,12 @@
 package org.pendant.desktop.log;
 
-import java.awt.Color;
 import java.awt.Component;
 import java.awt.Font;
-import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JTable;
 import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableCellRenderer;
+import org.pendant.kit.icon.SvgIcon;
 
 /** A cell of the table of messages, except of the messages themselves. */
 @SuppressWarnings("serial") // never written to a stream
@@ -37,9 +36,8 @@ final class LogCell extends DefaultTableCellRenderer {
     super.getTableCellRendererComponent(table, text, selected, focused, row, index);
     boolean severity = column == LogColumn.SEVERITY;
     boolean link = column == LogColumn.LINE && line.sourceLine().isPresent();
-    Optional<Color> iconColor =
-        selected ? Optional.of(table.getSelectionForeground()) : Optional.empty();
-    setIcon(severity ? new SeverityIcon(line.level(), iconColor) : null);
+    SvgIcon icon = SeverityIcon.of(line.level());
+    setIcon(!severity ? null : selected ? icon.in(table.getSelectionForeground()) : icon);
     getAccessibleContext().setAccessibleName(column.text(line));
     setBorder(BorderFactory.createEmptyBorder(LogRows.PADDING, 8, 0, 8));
     setFont(link ? table.getFont().deriveFont(Font.BOLD) : table.getFont());

@@ -64,7 +64,7 @@ final class LogDetail {
     shown = Optional.of(line);
     heading.setText(headline(line));
     heading.setToolTipText(heading.getText());
-    heading.setIcon(new SeverityIcon(line.level()));
+    heading.setIcon(SeverityIcon.of(line.level()));
     text.setText(line.text() + help(line));
     highlights.show();
     text.setCaretPosition(0);

@@ -11,10 +11,14 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.jog.JogDirection;
 import org.pendant.controller.jog.JogDirection.Kind;
 import org.pendant.kit.form.HoldButton;
+import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.layout.Card;
 
 /** Six buttons that move the tool along three axes, or turn it about them. */
 final class Pad {
+  /** By quarter turns counter-clockwise. */
+  private static final List<String> ARROWS = List.of("right", "up", "left", "down");
+
   private final Kind kind;
   private final Consumer<JogDirection> press;
   private final Runnable letGo;
@@ -50,11 +54,8 @@ final class Pad {
 
   private void add(char axis, int sign, int quarters, String cell) {
     JogDirection direction = direction(kind, axis, sign);
-    JogIcon icon =
-        along()
-            ? new JogIcon(JogIcon.Form.STRAIGHT, quarters)
-            : new JogIcon(
-                sign > 0 ? JogIcon.Form.COUNTER_CLOCKWISE : JogIcon.Form.CLOCKWISE, quarters);
+    String drawing = along() ? ARROWS.get(quarters) : sign > 0 ? "counter-clockwise" : "clockwise";
+    SvgIcon icon = SvgIcon.of("jog/" + drawing, 18);
     String text = (sign > 0 ? "+" : "\u2212") + (along() ? "" : "R") + axis;
     HoldButton button = new HoldButton(text, icon, () -> press.accept(direction), letGo);
     button.setHorizontalTextPosition(SwingConstants.CENTER);

@@ -24,6 +24,7 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.SwingUtilities;
+import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.NodeKind;
@@ -254,7 +255,7 @@ final class PalettePanel extends JPanel {
           from, value, index, selected && !heading, focused && !heading);
       setBorder(BorderFactory.createEmptyBorder(heading && index > 0 ? 9 : 3, 8, 3, 4));
       if (value instanceof Entry.Kind entry) {
-        StepIcon icon = StepIcon.of(entry.kind());
+        SvgIcon icon = StepIcon.of(entry.kind());
         setIcon(selected ? icon.in(getForeground()) : icon);
         setIconTextGap(UIScale.scale(6));
         setToolTipText("Adds " + entry.kind().title() + "; or drag it into the tree");

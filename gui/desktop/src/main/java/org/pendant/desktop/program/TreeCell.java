@@ -8,7 +8,6 @@ import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
-import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Optional;
@@ -18,6 +17,7 @@ import javax.swing.ListCellRenderer;
 import javax.swing.UIManager;
 import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.editor.LineIcon;
+import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.check.NodeProblem;
 
@@ -27,8 +27,8 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
   private static final int MARGIN = 20;
   private static final int INDENT = 16;
   private static final int TWISTY = 14;
-  private static final int ICON = 16;
   private static final int GAP = 5;
+  private static final SvgIcon INCOMPLETE = SvgIcon.of("mark/incomplete", 14);
 
   private final transient TreeLooks looks;
   private transient Optional<TreeRow> row = Optional.empty();
@@ -72,7 +72,7 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
 
   /** Where the text of a row of a depth begins. */
   int textX(int depth) {
-    return twistyX(depth) + UIScale.scale(TWISTY + ICON + GAP);
+    return twistyX(depth) + UIScale.scale(TWISTY + StepIcon.SIDE + GAP);
   }
 
   static int twistyWidth() {
@@ -166,9 +166,9 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
     }
     Color own = shown.off() ? quiet : text;
     int iconX = twistyX(shown.depth()) + twistyWidth();
-    StepIcon icon = StepIcon.of(shown.node().step());
-    Color iconColor = selected ? text : icon.color();
-    icon.paint(pen, iconX, middle(UIScale.scale(ICON)), shown.off() ? quiet : iconColor);
+    SvgIcon icon = StepIcon.of(shown.node().step());
+    SvgIcon look = shown.off() ? icon.in(quiet) : selected ? icon.in(text) : icon;
+    look.paintIcon(this, pen, iconX, middle(icon.getIconHeight()));
     paintLabel(pen, shown, own);
     if (focused) {
       pen.setColor(Palette.accent());
@@ -231,10 +231,9 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
     int right = getWidth() - UIScale.scale(GAP);
     boolean incomplete = !shown.off() && !looks.problems(shown.key()).isEmpty();
     if (incomplete) {
-      int size = UIScale.scale(14);
-      right -= size + UIScale.scale(GAP);
-      paintIncomplete(
-          pen, right + UIScale.scale(GAP), middle(size), selected ? color : Palette.warning());
+      SvgIcon icon = selected ? INCOMPLETE.in(color) : INCOMPLETE;
+      right -= icon.getIconWidth() + UIScale.scale(GAP);
+      icon.paintIcon(this, pen, right + UIScale.scale(GAP), middle(icon.getIconHeight()));
     }
     String label = clipped(looks.label(shown), metrics, right - x);
     pen.setFont(getFont());
@@ -255,23 +254,5 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
       end--;
     }
     return label.substring(0, end) + "\u2026";
-  }
-
-  /** A triangle with an exclamation mark. */
-  private static void paintIncomplete(Graphics2D pen, int x, int y, Color color) {
-    Graphics2D own = (Graphics2D) pen.create();
-    own.translate(x, y);
-    UIScale.scaleGraphics(own);
-    own.setColor(color);
-    own.setStroke(new BasicStroke(1.4f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-    Path2D triangle = new Path2D.Double();
-    triangle.moveTo(7, 1.5);
-    triangle.lineTo(13, 12.5);
-    triangle.lineTo(1, 12.5);
-    triangle.closePath();
-    own.draw(triangle);
-    own.draw(new Line2D.Double(7, 5.5, 7, 8.5));
-    own.draw(new Line2D.Double(7, 10.6, 7, 10.6));
-    own.dispose();
   }
 }

@@ -35,7 +35,7 @@ final class TreePane extends JPanel {
   private final TreeList list;
   private final SearchBar search;
   private final IncompleteBar incomplete;
-  private final JToggleButton follow = new JToggleButton(new ToolIcon(ToolIcon.Sign.FOLLOW));
+  private final JToggleButton follow = new JToggleButton(TreeTool.FOLLOW.icon());
   private final transient Actions actions;
   private final List<JButton> edits = new ArrayList<>();
 
@@ -52,9 +52,9 @@ final class TreePane extends JPanel {
     this.actions = actions;
     JPanel tools = new JPanel(new WrappingRow(2));
     tools.setName("program-tools");
-    for (ToolIcon.Sign sign : ToolIcon.Sign.values()) {
-      if (sign != ToolIcon.Sign.FOLLOW) {
-        tools.add(tool(sign));
+    for (TreeTool tool : TreeTool.values()) {
+      if (tool != TreeTool.FOLLOW) {
+        tools.add(tool(tool));
       }
     }
     follow.setName("program-follow");
@@ -84,23 +84,23 @@ final class TreePane extends JPanel {
         event -> run.run(), KeyStroke.getKeyStroke(keys), JComponent.WHEN_FOCUSED);
   }
 
-  private JButton tool(ToolIcon.Sign sign) {
+  private JButton tool(TreeTool tool) {
     JButton button =
-        new JButton(new ToolIcon(sign)) {
+        new JButton(tool.icon()) {
           @Override
           public String getToolTipText() {
-            String keys = KeyText.shown(actions.keysOf(TreeActions.PREFIX + sign.action()));
-            return keys.isEmpty() ? sign.title() : sign.title() + " (" + keys + ")";
+            String keys = KeyText.shown(actions.keysOf(TreeActions.PREFIX + tool.action()));
+            return keys.isEmpty() ? tool.title() : tool.title() + " (" + keys + ")";
           }
         };
-    button.setName("program-" + sign.action());
+    button.setName("program-" + tool.action());
     button.putClientProperty("JButton.buttonType", "toolBarButton");
     // The tree keeps the keys.
     button.setFocusable(false);
-    button.getAccessibleContext().setAccessibleName(sign.title());
-    button.setToolTipText(sign.title());
-    button.addActionListener(event -> run(sign.action()));
-    if (sign != ToolIcon.Sign.COPY) {
+    button.getAccessibleContext().setAccessibleName(tool.title());
+    button.setToolTipText(tool.title());
+    button.addActionListener(event -> run(tool.action()));
+    if (tool != TreeTool.COPY) {
       edits.add(button);
     }
     return button;

@@ -11,8 +11,7 @@ import javax.swing.JPanel;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.workbench.View;
 import org.pendant.kit.fault.Faults;
-import org.pendant.kit.theme.Glyph;
-import org.pendant.kit.theme.GlyphIcon;
+import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.theme.Palette;
 import org.pendant.kit.theme.WrappedText;
 
@@ -130,7 +129,7 @@ final class GuardedView implements View {
       setBackground(Palette.tint(Palette.error(), 0.16));
       int gap = UIScale.scale(6);
       setBorder(BorderFactory.createEmptyBorder(gap, 2 * gap, gap, 2 * gap));
-      add(new JLabel(GlyphIcon.of(Glyph.WARNING, 16, Palette::error)), BorderLayout.WEST);
+      add(new JLabel(Glyph.WARNING.icon(16, Palette.error())), BorderLayout.WEST);
       add(text, BorderLayout.CENTER);
     }
 

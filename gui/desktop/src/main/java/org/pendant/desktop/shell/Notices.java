@@ -22,10 +22,9 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
+import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Card;
-import org.pendant.kit.theme.Glyph;
-import org.pendant.kit.theme.GlyphIcon;
 import org.pendant.kit.theme.Palette;
 import org.pendant.kit.theme.WrappedText;
 
@@ -150,7 +149,7 @@ final class Notices extends JPanel {
           onEscape(name, each);
         }
       }
-      JLabel icon = new JLabel(GlyphIcon.of(Glyph.WARNING, 18, Palette::warning));
+      JLabel icon = new JLabel(Glyph.WARNING.icon(18, Palette.warning()));
       add(icon);
       add(text);
       add(buttons);

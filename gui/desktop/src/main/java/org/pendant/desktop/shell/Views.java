@@ -46,7 +46,7 @@ import org.pendant.desktop.workbench.View;
 import org.pendant.kit.background.WorkerThread;
 import org.pendant.kit.dock.Side;
 import org.pendant.kit.fault.Faults;
-import org.pendant.kit.theme.Glyph;
+import org.pendant.kit.icon.Glyph;
 import org.pendant.models.arm.ArmLibrary;
 
 /** Everything that is in the window: a line for each view. */

@@ -18,9 +18,9 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
+import org.pendant.kit.icon.Glyph;
+import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.settings.Settings;
-import org.pendant.kit.theme.Glyph;
-import org.pendant.kit.theme.GlyphIcon;
 
 /** The frame around everything: its place on the screen, remembered, and its picture. */
 final class WindowFrame {
@@ -90,7 +90,7 @@ final class WindowFrame {
       painter.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
       painter.setColor(GROUND);
       painter.fillRoundRect(0, 0, size, size, size / 3, size / 3);
-      GlyphIcon arm = GlyphIcon.of(Glyph.ROBOT, size);
+      SvgIcon arm = Glyph.ROBOT.icon(size);
       double scale = 0.8 * size / arm.getIconWidth();
       painter.translate(0.1 * size, 0.08 * size);
       painter.scale(scale, scale);

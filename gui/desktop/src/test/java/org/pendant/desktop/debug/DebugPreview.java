@@ -10,12 +10,12 @@ import javax.swing.JPanel;
 import javax.swing.Timer;
 import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.desktop.preview.PreviewLook;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.Session;
 import org.pendant.desktop.workbench.View;
+import org.pendant.kit.theme.PreviewLook;
 import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.vm.Program;
 

@@ -13,13 +13,13 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.desktop.preview.PreviewLook;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.ProgramFile;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.Session;
 import org.pendant.kit.action.Action;
+import org.pendant.kit.theme.PreviewLook;
 
 /** The script editor with its panels in a window of its own, for trying it by hand. */
 public final class EditorWindow extends PreviewWorkbench {

@@ -16,6 +16,7 @@ import org.pendant.desktop.plot.PlotView;
 import org.pendant.desktop.session.Session;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.theme.PreviewLook;
 import org.pendant.language.source.Source;
 import org.pendant.script.vm.LoadResult;
 

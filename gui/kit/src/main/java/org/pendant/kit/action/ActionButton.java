@@ -1,7 +1,7 @@
 package org.pendant.kit.action;
 
+import javax.swing.Icon;
 import javax.swing.JButton;
-import org.pendant.kit.theme.GlyphIcon;
 
 /** A button that does an action of the table and shows whether it can be done, and why not. */
 @SuppressWarnings("serial") // never written to a stream
@@ -11,7 +11,7 @@ public final class ActionButton extends JButton {
   private String shown = "";
 
   /** A button for the action {@code id}. */
-  public ActionButton(ActionTable actions, String id, String text, GlyphIcon icon) {
+  public ActionButton(ActionTable actions, String id, String text, Icon icon) {
     super(text, icon);
     this.actions = actions;
     this.id = id;

@@ -10,8 +10,7 @@ import java.util.function.Function;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
-import org.pendant.kit.theme.Glyph;
-import org.pendant.kit.theme.GlyphIcon;
+import org.pendant.kit.icon.Glyph;
 
 /** One dock: its views as tabs, or only the tabs while it is collapsed. */
 @SuppressWarnings("serial") // never written to a stream
@@ -101,7 +100,7 @@ final class DockPane extends JPanel {
           case RIGHT -> Glyph.RIGHT;
           case BOTTOM, MAIN -> Glyph.DOWN;
         };
-    JButton button = new JButton(GlyphIcon.of(glyph, 14));
+    JButton button = new JButton(glyph.icon(14));
     button.putClientProperty("JButton.buttonType", "toolBarButton");
     button.setName("dock-collapse-" + side.word());
     button.setToolTipText("Show only the tabs");

@@ -14,11 +14,17 @@ final class ThemeColor extends Color {
   /**
    * A colour.
    *
+   * @param light what it is in the light theme
    * @param rgb what it is in the present theme, as {@link Color#getRGB} has it, opaque
    */
-  ThemeColor(IntSupplier rgb) {
-    super(rgb.getAsInt());
+  ThemeColor(int light, IntSupplier rgb) {
+    super(light);
     this.rgb = rgb;
+  }
+
+  /** Red, green and blue in the light theme, 8 bits each. */
+  int light() {
+    return super.getRGB() & 0xFFFFFF;
   }
 
   /** What it is in the present theme. Everything else that a colour tells comes from this. */

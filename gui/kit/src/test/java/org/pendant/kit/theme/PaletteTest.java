@@ -3,9 +3,6 @@ package org.pendant.kit.theme;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.formdev.flatlaf.FlatDarkLaf;
-import com.formdev.flatlaf.FlatLaf;
-import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -18,12 +15,12 @@ import org.junit.jupiter.api.Test;
 final class PaletteTest {
   @Test
   void aColourThatWasTakenOnceFollowsTheTheme() {
-    FlatLaf.setup(new FlatLightLaf());
+    PreviewLook.change(false);
     JLabel label = new JLabel("2 things to complete");
     label.setForeground(Palette.warning());
     label.setBackground(Palette.tint(Palette.error(), 0.16));
     int light = label.getBackground().getRGB();
-    FlatLaf.setup(new FlatDarkLaf());
+    PreviewLook.change(true);
     SwingUtilities.updateComponentTreeUI(label);
     assertEquals(new Color(0xF2B24C), label.getForeground());
     assertTrue(Contrast.of(label.getForeground(), UIManager.getColor("Panel.background")) >= 4.5);
@@ -32,11 +29,11 @@ final class PaletteTest {
 
   @Test
   void aBorderIsPaintedInTheColourOfTheTheme() {
-    FlatLaf.setup(new FlatDarkLaf());
+    PreviewLook.change(true);
     JLabel label = new JLabel();
     label.setBorder(BorderFactory.createLineBorder(Palette.line()));
     label.setSize(8, 8);
-    FlatLaf.setup(new FlatLightLaf());
+    PreviewLook.change(false);
     BufferedImage image = new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB);
     label.paint(image.createGraphics());
     assertEquals(Palette.line().getRGB(), image.getRGB(0, 4));
@@ -48,8 +45,8 @@ final class PaletteTest {
     List<Color> words =
         List.of(
             Palette.accent(), Palette.ok(), Palette.warning(), Palette.error(), Palette.quiet());
-    for (FlatLaf theme : List.of(new FlatLightLaf(), new FlatDarkLaf())) {
-      FlatLaf.setup(theme);
+    for (boolean dark : new boolean[] {false, true}) {
+      PreviewLook.change(dark);
       for (Color each : words) {
         assertContrast(Contrast.READABLE, each);
       }

@@ -6,6 +6,7 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
+import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.layout.Card;
 
 /** A line of text, with texts to choose from behind an arrow where there are any. */
@@ -15,7 +16,7 @@ final class TextView implements FieldView {
 
   private final TypedField field;
   private final FieldPanel panel;
-  private final JButton more = new JButton(new DownArrow());
+  private final JButton more = new JButton(Glyph.UNFOLD.icon(11));
   private Item.Text item;
 
   TextView(FieldViews views, Item.Text text) {

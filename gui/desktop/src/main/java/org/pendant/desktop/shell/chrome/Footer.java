@@ -1,11 +1,9 @@
 package org.pendant.desktop.shell.chrome;
 
-import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.util.List;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JMenuItem;
@@ -21,9 +19,8 @@ import org.pendant.desktop.session.Session;
 import org.pendant.kit.action.ActionButton;
 import org.pendant.kit.action.ActionItem;
 import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.layout.Squeeze;
-import org.pendant.kit.theme.Glyph;
-import org.pendant.kit.theme.GlyphIcon;
 import org.pendant.kit.theme.Palette;
 
 /** What is needed at any time: readiness, speed, the pace of time, and the program's buttons. */
@@ -41,7 +38,7 @@ public final class Footer extends JPanel {
   private final ReadinessBar readiness;
   private final SpeedSlider speed;
   private final JComboBox<PaceChoice> pace = new JComboBox<>();
-  private final JButton more = new JButton(GlyphIcon.of(Glyph.MORE, 16));
+  private final JButton more = new JButton(Glyph.MORE.icon(16));
   private final ActionButton run;
   private final ActionButton frameStep;
   private final List<ActionButton> buttons;
@@ -69,13 +66,12 @@ public final class Footer extends JPanel {
     speed =
         new SpeedSlider(percent -> session.submit(new Command.SetSpeedFraction(percent / 100.0)));
     setUpPace();
-    frameStep = new ActionButton(actions, "clock.step-frame", "", icon(Glyph.STEP, null));
-    run = new ActionButton(actions, "program.run", "Run", icon(Glyph.PLAY, Palette::ok));
-    ActionButton pause =
-        new ActionButton(actions, "program.pause", "Pause", icon(Glyph.PAUSE, null));
-    ActionButton step = new ActionButton(actions, "program.step", "Step", icon(Glyph.STEP, null));
+    frameStep = new ActionButton(actions, "clock.step-frame", "", Glyph.STEP.icon(16));
+    run = new ActionButton(actions, "program.run", "Run", Glyph.PLAY.icon(16, Palette.ok()));
+    ActionButton pause = new ActionButton(actions, "program.pause", "Pause", Glyph.PAUSE.icon(16));
+    ActionButton step = new ActionButton(actions, "program.step", "Step", Glyph.STEP.icon(16));
     ActionButton stop =
-        new ActionButton(actions, "program.stop", "Stop", icon(Glyph.STOP, Palette::error));
+        new ActionButton(actions, "program.stop", "Stop", Glyph.STOP.icon(16, Palette.error()));
     buttons = List.of(run, pause, step, stop);
     run.setComponentPopupMenu(runMenu());
     more.setName("footer-more");
@@ -193,10 +189,6 @@ public final class Footer extends JPanel {
     if (wanted.equals(WORDED)) {
       showRun(session.state());
     }
-  }
-
-  private static GlyphIcon icon(Glyph glyph, Supplier<Color> color) {
-    return color == null ? GlyphIcon.of(glyph, 16) : GlyphIcon.of(glyph, 16, color);
   }
 
   /** Shows a snapshot. */

@@ -5,8 +5,7 @@ import javax.swing.JButton;
 import javax.swing.JPopupMenu;
 import javax.swing.SwingConstants;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.kit.theme.Glyph;
-import org.pendant.kit.theme.GlyphIcon;
+import org.pendant.kit.icon.Glyph;
 
 /** The name of the open program; it opens a menu of other programs. */
 @SuppressWarnings("serial") // never written to a stream
@@ -14,7 +13,7 @@ final class ProgramButton extends JButton {
   private final transient ProgramMenu menu;
 
   ProgramButton(ProgramMenu menu) {
-    super(GlyphIcon.of(Glyph.DOWN, 14));
+    super(Glyph.DOWN.icon(14));
     this.menu = menu;
     setName("program-name");
     setHorizontalAlignment(SwingConstants.LEADING);

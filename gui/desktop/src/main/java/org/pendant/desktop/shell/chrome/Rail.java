@@ -22,8 +22,7 @@ import javax.swing.SwingConstants;
 import org.pendant.desktop.workbench.View;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.action.KeyText;
-import org.pendant.kit.theme.Glyph;
-import org.pendant.kit.theme.GlyphIcon;
+import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.theme.Palette;
 
 /**
@@ -41,7 +40,7 @@ public final class Rail extends JPanel {
 
   private final Map<String, Screen> screens = new LinkedHashMap<>();
   private final ButtonGroup group = new ButtonGroup();
-  private final JButton more = new JButton(GlyphIcon.of(Glyph.MORE, 22));
+  private final JButton more = new JButton(Glyph.MORE.icon(22));
   private final transient ActionTable actions;
   private final transient Consumer<String> show;
   private final transient Function<String, JPopupMenu> menu;
@@ -73,7 +72,7 @@ public final class Rail extends JPanel {
 
   /** Adds a screen at the end. */
   public void add(View view, Glyph glyph) {
-    JToggleButton button = new JToggleButton(view.title(), GlyphIcon.of(glyph, 22));
+    JToggleButton button = new JToggleButton(view.title(), glyph.icon(22));
     button.setName("rail-" + view.id());
     button.setVerticalTextPosition(SwingConstants.BOTTOM);
     button.setHorizontalTextPosition(SwingConstants.CENTER);

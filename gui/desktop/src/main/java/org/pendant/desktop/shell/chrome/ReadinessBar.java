@@ -9,16 +9,15 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.Readiness;
+import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.theme.Badge;
-import org.pendant.kit.theme.Glyph;
-import org.pendant.kit.theme.GlyphIcon;
 import org.pendant.kit.theme.Palette;
 
 /** Whether the arm is ready, and the button that makes it so. */
 @SuppressWarnings("serial") // never written to a stream
 final class ReadinessBar extends JPanel {
   private final Badge light = new Badge("readiness", "Whether the arm is ready for programs");
-  private final JButton remedy = new JButton(GlyphIcon.of(Glyph.POWER, 16));
+  private final JButton remedy = new JButton(Glyph.POWER.icon(16));
   private transient Readiness shown;
   private boolean worded = true;
 

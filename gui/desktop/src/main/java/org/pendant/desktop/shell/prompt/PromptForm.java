@@ -17,9 +17,9 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.message.Popup.Severity;
+import org.pendant.kit.icon.Glyph;
+import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.layout.Typed;
-import org.pendant.kit.theme.Glyph;
-import org.pendant.kit.theme.GlyphIcon;
 import org.pendant.kit.theme.Palette;
 
 /** The widgets that show one popup or question. */
@@ -260,15 +260,15 @@ final class PromptForm {
     text.requestFocusInWindow();
   }
 
-  private static GlyphIcon icon(Severity severity) {
+  private static SvgIcon icon(Severity severity) {
     return switch (severity) {
       case MESSAGE -> icon(Glyph.INFO);
-      case WARNING -> GlyphIcon.of(Glyph.WARNING, 20, Palette::warning);
-      case ERROR -> GlyphIcon.of(Glyph.ERROR, 20, Palette::error);
+      case WARNING -> Glyph.WARNING.icon(20, Palette.warning());
+      case ERROR -> Glyph.ERROR.icon(20, Palette.error());
     };
   }
 
-  private static GlyphIcon icon(Glyph glyph) {
-    return GlyphIcon.of(glyph, 20, Palette::accent);
+  private static SvgIcon icon(Glyph glyph) {
+    return glyph.icon(20, Palette.accent());
   }
 }

@@ -8,6 +8,7 @@ import java.util.OptionalLong;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import javax.swing.BorderFactory;
+import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -25,10 +26,9 @@ import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.ActionButton;
 import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.layout.FlushRow;
 import org.pendant.kit.theme.Card;
-import org.pendant.kit.theme.Glyph;
-import org.pendant.kit.theme.GlyphIcon;
 import org.pendant.kit.theme.Palette;
 import org.pendant.language.source.ByteText;
 
@@ -87,9 +87,9 @@ public final class RunView implements View {
     stop = new StopPanel(send, run::showLine, showBefore);
     buttons =
         List.of(
-            button(actions, "program.run", "Run", GlyphIcon.of(Glyph.PLAY, 28, Palette::ok)),
-            button(actions, "program.pause", "Pause", GlyphIcon.of(Glyph.PAUSE, 28)),
-            button(actions, "program.stop", "Stop", GlyphIcon.of(Glyph.STOP, 28, Palette::error)));
+            button(actions, "program.run", "Run", Glyph.PLAY.icon(28, Palette.ok())),
+            button(actions, "program.pause", "Pause", Glyph.PAUSE.icon(28)),
+            button(actions, "program.stop", "Stop", Glyph.STOP.icon(28, Palette.error())));
     scroll.setBorder(BorderFactory.createEmptyBorder());
     scroll.setName("run-view");
     scroll.getAccessibleContext().setAccessibleName(title());
@@ -112,7 +112,7 @@ public final class RunView implements View {
     }
   }
 
-  private static ActionButton button(ActionTable actions, String id, String text, GlyphIcon icon) {
+  private static ActionButton button(ActionTable actions, String id, String text, Icon icon) {
     ActionButton button = new ActionButton(actions, id, text, icon);
     button.setName("run-view-" + text.toLowerCase(Locale.ROOT));
     button.putClientProperty("FlatLaf.styleClass", "large");
@@ -144,7 +144,7 @@ public final class RunView implements View {
     node.addActionListener(event -> shownNode.ifPresent(run::show));
     name("run-line", line, "Line");
     name("run-waiting", waiting, "Popups");
-    waiting.setIcon(GlyphIcon.of(Glyph.WARNING, 16, Palette::warning));
+    waiting.setIcon(Glyph.WARNING.icon(16, Palette.warning()));
     card.add(name, "wmin 0");
     card.add(state, "wmin 0");
     JPanel times = new FlushRow(24);

@@ -15,9 +15,8 @@ import org.pendant.controller.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.Readiness;
 import org.pendant.desktop.session.StopCard;
+import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.theme.Card;
-import org.pendant.kit.theme.Glyph;
-import org.pendant.kit.theme.GlyphIcon;
 import org.pendant.kit.theme.Palette;
 
 /** Why the arm is stopped and what to do about it; hidden while it is not. */
@@ -25,7 +24,7 @@ final class StopPanel {
   private final JPanel panel =
       new Card(new MigLayout("insets 16, gap 8, wrap 1, hidemode 3", "[grow, fill, 0::]", ""));
   private final JLabel title =
-      new JLabel("", GlyphIcon.of(Glyph.ERROR, 20, Palette::error), JLabel.LEADING);
+      new JLabel("", Glyph.ERROR.icon(20, Palette.error()), JLabel.LEADING);
   private final JTextArea message = text("stop-message", "What happened");
   private final JPanel facts =
       new JPanel(new MigLayout("insets 0, gap 16 4, wrap 2", "[][grow, 0::]", ""));

@@ -123,7 +123,7 @@ final class VariablesPanel {
           row.name()
               + (row.favourite() ? ", a favourite" : "")
               + (row.installed() ? ", kept by the installation" : ""));
-      name.setIcon(row.favourite() ? new Star(true, false) : null);
+      name.setIcon(row.favourite() ? Star.of(true) : null);
     }
     JLabel value = values.get(place);
     if (!row.value().equals(value.getText())) {

@@ -13,9 +13,8 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.form.HoldButton;
+import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.layout.FlushRow;
-import org.pendant.kit.theme.Glyph;
-import org.pendant.kit.theme.GlyphIcon;
 import org.pendant.kit.theme.Overlay;
 import org.pendant.kit.theme.Palette;
 import org.pendant.kit.theme.WrappedText;
@@ -28,7 +27,7 @@ public final class StartPanel {
   private final StartChoice choice;
   private final Overlay overlay;
   private final JLabel title =
-      new JLabel("", GlyphIcon.of(Glyph.WARNING, 20, Palette::warning), JLabel.LEADING);
+      new JLabel("", Glyph.WARNING.icon(20, Palette.warning()), JLabel.LEADING);
   private final WrappedText text = new WrappedText("", "What happens first");
   private final JButton move = button("start-move", "Move there");
   private final HoldButton hold;

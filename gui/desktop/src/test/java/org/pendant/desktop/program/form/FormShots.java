@@ -14,9 +14,9 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JScrollPane;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.desktop.preview.PreviewLook;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.Session;
+import org.pendant.kit.theme.PreviewLook;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.check.NodeProblem;
 
