@@ -23,6 +23,7 @@ import com.tngtech.archunit.library.dependencies.SliceAssignment;
 import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import java.awt.event.ActionListener;
 import java.nio.channels.FileChannel;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -35,6 +36,9 @@ final class ArchitectureTest {
 
   /** ANTLR's lexers have two static name tables that are not final. */
   private static final String GENERATED = "org\\.pendant\\.language\\.parse\\.\\w+Lexer";
+
+  /** Packages of a module that use one another in a row. */
+  private static final int MAX_DEPTH = 8;
 
   @ArchTest
   static final ArchRule modulesKnowOnlyTheModulesBelowThem =
@@ -110,6 +114,20 @@ final class ArchitectureTest {
   @ArchTest
   static final ArchRule packagesFormNoCycle =
       slices().assignedFrom(new OneSlicePerPackage()).should().beFreeOfCycles();
+
+  /** A module whose packages stack higher has more than one idea. */
+  @ArchTest
+  static void packagesOfAModuleStackAtMostEightDeep(JavaClasses all) {
+    PackageDepth depth = new PackageDepth(all);
+    // The controller's core is yet to be taken apart.
+    List<String> tooDeep =
+        depth.deepestChains().values().stream()
+            .filter(chain -> chain.size() > MAX_DEPTH)
+            .filter(chain -> !chain.getFirst().startsWith("org.pendant.controller"))
+            .map(chain -> String.join(" > ", chain))
+            .toList();
+    assertEquals(List.of(), tooDeep);
+  }
 
   @ArchTest
   static final ArchRule onlyTheCommandLineEndsTheProcess =
