@@ -11,13 +11,13 @@ import static org.pendant.controller.quantity.PhysicalUnit.VOLT;
 
 import org.pendant.controller.state.RobotBits;
 import org.pendant.controller.state.SupplyReadings;
-import org.pendant.models.arm.Joints;
 
 /** Quantities that each joint has. */
 final class JointQuantities {
   private JointQuantities() {}
 
   static void declareIn(QuantityList list) {
+    list.group("Joints");
     list.joints("target_q", "Target position", RADIAN, s -> s.arm().targetPositionRad())
         .rtde("target_q");
     list.joints("target_qd", "Target speed", RADIAN_PER_SECOND, s -> s.arm().targetSpeedRadPerS())
@@ -49,7 +49,7 @@ final class JointQuantities {
             "Current window",
             ScalarType.DOUBLE,
             AMPERE,
-            new Getter.OfEach(Joints.COUNT, SupplyReadings::currentWindowA))
+            SupplyReadings::currentWindowA)
         .explained("How far the current may be from what the motion needs")
         .rtde("actual_current_window");
     list.joints("torque", "Torque", NEWTON_METRE, s -> s.readings().torqueNm())
@@ -62,20 +62,14 @@ final class JointQuantities {
         .explained("What the torque has beyond the controller's model of arm and payload");
     list.joints("temperature", "Temperature", CELSIUS, s -> s.readings().temperatureC())
         .rtde("joint_temperatures");
-    list.joints(
-            "joint_voltage",
-            "Voltage",
-            ScalarType.DOUBLE,
-            VOLT,
-            new Getter.OfEach(Joints.COUNT, SupplyReadings::jointV))
+    list.joints("joint_voltage", "Voltage", ScalarType.DOUBLE, VOLT, SupplyReadings::jointV)
         .rtde("actual_joint_voltage");
     list.joints(
             "joint_mode",
             "Mode",
             ScalarType.INT32,
             NONE,
-            new Getter.OfEach(
-                Joints.COUNT, (state, joint) -> RobotBits.jointMode(state, joint).code()))
+            (s, joint) -> RobotBits.jointMode(s, joint).code())
         .rtde("joint_mode");
   }
 }

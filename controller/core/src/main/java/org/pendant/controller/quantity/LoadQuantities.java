@@ -15,23 +15,22 @@ import org.pendant.controller.state.SupplyReadings;
 
 /** Quantities of masses, of the base, and of what supplies the arm. */
 final class LoadQuantities {
-  private static final String LOAD = "Load";
-  private static final String POWER = "Power";
-
   private LoadQuantities() {}
 
   static void declareIn(QuantityList list) {
+    list.group("Load");
     addMasses(list);
     addBase(list);
+    list.group("Power");
     addPower(list);
   }
 
   private static void addMasses(QuantityList list) {
-    list.number("payload", LOAD, "Payload", KILOGRAM, s -> s.readings().payload().massKg())
+    list.number("payload", "Payload", KILOGRAM, s -> s.readings().payload().massKg())
         .rtde("payload");
     list.axes(
             "payload_cog",
-            "Load/Centre of gravity",
+            "Centre of gravity",
             "x y z",
             METRE,
             List.of(
@@ -42,7 +41,7 @@ final class LoadQuantities {
         .rtde("payload_cog");
     list.axes(
             "payload_inertia",
-            "Load/Inertia",
+            "Inertia",
             "xx yy zz xy xz yz",
             KILOGRAM_METRE_SQUARED,
             List.of(
@@ -55,18 +54,14 @@ final class LoadQuantities {
         .explained("About the centre of gravity, along the flange's axes")
         .rtde("payload_inertia");
     list.number(
-            "momentum",
-            LOAD,
-            "Momentum",
-            KILOGRAM_METRE_PER_SECOND,
-            s -> s.readings().momentumKgMPerS())
+            "momentum", "Momentum", KILOGRAM_METRE_PER_SECOND, s -> s.readings().momentumKgMPerS())
         .rtde("actual_momentum");
   }
 
   private static void addBase(QuantityList list) {
     list.axes(
             "gravity",
-            "Load/Gravity",
+            "Gravity",
             "x y z",
             METRE_PER_SECOND_SQUARED,
             List.of(
@@ -78,7 +73,7 @@ final class LoadQuantities {
     // the base does not turn
     list.axes(
             "base_acceleration",
-            "Load/Base acceleration",
+            "Base acceleration",
             "x y z rx ry rz",
             METRE_PER_SECOND_SQUARED,
             List.of(
@@ -92,41 +87,31 @@ final class LoadQuantities {
   }
 
   private static void addPower(QuantityList list) {
-    list.number("main_voltage", POWER, "Main voltage", VOLT, SupplyReadings::mainV)
+    list.number("main_voltage", "Main voltage", VOLT, SupplyReadings::mainV)
         .rtde("actual_main_voltage");
-    list.number("robot_voltage", POWER, "Robot voltage", VOLT, SupplyReadings::robotV)
+    list.number("robot_voltage", "Robot voltage", VOLT, SupplyReadings::robotV)
         .rtde("actual_robot_voltage");
-    list.number("robot_current", POWER, "Robot current", AMPERE, s -> s.readings().robotCurrentA())
+    list.number("robot_current", "Robot current", AMPERE, s -> s.readings().robotCurrentA())
         .rtde("actual_robot_current");
-    list.number("io_current", POWER, "I/O current", AMPERE, SupplyReadings::ioCurrentA)
+    list.number("io_current", "I/O current", AMPERE, SupplyReadings::ioCurrentA)
         .explained("What the outputs of the control box drive")
         .rtde("io_current");
-    list.number("tool_current", POWER, "Tool current", AMPERE, s -> s.readings().toolCurrentA())
+    list.number("tool_current", "Tool current", AMPERE, s -> s.readings().toolCurrentA())
         .rtde("tool_output_current");
-    list.number(
-            "energy_consumed", POWER, "Energy consumed", JOULE, s -> s.readings().energyConsumedJ())
+    list.number("energy_consumed", "Energy consumed", JOULE, s -> s.readings().energyConsumedJ())
         .explained("Since the controller was switched on")
         .rtde("actual_robot_energy_consumed");
     list.number(
             "energy_dissipated",
-            POWER,
             "Braking energy dissipated",
             JOULE,
             s -> s.readings().energyDissipatedJ())
         .explained("Since the controller was switched on")
         .rtde("actual_robot_braking_energy_dissipated");
     list.number(
-            "tool_temperature",
-            POWER,
-            "Tool temperature",
-            CELSIUS,
-            s -> s.readings().toolTemperatureC())
+            "tool_temperature", "Tool temperature", CELSIUS, s -> s.readings().toolTemperatureC())
         .rtde("tool_temperature");
     list.number(
-        "box_temperature",
-        POWER,
-        "Box temperature",
-        CELSIUS,
-        s -> s.readings().controllerTemperatureC());
+        "box_temperature", "Box temperature", CELSIUS, s -> s.readings().controllerTemperatureC());
   }
 }

@@ -3,7 +3,6 @@ package org.pendant.controller.quantity;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.function.ToDoubleFunction;
@@ -23,14 +22,26 @@ final class QuantityList {
   private static final List<String> AXES = List.of("x", "y", "z", "rx", "ry", "rz");
 
   private final List<StateQuantity> quantities = new ArrayList<>();
+  private String group = "";
 
   List<StateQuantity> all() {
     return List.copyOf(quantities);
   }
 
+  /** What follows is in this group; that of several numbers in one below it, by its title. */
+  void group(String name) {
+    group = name;
+  }
+
+  /** Numbers of one type. */
   QuantityList add(
-      String name, String group, ScalarType type, List<Component> components, Getter getter) {
-    quantities.add(new StateQuantity(name, group, "", type, components, getter, List.of(), false));
+      String name, String title, ScalarType type, List<Component> components, Getter getter) {
+    return in(group + "/" + title, name, type, components, getter);
+  }
+
+  private QuantityList in(
+      String place, String name, ScalarType type, List<Component> components, Getter getter) {
+    quantities.add(new StateQuantity(name, place, "", type, components, getter, List.of(), false));
     return this;
   }
 
@@ -54,43 +65,29 @@ final class QuantityList {
   }
 
   QuantityList number(
-      String name,
-      String group,
-      String title,
-      PhysicalUnit unit,
-      ToDoubleFunction<ControllerState> value) {
-    return scalar(name, group, title, ScalarType.DOUBLE, unit, value);
+      String name, String title, PhysicalUnit unit, ToDoubleFunction<ControllerState> value) {
+    return scalar(name, title, ScalarType.DOUBLE, unit, value);
   }
 
   /** A count, a code or bits. */
   QuantityList whole(
-      String name,
-      String group,
-      String title,
-      ScalarType type,
-      ToDoubleFunction<ControllerState> value) {
-    return scalar(name, group, title, type, PhysicalUnit.NONE, value);
+      String name, String title, ScalarType type, ToDoubleFunction<ControllerState> value) {
+    return scalar(name, title, type, PhysicalUnit.NONE, value);
   }
 
   /** 0 or 1. */
-  QuantityList flag(
-      String name, String group, String title, ToDoubleFunction<ControllerState> value) {
-    return scalar(name, group, title, ScalarType.BOOL, PhysicalUnit.LEVEL, value);
+  QuantityList flag(String name, String title, ToDoubleFunction<ControllerState> value) {
+    return scalar(name, title, ScalarType.BOOL, PhysicalUnit.LEVEL, value);
   }
 
   QuantityList scalar(
       String name,
-      String group,
       String title,
       ScalarType type,
       PhysicalUnit unit,
       ToDoubleFunction<ControllerState> value) {
-    return add(
-        name,
-        group,
-        type,
-        List.of(new Component(name, title, unit)),
-        new Getter.OfScalars(List.of(value)));
+    List<Component> component = List.of(new Component(name, title, unit));
+    return in(group, name, type, component, new Getter.OfScalars(List.of(value)));
   }
 
   QuantityList joints(
@@ -98,10 +95,15 @@ final class QuantityList {
     return joints(name, title, ScalarType.DOUBLE, unit, new Getter.OfJoints(value));
   }
 
+  /** A number for each joint that has to be looked up by itself. */
   QuantityList joints(
+      String name, String title, ScalarType type, PhysicalUnit unit, Getter.OfIndex value) {
+    return joints(name, title, type, unit, new Getter.OfEach(Joints.COUNT, value));
+  }
+
+  private QuantityList joints(
       String name, String title, ScalarType type, PhysicalUnit unit, Getter getter) {
-    return add(
-        name, "Joints/" + title, type, numbered(name, Joints.COUNT, JOINTS::get, unit), getter);
+    return add(name, title, type, numbered(name, Joints.COUNT, JOINTS::get, unit), getter);
   }
 
   /** Components that are called by numbers. */
@@ -112,8 +114,8 @@ final class QuantityList {
         .toList();
   }
 
-  QuantityList pose(String name, String group, Function<ControllerState, Pose> value) {
-    return spatial(name, name, group, PhysicalUnit.METRE, PhysicalUnit.RADIAN, value);
+  QuantityList pose(String name, String title, Function<ControllerState, Pose> value) {
+    return spatial(name, name, title, PhysicalUnit.METRE, PhysicalUnit.RADIAN, value);
   }
 
   /**
@@ -122,16 +124,16 @@ final class QuantityList {
    * @param stem begins the names of the components
    */
   QuantityList velocity(
-      String name, String stem, String group, Function<ControllerState, Pose> value) {
+      String name, String stem, String title, Function<ControllerState, Pose> value) {
     return spatial(
-        name, stem, group, PhysicalUnit.METRE_PER_SECOND, PhysicalUnit.RADIAN_PER_SECOND, value);
+        name, stem, title, PhysicalUnit.METRE_PER_SECOND, PhysicalUnit.RADIAN_PER_SECOND, value);
   }
 
-  QuantityList acceleration(String name, String group, Function<ControllerState, Pose> value) {
+  QuantityList acceleration(String name, String title, Function<ControllerState, Pose> value) {
     return spatial(
         name,
         name,
-        group,
+        title,
         PhysicalUnit.METRE_PER_SECOND_SQUARED,
         PhysicalUnit.RADIAN_PER_SECOND_SQUARED,
         value);
@@ -140,7 +142,7 @@ final class QuantityList {
   private QuantityList spatial(
       String name,
       String stem,
-      String group,
+      String title,
       PhysicalUnit along,
       PhysicalUnit about,
       Function<ControllerState, Pose> value) {
@@ -149,7 +151,7 @@ final class QuantityList {
             .mapToObj(
                 i -> new Component(stem + "_" + AXES.get(i), AXES.get(i), i < 3 ? along : about))
             .toList();
-    return add(name, group, ScalarType.DOUBLE, components, new Getter.OfPose(value));
+    return add(name, title, ScalarType.DOUBLE, components, new Getter.OfPose(value));
   }
 
   /**
@@ -158,7 +160,7 @@ final class QuantityList {
    * @param stem begins the names of the components
    */
   QuantityList wrench(
-      String name, String stem, String group, Function<ControllerState, Wrench> value) {
+      String name, String stem, String title, Function<ControllerState, Wrench> value) {
     List<Component> components = new ArrayList<>();
     for (String axis : AXES.subList(0, 3)) {
       components.add(new Component(stem + "_force_" + axis, axis, PhysicalUnit.NEWTON));
@@ -167,7 +169,7 @@ final class QuantityList {
       components.add(
           new Component(stem + "_torque_" + axis, "Torque " + axis, PhysicalUnit.NEWTON_METRE));
     }
-    return add(name, group, ScalarType.DOUBLE, components, new Getter.OfWrench(value));
+    return add(name, title, ScalarType.DOUBLE, components, new Getter.OfWrench(value));
   }
 
   /**
@@ -177,14 +179,14 @@ final class QuantityList {
    */
   QuantityList axes(
       String name,
-      String group,
+      String title,
       String axes,
       PhysicalUnit unit,
       List<ToDoubleFunction<ControllerState>> values) {
     List<Component> components =
         Arrays.stream(axes.split(" "))
-            .map(axis -> new Component(name + "_" + axis.toLowerCase(Locale.ROOT), axis, unit))
+            .map(axis -> new Component(name + "_" + axis, axis, unit))
             .toList();
-    return add(name, group, ScalarType.DOUBLE, components, new Getter.OfScalars(values));
+    return add(name, title, ScalarType.DOUBLE, components, new Getter.OfScalars(values));
   }
 }

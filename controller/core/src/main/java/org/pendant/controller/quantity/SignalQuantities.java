@@ -26,22 +26,26 @@ final class SignalQuantities {
   /** The first boolean register with an RTDE field of its own; those below come by 32. */
   private static final int FIRST_SINGLE = 64;
 
-  private static final String TOOL = "Signals/Tool";
-  private static final String BITS = "Signals/Packed bits";
-
   private SignalQuantities() {}
 
   static void declareIn(QuantityList list) {
+    list.group("Signals");
     for (SignalBank bank : SignalBank.values()) {
       addDigital(list, bank);
     }
     for (AnalogBank bank : AnalogBank.values()) {
       addAnalog(list, bank);
     }
+    list.group("Signals/Tool");
     addTool(list);
-    addPacked(list);
-    addConveyors(list);
+    list.group("Signals/Encoders");
+    list.whole("encoder_0", "Encoder 0", INT32, s -> s.encoders().first()).rtde("encoder0_raw");
+    list.whole("encoder_1", "Encoder 1", INT32, s -> s.encoders().second()).rtde("encoder1_raw");
+    list.group("Signals/EUROMAP 67");
     addAbsent(list);
+    list.group("Signals/Packed bits");
+    addPacked(list);
+    list.group("Registers");
     for (RegisterDirection direction : RegisterDirection.values()) {
       addRegisters(list, direction);
     }
@@ -51,28 +55,17 @@ final class SignalQuantities {
     String name = bank.text();
     list.add(
         name,
-        "Signals/" + titleOf(bank),
+        titleOf(bank),
         BOOL,
         QuantityList.numbered(name, bank.size(), i -> name + "[" + i + "]", LEVEL),
         new Getter.OfEach(bank.size(), (s, index) -> s.io().bits(bank) >> index & 1));
-    list.whole(
-        name + "_bits",
-        BITS,
-        titleOf(bank),
-        UINT64,
-        s -> Integer.toUnsignedLong(s.io().bits(bank)));
-    switch (bank) {
-      case CONFIGURABLE_IN -> list.rtde("actual_configurable_digital_input_bits");
-      case CONFIGURABLE_OUT -> list.rtde("actual_configurable_digital_output_bits");
-      case STANDARD_IN, STANDARD_OUT, TOOL_IN, TOOL_OUT, FLAG -> {}
-    }
   }
 
   private static void addAnalog(QuantityList list, AnalogBank bank) {
     String name = bank.text();
     list.add(
             name,
-            "Signals/" + titleOf(bank),
+            titleOf(bank),
             DOUBLE,
             QuantityList.numbered(name, AnalogBank.SIZE, bank::name, AMPERE_OR_VOLT),
             new Getter.OfEach(
@@ -80,9 +73,10 @@ final class SignalQuantities {
         .rtdeEach(i -> rtde(bank) + i);
     list.add(
             name + "_domain",
-            "Signals/Analog domains",
+            titleOf(bank) + ", domains",
             UINT8,
-            QuantityList.numbered(name + "_domain", AnalogBank.SIZE, bank::name, NONE),
+            QuantityList.numbered(
+                name + "_domain", AnalogBank.SIZE, i -> "Domain of " + bank.name(i), NONE),
             new Getter.OfEach(
                 AnalogBank.SIZE,
                 (s, index) -> s.signals().analog().signal(bank, index).domain().number()))
@@ -90,12 +84,10 @@ final class SignalQuantities {
   }
 
   private static void addTool(QuantityList list) {
-    list.scalar(
-            "tool_voltage", TOOL, "Tool voltage", INT32, VOLT, s -> s.signals().tool().voltageV())
+    list.scalar("tool_voltage", "Tool voltage", INT32, VOLT, s -> s.signals().tool().voltageV())
         .rtde("tool_output_voltage");
     list.whole(
             "tool_output_mode",
-            TOOL,
             "Output mode",
             UINT8,
             s -> s.signals().tool().outputMode() == ToolOutputMode.DUAL_PIN_POWER ? 1 : 0)
@@ -103,66 +95,65 @@ final class SignalQuantities {
         .rtde("tool_output_mode");
     list.add(
             "tool_pin_mode",
-            TOOL,
+            "Output modes",
             UINT8,
-            QuantityList.numbered("tool_pin_mode", 2, i -> "Mode of output " + i, NONE),
+            QuantityList.numbered("tool_pin_mode", 2, i -> "Output " + i, NONE),
             new Getter.OfEach(2, (s, index) -> s.signals().tool().pin(index).number()))
         .rtdeEach(i -> "tool_digital_output" + i + "_mode");
   }
 
   private static void addPacked(QuantityList list) {
+    for (SignalBank bank : SignalBank.values()) {
+      list.whole(
+          bank.text() + "_bits",
+          titleOf(bank),
+          UINT64,
+          s -> Integer.toUnsignedLong(s.io().bits(bank)));
+      switch (bank) {
+        case CONFIGURABLE_IN -> list.rtde("actual_configurable_digital_input_bits");
+        case CONFIGURABLE_OUT -> list.rtde("actual_configurable_digital_output_bits");
+        case STANDARD_IN, STANDARD_OUT, TOOL_IN, TOOL_OUT, FLAG -> {}
+      }
+    }
     list.whole(
             "digital_input_bits",
-            BITS,
             "All digital inputs",
             UINT64,
             s -> RobotBits.digitalInputs(s.io()))
         .rtde("actual_digital_input_bits");
     list.whole(
             "digital_output_bits",
-            BITS,
             "All digital outputs",
             UINT64,
             s -> RobotBits.digitalOutputs(s.io()))
         .rtde("actual_digital_output_bits");
     list.whole(
             "analog_domain_bits",
-            BITS,
             "Analog domains",
             UINT32,
             s -> s.signals().analog().standardDomainBits())
         .rtde("analog_io_types");
     list.whole(
             "tool_analog_domain_bits",
-            BITS,
             "Analog domains of the tool",
             UINT32,
             s -> s.signals().analog().toolDomainBits())
         .rtde("tool_analog_input_types");
   }
 
-  private static void addConveyors(QuantityList list) {
-    list.whole("encoder_0", "Signals/Encoders", "Encoder 0", INT32, s -> s.encoders().first())
-        .rtde("encoder0_raw");
-    list.whole("encoder_1", "Signals/Encoders", "Encoder 1", INT32, s -> s.encoders().second())
-        .rtde("encoder1_raw");
-  }
-
   /** What a connector for an injection moulding machine would tell; there is none. */
   private static void addAbsent(QuantityList list) {
-    String group = "Signals/EUROMAP 67";
-    list.whole("euromap67_inputs", group, "Inputs", UINT32, s -> 0).rtde("euromap67_input_bits");
-    list.whole("euromap67_outputs", group, "Outputs", UINT32, s -> 0).rtde("euromap67_output_bits");
-    list.number("euromap67_voltage", group, "Voltage", VOLT, s -> 0).rtde("euromap67_24V_voltage");
-    list.number("euromap67_current", group, "Current", AMPERE, s -> 0)
-        .rtde("euromap67_24V_current");
+    list.whole("euromap67_inputs", "Inputs", UINT32, s -> 0).rtde("euromap67_input_bits");
+    list.whole("euromap67_outputs", "Outputs", UINT32, s -> 0).rtde("euromap67_output_bits");
+    list.number("euromap67_voltage", "Voltage", VOLT, s -> 0).rtde("euromap67_24V_voltage");
+    list.number("euromap67_current", "Current", AMPERE, s -> 0).rtde("euromap67_24V_current");
   }
 
   private static void addRegisters(QuantityList list, RegisterDirection direction) {
     String side = direction.text();
     list.add(
             side + "_register_bits",
-            BITS,
+            capital(side) + "s, packed",
             UINT32,
             List.of(
                 new Component(side + "_register_bits_0", side + " registers 0 to 31", NONE),
@@ -185,7 +176,7 @@ final class SignalQuantities {
           };
       list.add(
               name,
-              "Registers/" + capital(side) + "s, " + kind.text(),
+              capital(side) + "s, " + kind.text(),
               typeOf(kind),
               QuantityList.numbered(
                   name,

@@ -19,39 +19,40 @@ final class ToolQuantities {
   private ToolQuantities() {}
 
   static void declareIn(QuantityList list) {
+    list.group("TCP");
     addTcp(list);
+    list.group("Elbow");
     addElbow(list);
+    list.group("Forces");
     addForces(list);
   }
 
   private static void addTcp(QuantityList list) {
-    list.pose("target_tcp", "TCP/Target pose", s -> s.geometry().targetTcpInBase())
+    list.pose("target_tcp", "Target pose", s -> s.geometry().targetTcpInBase())
         .rtde("target_TCP_pose");
-    list.pose("actual_tcp", "TCP/Actual pose", s -> s.geometry().actualTcpInBase())
+    list.pose("actual_tcp", "Actual pose", s -> s.geometry().actualTcpInBase())
         .rtde("actual_TCP_pose");
-    list.number("tcp_speed", "TCP/Speed", "length", METRE_PER_SECOND, ToolQuantities::tcpSpeed);
-    list.velocity("tcp_velocity", "tcp_speed", "TCP/Speed", s -> s.geometry().actual().speed())
+    list.velocity("tcp_velocity", "tcp_speed", "Speed", s -> s.geometry().actual().speed())
         .rtde("actual_TCP_speed");
-    list.acceleration(
-            "tcp_acceleration", "TCP/Acceleration", s -> s.geometry().actual().acceleration())
+    list.acceleration("tcp_acceleration", "Acceleration", s -> s.geometry().actual().acceleration())
         .rtde("actual_TCP_acceleration");
     list.velocity(
             "target_tcp_velocity",
             "target_tcp_speed",
-            "TCP/Target speed",
+            "Target speed",
             s -> s.geometry().target().speed())
         .rtde("target_TCP_speed");
     list.acceleration(
             "target_tcp_acceleration",
-            "TCP/Target acceleration",
+            "Target acceleration",
             s -> s.geometry().target().acceleration())
         .rtde("target_TCP_acceleration");
-    list.pose("tcp_offset", "TCP/Offset", s -> s.arm().tool().inFlange())
+    list.pose("tcp_offset", "Offset", s -> s.arm().tool().inFlange())
         .explained("The TCP in the frame of the flange")
         .rtde("tcp_offset");
     list.axes(
             "tool_acceleration",
-            "TCP/Accelerometer",
+            "Accelerometer",
             "x y z",
             METRE_PER_SECOND_SQUARED,
             List.of(
@@ -60,8 +61,14 @@ final class ToolQuantities {
                 s -> s.readings().toolAcceleration().zMPerS2()))
         .explained("What the sensor in the flange reads along the flange's axes")
         .rtde("actual_tool_accelerometer");
-    list.number("dexterity", "TCP", "Dexterity", PhysicalUnit.NONE, ToolQuantities::dexterity)
+    list.number("dexterity", "Dexterity", PhysicalUnit.NONE, ToolQuantities::dexterity)
         .explained("0 in a singularity; goes with the determinant of the Jacobian");
+    list.wrench("tcp_wrench", "tcp", "Force", s -> s.readings().flangeWrenchInBase())
+        .rtde("actual_TCP_force");
+    list.group("TCP/Speed");
+    list.number("tcp_speed", "length", METRE_PER_SECOND, ToolQuantities::tcpSpeed);
+    list.group("TCP/Force");
+    list.number("tcp_force", "length", NEWTON, ToolQuantities::tcpForce).rtde("tcp_force_scalar");
   }
 
   private static double tcpSpeed(ControllerState state) {
@@ -84,7 +91,7 @@ final class ToolQuantities {
   private static void addElbow(QuantityList list) {
     list.axes(
             "elbow",
-            "Elbow/Position",
+            "Position",
             "x y z",
             METRE,
             List.of(
@@ -94,7 +101,7 @@ final class ToolQuantities {
         .rtde("elbow_position");
     list.axes(
             "elbow_speed",
-            "Elbow/Speed",
+            "Speed",
             "x y z",
             METRE_PER_SECOND,
             List.of(
@@ -105,27 +112,23 @@ final class ToolQuantities {
   }
 
   private static void addForces(QuantityList list) {
-    list.number("tcp_force", "TCP/Force", "length", NEWTON, ToolQuantities::tcpForce)
-        .rtde("tcp_force_scalar");
-    list.wrench("tcp_wrench", "tcp", "TCP/Force", s -> s.readings().flangeWrenchInBase())
-        .rtde("actual_TCP_force");
-    list.wrench("raw_wrench", "raw", "Forces/Raw", s -> s.readings().rawFlangeWrench())
+    list.wrench("raw_wrench", "raw", "Raw", s -> s.readings().rawFlangeWrench())
         .explained("What the sensor feels, with the payload's weight, along the flange's axes")
         .rtde("ft_raw_wrench");
     list.wrench(
             "current_wrench",
             "current",
-            "Forces/From currents",
+            "From currents",
             s -> s.geometry().flangeWrenchFromCurrents())
         .explained("What at the flange would explain the external torques of the joints")
         .rtde("wrench_calc_from_currents");
-    list.wrench("base_wrench", "base", "Forces/Base", s -> s.geometry().targetBaseWrench())
+    list.wrench("base_wrench", "base", "Base", s -> s.geometry().targetBaseWrench())
         .explained("With what the base holds arm and payload in the target motion")
         .rtde("target_base_wrench");
-    list.number("deviation", "Forces", "Deviation", RATIO, s -> s.readings().deviationRatio())
+    list.number("deviation", "Deviation", RATIO, s -> s.readings().deviationRatio())
         .explained("Distance from the target as a part of what stops the arm")
         .rtde("joint_position_deviation_ratio");
-    list.number("collision", "Forces", "Collision", RATIO, s -> s.readings().collisionRatio())
+    list.number("collision", "Collision", RATIO, s -> s.readings().collisionRatio())
         .explained("Push from outside as a part of what stops the arm")
         .rtde("collision_detection_ratio");
   }
