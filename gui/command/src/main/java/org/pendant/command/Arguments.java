@@ -5,6 +5,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.pendant.command.service.PortWishes;
 import org.pendant.language.check.Nearest;
 
 /**
@@ -79,6 +82,90 @@ final class Arguments {
           option.name() + " is given " + given.size() + " times, expected once");
     }
     return given.stream().findFirst();
+  }
+
+  /** The value of {@code option}, or the one that it has when it is not given. */
+  String text(Option option) throws UsageException {
+    return value(option).orElse(option.standard());
+  }
+
+  /**
+   * The word of an option whose argument is an {@link OptionArgument.Choice}; empty when it is not
+   * given and has none then.
+   *
+   * @throws UsageException if it is none of the choice
+   */
+  Optional<String> word(Option option) throws UsageException {
+    OptionArgument.Choice choice = argument(option, OptionArgument.Choice.class);
+    Optional<String> word = given(option);
+    if (word.isPresent() && !choice.words().contains(word.get())) {
+      throw wrong(option, word.get(), choice.legal());
+    }
+    return word;
+  }
+
+  /**
+   * The number of an option whose argument is an {@link OptionArgument.Whole}; empty when it is not
+   * given and has none then.
+   *
+   * @throws UsageException if it is outside the range
+   */
+  OptionalInt whole(Option option) throws UsageException {
+    OptionArgument.Whole range = argument(option, OptionArgument.Whole.class);
+    Optional<String> text = given(option);
+    if (text.isEmpty()) {
+      return OptionalInt.empty();
+    }
+    OptionalInt number = PortWishes.number(text.get(), range.min(), range.max());
+    if (number.isEmpty()) {
+      throw wrong(option, text.get(), range.legal());
+    }
+    return number;
+  }
+
+  /**
+   * The number of an option whose argument is an {@link OptionArgument.Real}; empty when it is not
+   * given and has none then.
+   *
+   * @throws UsageException if it is outside the range
+   */
+  OptionalDouble number(Option option) throws UsageException {
+    OptionArgument.Real range = argument(option, OptionArgument.Real.class);
+    Optional<String> text = given(option);
+    if (text.isEmpty()) {
+      return OptionalDouble.empty();
+    }
+    OptionalDouble number = parsed(text.get());
+    if (number.isEmpty() || !range.contains(number.getAsDouble())) {
+      throw wrong(option, text.get(), range.legal());
+    }
+    return number;
+  }
+
+  private Optional<String> given(Option option) throws UsageException {
+    return value(option)
+        .or(() -> Optional.of(option.standard()).filter(standard -> !standard.isEmpty()));
+  }
+
+  private static <A extends OptionArgument> A argument(Option option, Class<A> type) {
+    if (!type.isInstance(option.argument())) {
+      throw new IllegalArgumentException(
+          option.name() + " has " + option.argument() + ", expected " + type.getSimpleName());
+    }
+    return type.cast(option.argument());
+  }
+
+  /** The number that a text is; empty if it is none. */
+  static OptionalDouble parsed(String text) {
+    try {
+      return OptionalDouble.of(Double.parseDouble(text));
+    } catch (NumberFormatException e) {
+      return OptionalDouble.empty();
+    }
+  }
+
+  private static UsageException wrong(Option option, String text, String legal) {
+    return new UsageException(option.name() + " is " + text + ", must be " + legal);
   }
 
   /** All values of an option that may be repeated, in their order. */

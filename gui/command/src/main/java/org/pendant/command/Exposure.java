@@ -1,6 +1,6 @@
 package org.pendant.command;
 
-import java.util.Optional;
+import java.util.OptionalDouble;
 import org.pendant.command.service.PictureRenderer;
 import org.pendant.controller.state.ControllerState;
 
@@ -9,7 +9,7 @@ final class Exposure implements FrameWatcher {
   /** Frames are 2 ms apart; times are sums of that. */
   private static final double TOLERANCE_S = 1e-6;
 
-  private final Optional<Double> atS;
+  private final OptionalDouble atS;
   private final PictureRenderer renderer;
   private ControllerState kept;
 
@@ -18,7 +18,7 @@ final class Exposure implements FrameWatcher {
    * @param atS robot time of the picture, s; without one the last frame is kept
    * @param renderer draws the trace of the tool centre point
    */
-  Exposure(ControllerState first, Optional<Double> atS, PictureRenderer renderer) {
+  Exposure(ControllerState first, OptionalDouble atS, PictureRenderer renderer) {
     this.atS = atS;
     this.renderer = renderer;
     kept = first;
@@ -27,7 +27,7 @@ final class Exposure implements FrameWatcher {
 
   @Override
   public void see(ControllerState state) {
-    if (atS.isEmpty() || state.timeS() <= atS.get() + TOLERANCE_S) {
+    if (atS.isEmpty() || state.timeS() <= atS.getAsDouble() + TOLERANCE_S) {
       kept = state;
       renderer.trace(state.arm(), state.timeS());
     }
@@ -35,7 +35,7 @@ final class Exposure implements FrameWatcher {
 
   @Override
   public boolean enough() {
-    return atS.isPresent() && kept.timeS() >= atS.get() - TOLERANCE_S;
+    return atS.isPresent() && kept.timeS() >= atS.getAsDouble() - TOLERANCE_S;
   }
 
   /** Whether a picture was wanted of a time that was never reached. */

@@ -8,7 +8,7 @@ import org.pendant.language.signature.Catalogue;
 /** {@code pendant functions [NAME]}: the function reference in the terminal. */
 final class FunctionsCommand implements Subcommand {
   private static final Option MARKDOWN =
-      new Option("--markdown", "", "print the whole reference as docs/functions.md has it");
+      Option.flag("--markdown", "print the whole reference as docs/functions.md has it");
 
   private final Supplier<? extends Catalogue> catalogue;
 

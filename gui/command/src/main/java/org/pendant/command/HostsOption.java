@@ -5,16 +5,21 @@ import org.pendant.protocols.egress.AllowedHosts;
 /** {@code --allow-hosts}: how far programs may reach. */
 final class HostsOption {
   static final Option OPTION =
-      new Option(
-          "--allow-hosts",
-          "any|none|HOST,...",
-          "computers that programs may connect to, default any; names, addresses, networks");
+      Option.text(
+              "--allow-hosts",
+              "any|none|HOST,...",
+              "names, addresses and networks that programs may connect to")
+          .standing("any")
+          .documented(
+              "any",
+              "which computers programs may connect to: `any` (default), `none`, or names,"
+                  + " addresses and networks with commas between, see [outside.md](outside.md)");
 
   private HostsOption() {}
 
   static AllowedHosts of(Arguments arguments) throws UsageException {
     try {
-      return AllowedHosts.parse(arguments.value(OPTION).orElse("any"));
+      return AllowedHosts.parse(arguments.text(OPTION));
     } catch (IllegalArgumentException e) {
       throw new UsageException(OPTION.name() + ": " + e.getMessage());
     }

@@ -21,7 +21,12 @@ import org.pendant.project.installation.file.LoadedInstallation;
 /** {@code --installation FILE}: how the robot is set up. */
 final class InstallationOption {
   static final Option OPTION =
-      Option.input("--installation", "FILE", "how the robot is set up: TCPs, signals, safety, ...");
+      Option.input("--installation", "FILE", "how the robot is set up: TCPs, signals, safety, ...")
+          .documented(
+              "cell.pinst",
+              "how the robot is set up: TCPs, payloads, mounting, signals, safety, see"
+                  + " [installations.md](installations.md). Default for a program tree: the file"
+                  + " that it names, beside it");
 
   private InstallationOption() {}
 

@@ -11,10 +11,15 @@ import org.pendant.controller.ControllerOptions;
 /** {@code --memory}: what the values of a program may take. */
 final class MemoryOption {
   static final Option OPTION =
-      new Option(
-          "--memory",
-          "SIZE",
-          "what a program's values may take, default 256MB, a third of Java's memory at most");
+      Option.text(
+              "--memory",
+              "SIZE",
+              "what a program's values may take, default 256MB, a third of Java's memory at most")
+          .documented(
+              "256MB",
+              "what the values of a program may take together, in kB, MB or GB: 256 MB (default),"
+                  + " or a third of Java's memory where that is less; at most that third. A program"
+                  + " that needs more fails");
 
   private static final Pattern SIZE =
       Pattern.compile("(\\d{1,12}(?:\\.\\d{1,6})?)\\s?(kb|mb|gb)", Pattern.CASE_INSENSITIVE);

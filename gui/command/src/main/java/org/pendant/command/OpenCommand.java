@@ -14,7 +14,10 @@ import org.pendant.controller.installation.Installation;
 /** {@code pendant open FILE...}: opens the desktop with programs. */
 final class OpenCommand implements Subcommand {
   private static final Option PORTS =
-      new Option("--ports", "", "let others reach the controller by the ports of the real one");
+      Option.flag("--ports", "let others reach the controller by the ports of the real one")
+          .documented(
+              "open the ports of a control box with the window, see [desktop.md](desktop.md#ports)."
+                  + " A port that cannot be had is told in the window");
 
   private static final List<Option> OPTIONS =
       Stream.concat(Stream.of(InstallationOption.OPTION, PORTS), PortOptions.ALL.stream()).toList();

@@ -1,14 +1,29 @@
 package org.pendant.command;
 
+import java.util.List;
+
 /**
- * One option of a subcommand.
+ * Option of a subcommand, declared once: parsing, messages, the usage text, the completion of
+ * shells and the tables of docs/command-line.md are made from it.
  *
  * @param name with its two dashes, e.g. {@code --speed}
- * @param value what follows it, as the usage text calls it; empty for a switch
- * @param description one line for the usage text
+ * @param argument what may follow it
+ * @param summary one line for the usage text, without the value that it has at first
+ * @param standard the argument when the option is not given; empty where there is none
+ * @param repeatable whether it may be given several times
  * @param role what the command does with the file that the value names
+ * @param example an argument for the documentation
+ * @param details what the documentation says of it, in Markdown; empty for the summary
  */
-record Option(String name, String value, String description, Role role) {
+record Option(
+    String name,
+    OptionArgument argument,
+    String summary,
+    String standard,
+    boolean repeatable,
+    Role role,
+    String example,
+    String details) {
   /** What a command does with the file that a value names. */
   enum Role {
     /** There is none. */
@@ -19,28 +34,81 @@ record Option(String name, String value, String description, Role role) {
     WRITTEN
   }
 
-  /** One that names no file. */
-  Option(String name, String value, String description) {
-    this(name, value, description, Role.NO_FILE);
+  /** An option that may be given once and names no file. */
+  static Option of(String name, OptionArgument argument, String summary) {
+    String example = argument.placeholder();
+    return new Option(name, argument, summary, "", false, Role.NO_FILE, example, "");
   }
 
-  /** One that names a file to be read. */
-  static Option input(String name, String value, String description) {
-    return new Option(name, value, description, Role.READ);
+  /** An option that nothing follows. */
+  static Option flag(String name, String summary) {
+    return of(name, new OptionArgument.None(), summary);
   }
 
-  /** One that names a file to be written. */
-  static Option output(String name, String value, String description) {
-    return new Option(name, value, description, Role.WRITTEN);
+  /** An option that any text follows. */
+  static Option text(String name, String placeholder, String summary) {
+    return of(name, new OptionArgument.Text(placeholder), summary);
+  }
+
+  /** An option that names a file to be read. */
+  static Option input(String name, String placeholder, String summary) {
+    return text(name, placeholder, summary).in(Role.READ);
+  }
+
+  /** An option that names a file to be written. */
+  static Option output(String name, String placeholder, String summary) {
+    return text(name, placeholder, summary).in(Role.WRITTEN);
+  }
+
+  private Option in(Role other) {
+    return new Option(name, argument, summary, standard, repeatable, other, example, details);
+  }
+
+  /** The same with a value that counts when it is not given. */
+  Option standing(String value) {
+    return new Option(name, argument, summary, value, repeatable, role, example, details);
+  }
+
+  /** The same, which may be given several times. */
+  Option repeated() {
+    return new Option(name, argument, summary, standard, true, role, example, details);
+  }
+
+  /** The same with what the documentation says of it, and an example of what follows it. */
+  Option documented(String sample, String markdown) {
+    return new Option(name, argument, summary, standard, repeatable, role, sample, markdown);
+  }
+
+  /** The same with what the documentation says of it. */
+  Option documented(String markdown) {
+    return documented(example, markdown);
+  }
+
+  /** What follows the name, as the usage text calls it; empty for nothing. */
+  String value() {
+    return argument.placeholder();
   }
 
   /** Whether a value follows the name. */
   boolean takesValue() {
-    return !value.isEmpty();
+    return !value().isEmpty();
   }
 
   /** The option as the usage text shows it, e.g. {@code --speed max|1|N}. */
   String usage() {
-    return takesValue() ? name + " " + value : name;
+    return takesValue() ? name + " " + value() : name;
+  }
+
+  /** The line of the usage text about it. */
+  String description() {
+    return summary
+        + (standard.isEmpty() ? "" : ", default " + standard)
+        + (repeatable ? "; repeatable" : "");
+  }
+
+  /** A row of the documentation's table. */
+  List<String> row() {
+    String shown = takesValue() ? name + " " + example : name;
+    return List.of("`" + shown + "`", details.isEmpty() ? description() : details);
   }
 }

@@ -19,7 +19,8 @@ import org.pendant.controller.disk.WritePlace;
  */
 record OutputFile(String name, Path path, boolean force) {
   static final Option FORCE =
-      new Option("--force", "", "replace the file to be written, if there is one already");
+      Option.flag("--force", "replace the file to be written, if there is one already")
+          .documented("replace the file of `--record`, `--out` or `TO`, if there is one already");
 
   /**
    * The file that an option names.

@@ -13,7 +13,7 @@ import org.pendant.project.program.file.TreeFile;
  * (docs/command-line.md).
  */
 public final class Pendant {
-  private static final Option VERSION = new Option("--version", "", "print the version");
+  private static final Option VERSION = Option.flag("--version", "print the version");
 
   private final Console console;
   private final DesktopServices services;
@@ -35,7 +35,8 @@ public final class Pendant {
             new RenderCommand(services),
             new ServeCommand(),
             new FunctionsCommand(StandardBuiltins::create),
-            new RobotsCommand());
+            new RobotsCommand(),
+            new CompletionCommand(this::subcommands));
   }
 
   /** Runs the command line {@code words} and ends the process. */

@@ -8,7 +8,6 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.command.service.PortWishes;
 import org.pendant.protocols.modbus.ModbusServer;
@@ -20,14 +19,40 @@ final class PortOptions {
   /** Where Modbus servers listen everywhere. */
   static final int MODBUS = ModbusServer.STANDARD_PORT;
 
-  static final Option HOST = new Option("--host", "ADDRESS", "where to listen, default 127.0.0.1");
-  static final Option OFFSET = new Option("--port-offset", "N", "add N to every port, default 0");
+  private static final OptionArgument PORT = new OptionArgument.Whole("P", 1, PortWishes.MAX_PORT);
+
+  static final Option HOST =
+      Option.text("--host", "ADDRESS", "where to listen")
+          .standing(PortWishes.STANDARD_HOST)
+          .documented(
+              "127.0.0.1",
+              "where to listen. Whoever reaches another address than a loopback one can move the"
+                  + " robot, as there are no passwords; a warning says so");
+  static final Option OFFSET =
+      Option.of(
+              "--port-offset",
+              new OptionArgument.Whole("N", 0, PortWishes.MAX_OFFSET),
+              "add N to every port")
+          .standing("0")
+          .documented("N", "is added to every port, 0 (default) to 11214");
   static final Option MODBUS_PORT =
-      new Option("--modbus-port", "P", "port of Modbus, default 502, or 1502 without the right");
+      Option.of("--modbus-port", PORT, "port of Modbus, default 502, or 1502 without the right")
+          .documented(
+              "P",
+              "port of Modbus. Default 502 and the offset; where the system does not allow that,"
+                  + " 1000 more, which is said");
   static final Option ROBOT_API =
-      new Option("--robot-api", "P", "open the Robot API of PolyScope X at this port");
+      Option.of("--robot-api", PORT, "open the Robot API of PolyScope X at this port")
+          .documented(
+              "P",
+              "open the [Robot API](protocols/robot-api.md) of PolyScope X at this port; the offset"
+                  + " does not count. Without it there is none");
   static final Option PROGRAMS =
-      new Option("--programs", "DIR", "folder of the programs, default the present one");
+      Option.text("--programs", "DIR", "folder of the programs, default the present one")
+          .documented(
+              "DIR",
+              "the folder of the programs, default the present one: what `load` loads, and what"
+                  + " programs may read");
 
   /** All of them, for the usage text. */
   static final List<Option> ALL = List.of(HOST, OFFSET, MODBUS_PORT, PROGRAMS);
@@ -37,9 +62,9 @@ final class PortOptions {
   /** Where the servers listen; Modbus and the Robot API apart only when that was chosen. */
   static PortNumbers numbers(Arguments arguments) throws UsageException {
     PortNumbers numbers = new PortNumbers(host(arguments), offset(arguments), false);
-    OptionalInt modbus = number(arguments, MODBUS_PORT, 1, PortWishes.MAX_PORT);
+    OptionalInt modbus = arguments.whole(MODBUS_PORT);
     PortNumbers known = modbus.isPresent() ? numbers.with(MODBUS, modbus.getAsInt()) : numbers;
-    OptionalInt api = number(arguments, ROBOT_API, 1, PortWishes.MAX_PORT);
+    OptionalInt api = arguments.whole(ROBOT_API);
     return api.isPresent() ? known.with(RobotApiServer.STANDARD_PORT, api.getAsInt()) : known;
   }
 
@@ -48,7 +73,7 @@ final class PortOptions {
     return new PortWishes(
         host(arguments).getHostAddress(),
         offset(arguments),
-        number(arguments, MODBUS_PORT, 1, PortWishes.MAX_PORT),
+        arguments.whole(MODBUS_PORT),
         programs(arguments),
         true);
   }
@@ -72,7 +97,7 @@ final class PortOptions {
   }
 
   private static InetAddress host(Arguments arguments) throws UsageException {
-    String name = arguments.value(HOST).orElse(PortWishes.STANDARD_HOST);
+    String name = arguments.text(HOST);
     if (name.isBlank()) {
       // for Java that would be the loopback address
       throw new UsageException("--host is empty, must be an address of this machine");
@@ -104,21 +129,6 @@ final class PortOptions {
   }
 
   private static int offset(Arguments arguments) throws UsageException {
-    return number(arguments, OFFSET, 0, PortWishes.MAX_OFFSET).orElse(0);
-  }
-
-  /** A whole number from {@code least} to {@code most}; empty when it is not given. */
-  static OptionalInt number(Arguments arguments, Option option, int least, int most)
-      throws UsageException {
-    Optional<String> text = arguments.value(option);
-    if (text.isEmpty()) {
-      return OptionalInt.empty();
-    }
-    OptionalInt number = PortWishes.number(text.get(), least, most);
-    if (number.isEmpty()) {
-      throw new UsageException(
-          option.name() + " is " + text.get() + ", must be a number from " + least + " to " + most);
-    }
-    return number;
+    return arguments.whole(OFFSET).orElseThrow();
   }
 }

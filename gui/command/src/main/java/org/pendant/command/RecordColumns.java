@@ -16,8 +16,12 @@ import org.pendant.script.vm.Program;
  */
 record RecordColumns(List<VariablePath> variables) {
   static final Option OPTION =
-      new Option(
-          "--column", "var:NAME", "also record a variable, e.g. var:count, var:p[2]; repeatable");
+      Option.text("--column", "var:NAME", "also record a variable, e.g. var:count, var:p[2]")
+          .repeated()
+          .documented(
+              "var:count",
+              "a column more in the record: a script variable, or an element or member of one such"
+                  + " as `var:p[2]` or `var:part.size`; may be repeated");
 
   private static final String PREFIX = "var:";
   private static final String OWNER = "record";

@@ -2,6 +2,7 @@ package org.pendant.command;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -22,19 +23,41 @@ import org.pendant.controller.installation.Installation;
 record RenderOptions(
     RunOptions run,
     OutputFile out,
-    Optional<Double> atS,
+    OptionalDouble atS,
     int widthPx,
     int heightPx,
     StandardView view,
     boolean dark) {
-  private static final Option OUT = Option.output("--out", "FILE.png", "the picture to write");
+  private static final Option OUT =
+      Option.output("--out", "FILE.png", "the picture to write")
+          .documented(
+              "shot.png",
+              "the file to write; must be given; [never what the run"
+                  + " reads](#files-that-are-written)");
   private static final Option AT =
-      new Option("--at", "S", "robot time of the picture, default the program's end");
+      Option.of(
+              "--at",
+              new OptionArgument.Real("S", 0, Double.MAX_VALUE, false, "seconds"),
+              "robot time of the picture, default the program's end")
+          .documented(
+              "S",
+              "robot time of the picture; the program is stopped there. Default: the end of the"
+                  + " program. If it ends before, its end is drawn, with a note");
   private static final Option SIZE =
-      new Option("--size", "WxH", "pixels, default 1280x800, at most 4096x4096");
+      Option.text("--size", "WxH", "pixels, at most 4096x4096")
+          .standing("1280x800")
+          .documented("1280x800", "pixels; each side 16 to 4096");
   private static final Option VIEW =
-      new Option("--view", String.join("|", StandardView.words()), "from where, default iso");
-  private static final Option THEME = new Option("--theme", "light|dark", "default light");
+      Option.of("--view", new OptionArgument.Choice(StandardView.words()), "from where")
+          .standing("iso")
+          .documented(
+              "iso",
+              "`iso`, `front` (against y, x to the right), `back`, `left` (along x), `right`, `top`"
+                  + " (x to the right, y up); always so that all of the arm and its way is seen");
+  private static final Option THEME =
+      Option.of("--theme", new OptionArgument.Choice("light", "dark"), "colours")
+          .standing("light")
+          .documented("light", "`light` or `dark`");
 
   private static final Pattern WIDTH_AND_HEIGHT = Pattern.compile("(\\d{1,5})x(\\d{1,5})");
   private static final int MIN_PX = 16;
@@ -57,15 +80,15 @@ record RenderOptions(
       Arguments arguments, Optional<Installation> ofProgram, Optional<String> armOfProgram)
       throws UsageException {
     RunOptions run = RunOptions.of(arguments, ofProgram, armOfProgram);
-    Matcher size = size(arguments.value(SIZE).orElse("1280x800"));
+    Matcher size = size(arguments.text(SIZE));
     return new RenderOptions(
         run,
         out(arguments),
-        atS(arguments),
+        arguments.number(AT),
         Integer.parseInt(size.group(1)),
         Integer.parseInt(size.group(2)),
-        view(arguments.value(VIEW).orElse("iso")),
-        dark(arguments.value(THEME).orElse("light")));
+        arguments.word(VIEW).flatMap(StandardView::named).orElseThrow(),
+        arguments.word(THEME).orElseThrow().equals("dark"));
   }
 
   private static OutputFile out(Arguments arguments) throws UsageException {
@@ -74,18 +97,6 @@ record RenderOptions(
       throw new UsageException("no picture named, expected " + OUT.usage());
     }
     return out.get();
-  }
-
-  private static Optional<Double> atS(Arguments arguments) throws UsageException {
-    Optional<String> text = arguments.value(AT);
-    if (text.isEmpty()) {
-      return Optional.empty();
-    }
-    double seconds = RunOptions.number(text.get(), AT.name(), "a number of seconds");
-    if (!(seconds >= 0) || Double.isInfinite(seconds)) {
-      throw new UsageException("--at is " + text.get() + ", must be at least 0 seconds");
-    }
-    return Optional.of(seconds);
   }
 
   private static Matcher size(String text) throws UsageException {
@@ -105,22 +116,5 @@ record RenderOptions(
   private static boolean allowed(String pixels) {
     int number = Integer.parseInt(pixels);
     return number >= MIN_PX && number <= MAX_PX;
-  }
-
-  private static StandardView view(String word) throws UsageException {
-    Optional<StandardView> view = StandardView.named(word);
-    if (view.isEmpty()) {
-      throw new UsageException(
-          "--view is " + word + ", must be one of " + String.join(", ", StandardView.words()));
-    }
-    return view.get();
-  }
-
-  private static boolean dark(String theme) throws UsageException {
-    return switch (theme) {
-      case "light" -> false;
-      case "dark" -> true;
-      default -> throw new UsageException("--theme is " + theme + ", must be light or dark");
-    };
   }
 }

@@ -5,7 +5,7 @@ import java.util.List;
 /** {@code pendant robots [NAME]}: the arms there are, and what is known of one. */
 final class RobotsCommand implements Subcommand {
   private static final Option MARKDOWN =
-      new Option("--markdown", "", "print the page that docs/robots.md has");
+      Option.flag("--markdown", "print the page that docs/robots.md has");
 
   @Override
   public String name() {

@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.pendant.controller.Clock;
 import org.pendant.controller.ControllerOptions;
@@ -21,6 +22,7 @@ import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.PreparedAnswer;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.language.source.ByteText;
+import org.pendant.models.arm.ArmLibrary;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.externalcontrol.Drivers;
 
@@ -42,35 +44,73 @@ record RunOptions(
     Drivers drivers,
     Optional<Double> speedFactor,
     Optional<String> record,
-    Optional<Double> timeoutS,
-    Optional<Double> wallTimeoutS,
+    OptionalDouble timeoutS,
+    OptionalDouble wallTimeoutS,
     Optional<String> toolDevice) {
 
+  /** A time after which something is stopped. */
+  static final OptionArgument.Real SECONDS =
+      new OptionArgument.Real("S", 0, Double.POSITIVE_INFINITY, true, "seconds");
+
   private static final Option ROBOT =
-      new Option("--robot", "NAME", "the arm, default ur5e; pendant robots lists them");
+      Option.of(
+              "--robot",
+              new OptionArgument.Text("NAME", ArmLibrary.ids()),
+              "the arm, default ur5e; pendant robots lists them")
+          .documented(
+              "ur5e",
+              "which arm, by id or name (`ur8long`, `\"UR8 Long\"`), in capitals or not; default"
+                  + " the one that a `.urp` was made on, else `ur5e`. [robots.md](robots.md) has"
+                  + " them all");
   private static final Option SPEED =
-      new Option("--speed", "max|1|N", "as fast as possible, real time, or N times that");
+      Option.of(
+              "--speed",
+              new OptionArgument.Text("max|1|N", List.of("max", "1")),
+              "as fast as possible, real time, or N times that")
+          .standing("max")
+          .documented(
+              "max",
+              "how fast time goes: `max` (default) as fast as possible, `1` like the wall clock,"
+                  + " `N` N times as fast");
   private static final Option INPUT =
-      new Option(
-          "--input",
-          "NAME=LEVEL",
-          "an input, e.g. digital_in[0]=true, analog_in[0]=5V; repeatable");
+      Option.text("--input", "NAME=LEVEL", "an input, e.g. digital_in[0]=true, analog_in[0]=5V")
+          .repeated()
+          .documented(
+              "\"digital_in[0]=true\"",
+              "what an input has from the start; may be repeated, see [below](#inputs)");
   private static final Option ENCODER =
-      new Option(
-          "--encoder", "N=RATE", "a belt turns encoder 0 or 1, RATE ticks a second; repeatable");
+      Option.text("--encoder", "N=RATE", "a belt turns encoder 0 or 1, RATE ticks a second")
+          .repeated()
+          .documented(
+              "0=RATE",
+              "a belt turns encoder 0 or 1 from the start, RATE ticks a second (-1000000 to"
+                  + " 1000000); may be repeated, see [conveyors.md](conveyors.md)");
   private static final Option ANSWER =
-      new Option(
-          "--answer",
-          "TEXT=VALUE",
-          "answer to the question TEXT, without TEXT to whichever is next; repeatable");
+      Option.text(
+              "--answer",
+              "TEXT=VALUE",
+              "answer to the question TEXT, without TEXT to whichever is next")
+          .repeated()
+          .documented(
+              "\"text=value\"",
+              "the answer to a question that the program asks, see below; may be repeated");
   static final Option RECORD =
       Option.output(
-          "--record",
-          "FILE",
-          "write what happens: FILE.csv a table, FILE.rec a recording of it all");
+              "--record",
+              "FILE",
+              "write what happens: FILE.csv a table, FILE.rec a recording of it all")
+          .documented(
+              "out.csv",
+              "write what the arm did, a row each frame; a name that ends in `.rec` makes a"
+                  + " [recording](recording.md) of everything instead; with one file only; [never"
+                  + " onto what the run reads](#files-that-are-written)");
   private static final Option TIMEOUT =
-      new Option("--timeout", "S", "stop after S seconds of robot time");
-  private static final Option SEED = new Option("--seed", "N", "start of random(), default 0");
+      Option.of("--timeout", SECONDS, "stop after S seconds of robot time")
+          .documented("S", "stop after S seconds of robot time");
+  private static final Option SEED =
+      Option.text("--seed", "N", "start of random()")
+          .standing("0")
+          .documented("N", "start of `random()` and of the encoders' noise; default 0");
 
   private static final List<String> SAFETY_INPUTS =
       Arrays.stream(SafetyInput.values()).map(SafetyInput::word).toList();
@@ -157,8 +197,8 @@ record RunOptions(
         ControlOption.of(arguments),
         speedFactor,
         arguments.value(RECORD),
-        seconds(arguments, TIMEOUT),
-        seconds(arguments, WallLimit.OPTION),
+        arguments.number(TIMEOUT),
+        arguments.number(WallLimit.OPTION),
         ToolSerialOption.of(arguments));
   }
 
@@ -204,7 +244,7 @@ record RunOptions(
   }
 
   private static long seed(Arguments arguments) throws UsageException {
-    String text = arguments.value(SEED).orElse("0");
+    String text = arguments.text(SEED);
     try {
       return Long.parseLong(text);
     } catch (NumberFormatException e) {
@@ -213,36 +253,16 @@ record RunOptions(
   }
 
   private static Optional<Double> speedFactor(Arguments arguments) throws UsageException {
-    String text = arguments.value(SPEED).orElse("max");
+    String text = arguments.text(SPEED);
     if (text.equals("max")) {
       return Optional.empty();
     }
-    double factor = number(text, "--speed", "max or a number above 0, at most 1000");
-    if (!(factor > 0 && factor <= 1000)) {
-      throw new UsageException("--speed is " + text + ", must be above 0 and at most 1000");
+    OptionalDouble factor = Arguments.parsed(text);
+    if (!(factor.orElse(0) > 0 && factor.orElse(0) <= 1000)) {
+      throw new UsageException(
+          "--speed is " + text + ", must be max or a number above 0, at most 1000");
     }
-    return Optional.of(factor);
-  }
-
-  private static Optional<Double> seconds(Arguments arguments, Option option)
-      throws UsageException {
-    Optional<String> text = arguments.value(option);
-    if (text.isEmpty()) {
-      return Optional.empty();
-    }
-    double seconds = number(text.get(), option.name(), "a number of seconds above 0");
-    if (!(seconds > 0)) {
-      throw new UsageException(option.name() + " is " + text.get() + ", must be above 0 seconds");
-    }
-    return Optional.of(seconds);
-  }
-
-  static double number(String text, String option, String expected) throws UsageException {
-    try {
-      return Double.parseDouble(text);
-    } catch (NumberFormatException e) {
-      throw new UsageException(option + " is " + text + ", must be " + expected);
-    }
+    return Optional.of(factor.getAsDouble());
   }
 
   private static Map<String, Boolean> safetyInputs(Arguments arguments) throws UsageException {
@@ -295,7 +315,7 @@ record RunOptions(
             "--encoder " + text + ": encoder is " + index + ", must be 0 or 1");
       }
       String rate = text.substring(equals + 1);
-      double ticksPerS = number(rate, "--encoder " + index, "a number of ticks a second");
+      double ticksPerS = Arguments.parsed(rate).orElse(Double.NaN);
       if (!(Math.abs(ticksPerS) <= Encoder.MAX_TICKS_PER_S)) {
         throw new UsageException(
             "--encoder " + index + " is " + rate + ", must be -1000000 to 1000000 ticks a second");

@@ -7,6 +7,7 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.pendant.command.service.StateFolder;
 import org.pendant.controller.ControllerOptions;
@@ -41,21 +42,49 @@ record ServeOptions(
   private static final int MAX_ROBOTS = 100;
 
   private static final Option ROBOTS =
-      new Option(
-          "--robots", "N", "serve N robots, at the address of --host and those that follow it");
+      Option.of(
+              "--robots",
+              new OptionArgument.Whole("N", 1, MAX_ROBOTS),
+              "serve N robots, at the address of --host and those that follow it")
+          .standing("1")
+          .documented(
+              "N",
+              "N robots in this process, 1 (default) to 100: the first at the address of `--host`,"
+                  + " the others at those that follow it, such as 127.0.0.1 to 127.0.0.20, each"
+                  + " with all its ports at their usual numbers. They share the programs folder and"
+                  + " the options; each has its own state, program and folder for log files");
 
   private static final Option LOGS =
-      new Option("--logs", "DIR", "folder for log files and reports");
+      Option.text("--logs", "DIR", "folder for log files and reports")
+          .documented(
+              "DIR",
+              "the folder for log files and reports, default `pendant/serve/ADDRESS-OFFSET` in"
+                  + " `$XDG_STATE_HOME` or `~/.local/state`");
   private static final Option READY =
-      new Option("--ready", "", "begin with the arm running and in remote control");
+      Option.flag("--ready", "begin with the arm running and in remote control")
+          .documented(
+              "begin with the arm powered, its brakes released, and in remote control. Without it"
+                  + " the arm is off at first, as a real one");
   private static final Option REMOTE =
-      new Option(
-          "--remote-control",
-          "enabled|disabled",
-          "whether there is local and remote control, default disabled, with --ready enabled");
+      Option.of(
+              "--remote-control",
+              new OptionArgument.Choice("enabled", "disabled"),
+              "whether there is local and remote control, default disabled, with --ready enabled")
+          .documented(
+              "enabled",
+              "whether there is the feature of local and remote control: `disabled` (default) lets"
+                  + " everybody control the robot, and the box says that it is not in remote"
+                  + " control; `enabled` begins in local control, in which clients may only ask;"
+                  + " with `--ready` it is enabled, and remote");
   private static final Option POWER_TIME =
-      new Option(
-          "--power-time", "S", "seconds from switching on until the arm can move, default 2.6");
+      Option.of(
+              "--power-time",
+              new OptionArgument.Real("S", 0, 60, false, "seconds"),
+              "seconds from switching on until the arm can move, default 2.6")
+          .documented(
+              "S",
+              "how long it takes from an arm that is off to one that can move, 0 to 60 s, default"
+                  + " 2.6; the other changes of power in proportion");
 
   /** For the usage text. */
   static final List<Option> ALL =
@@ -78,7 +107,7 @@ record ServeOptions(
   /** Those of each robot. */
   static List<ServeOptions> of(Arguments arguments) throws UsageException {
     PortNumbers first = PortOptions.numbers(arguments);
-    int count = PortOptions.number(arguments, ROBOTS, 1, MAX_ROBOTS).orElse(1);
+    int count = arguments.whole(ROBOTS).orElseThrow();
     if (count == 1) {
       return List.of(of(arguments, first, logs(arguments, first)));
     }
@@ -149,28 +178,11 @@ record ServeOptions(
   }
 
   private static PowerTimes powerTimes(Arguments arguments) throws UsageException {
-    Optional<String> text = arguments.value(POWER_TIME);
-    if (text.isEmpty()) {
-      return PowerTimes.REAL;
-    }
-    double totalS = RunOptions.number(text.get(), POWER_TIME.name(), "0 to 60 seconds");
-    if (!(totalS >= 0 && totalS <= 60)) {
-      throw new UsageException("--power-time is " + text.get() + ", must be 0 to 60 seconds");
-    }
-    return PowerTimes.ofTotal(totalS);
+    OptionalDouble totalS = arguments.number(POWER_TIME);
+    return totalS.isPresent() ? PowerTimes.ofTotal(totalS.getAsDouble()) : PowerTimes.REAL;
   }
 
   private static boolean remoteEnabled(Arguments arguments, boolean ready) throws UsageException {
-    Optional<String> word = arguments.value(REMOTE);
-    if (word.isEmpty()) {
-      return ready;
-    }
-    return switch (word.get()) {
-      case "enabled" -> true;
-      case "disabled" -> false;
-      default ->
-          throw new UsageException(
-              "--remote-control is " + word.get() + ", must be enabled or disabled");
-    };
+    return arguments.word(REMOTE).map(word -> word.equals("enabled")).orElse(ready);
   }
 }

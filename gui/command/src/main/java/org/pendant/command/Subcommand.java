@@ -6,7 +6,7 @@ import java.util.List;
 interface Subcommand {
 
   /** Every subcommand understands this. */
-  Option HELP = new Option("--help", "", "show this text");
+  Option HELP = Option.flag("--help", "show this text");
 
   /** The word that chooses it. */
   String name();

@@ -18,27 +18,51 @@ import org.pendant.models.arm.ArmLibrary;
 
 /** The options that say which arm simulation is used, what is around it and what limits it. */
 final class Surroundings {
+  private static final double MAX_NOISE_RAD = 0.01;
+
   private static final Option SCENE =
-      Option.input("--scene", "FILE.json", "what the arm can touch and carries");
+      Option.input("--scene", "FILE.json", "what the arm can touch and carries")
+          .documented(
+              "scene.json",
+              "what the arm can touch and what truly hangs on its flange, see"
+                  + " [scene.md](scene.md)");
   private static final Option SAFETY =
-      Option.input(
-          "--safety", "FILE.json", "safety limits and planes instead of the standard ones");
+      Option.input("--safety", "FILE.json", "safety limits and planes instead of the standard ones")
+          .documented(
+              "safety.json",
+              "safety limits, planes and tool direction in place of the standard ones, see"
+                  + " [safety.md](safety.md)");
   private static final Option ARM =
-      new Option("--arm", "dynamic|ideal", "with masses and drives, or always exactly on target");
+      Option.of(
+              "--arm",
+              new OptionArgument.Choice("dynamic", "ideal"),
+              "with masses and drives, or always exactly on target")
+          .standing("dynamic")
+          .documented(
+              "dynamic",
+              "`dynamic` (default): an arm with masses, friction and drives, see"
+                  + " [simulated-arm.md](simulated-arm.md); `ideal`: one that is always exactly"
+                  + " where it should be, touches nothing and weighs nothing");
   private static final Option NOISE =
-      new Option("--encoder-noise", "RAD", "standard deviation of joint readings, default 0");
+      Option.of(
+              "--encoder-noise",
+              new OptionArgument.Real("RAD", 0, MAX_NOISE_RAD, false, "rad"),
+              "standard deviation of joint readings")
+          .standing("0")
+          .documented(
+              "RAD",
+              "standard deviation of each reading of a joint encoder, 0 (default) to 0.01 rad");
 
   /** For the usage text. */
   static final List<Option> ALL = List.of(SCENE, SAFETY, ARM, NOISE);
-
-  private static final double MAX_NOISE_RAD = 0.01;
 
   private Surroundings() {}
 
   /** {@code options} with what the command line says about the arm's surroundings. */
   static ControllerOptions in(ControllerOptions options, Arguments arguments)
       throws UsageException {
-    ControllerOptions chosen = options.withArm(arm(arguments)).withEncoderNoise(noise(arguments));
+    ControllerOptions chosen =
+        options.withArm(arm(arguments)).withEncoderNoise(arguments.number(NOISE).orElseThrow());
     Optional<String> scene = arguments.value(SCENE);
     if (scene.isPresent()) {
       chosen = chosen.withScene(scene(scene.get(), arguments.files()));
@@ -51,22 +75,7 @@ final class Surroundings {
   }
 
   private static ArmChoice arm(Arguments arguments) throws UsageException {
-    String word = arguments.value(ARM).orElse("dynamic");
-    return switch (word) {
-      case "dynamic" -> ArmChoice.DYNAMIC;
-      case "ideal" -> ArmChoice.IDEAL;
-      default -> throw new UsageException("--arm is " + word + ", must be dynamic or ideal");
-    };
-  }
-
-  private static double noise(Arguments arguments) throws UsageException {
-    String text = arguments.value(NOISE).orElse("0");
-    double noise = RunOptions.number(text, NOISE.name(), "a number of rad");
-    if (!(noise >= 0 && noise <= MAX_NOISE_RAD)) {
-      throw new UsageException(
-          "--encoder-noise is " + text + ", must be 0 to " + MAX_NOISE_RAD + " rad");
-    }
-    return noise;
+    return arguments.word(ARM).orElseThrow().equals("ideal") ? ArmChoice.IDEAL : ArmChoice.DYNAMIC;
   }
 
   private static Scene scene(String name, SourceFiles files) throws UsageException {

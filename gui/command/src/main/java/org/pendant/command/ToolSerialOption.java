@@ -6,10 +6,15 @@ import org.pendant.protocols.toolserial.ToolSerialLine;
 /** {@code --tool-serial}: what the serial line of the tool connector leads to. */
 final class ToolSerialOption {
   static final Option OPTION =
-      new Option(
-          "--tool-serial",
-          "DEVICE",
-          "serial device that is the tool's, such as /dev/ttyUSB0; also at port 54321");
+      Option.text(
+              "--tool-serial",
+              "DEVICE",
+              "serial device that is the tool's, such as /dev/ttyUSB0; also at port 54321")
+          .documented(
+              "/dev/ttyUSB0",
+              "the serial device at the tool connector; the run then also listens at port 54321 of"
+                  + " 127.0.0.1, and ends with 69 where it cannot, see"
+                  + " [tool-communication.md](tool-communication.md)");
 
   private ToolSerialOption() {}
 

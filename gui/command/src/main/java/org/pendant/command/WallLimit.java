@@ -1,6 +1,6 @@
 package org.pendant.command;
 
-import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
@@ -10,16 +10,21 @@ import java.util.concurrent.TimeUnit;
  */
 final class WallLimit implements AutoCloseable {
   static final Option OPTION =
-      new Option("--wall-timeout", "S", "stop each program after S seconds on the wall");
+      Option.of(
+              "--wall-timeout", RunOptions.SECONDS, "stop each program after S seconds on the wall")
+          .documented(
+              "S",
+              "stop each program after S seconds on the wall, whatever it does; for CI, which must"
+                  + " not hang");
 
   /** A run that has not ended so long after its limit never will. */
   private static final int PATIENCE_S = 10;
 
   private final CountDownLatch ended = new CountDownLatch(1);
-  private final Optional<Double> limitS;
+  private final OptionalDouble limitS;
   private volatile boolean over;
 
-  private WallLimit(Optional<Double> limitS) {
+  private WallLimit(OptionalDouble limitS) {
     this.limitS = limitS;
   }
 
@@ -29,13 +34,13 @@ final class WallLimit implements AutoCloseable {
    * @param limitS empty for no limit, s
    * @param name of the program, for the message when it has to be cut off
    */
-  static WallLimit begin(Optional<Double> limitS, String name) {
+  static WallLimit begin(OptionalDouble limitS, String name) {
     WallLimit limit = new WallLimit(limitS);
     if (limitS.isPresent()) {
       Thread.ofPlatform()
           .daemon()
           .name("wall limit")
-          .start(() -> limit.watch(Math.round(limitS.get() * 1e9), name));
+          .start(() -> limit.watch(Math.round(limitS.getAsDouble() * 1e9), name));
     }
     return limit;
   }
@@ -62,7 +67,7 @@ final class WallLimit implements AutoCloseable {
   }
 
   /** The limit, s; empty for none. */
-  Optional<Double> limitS() {
+  OptionalDouble limitS() {
     return limitS;
   }
 

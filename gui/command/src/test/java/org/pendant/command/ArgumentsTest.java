@@ -7,12 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 
 final class ArgumentsTest {
-  private static final Option SPEED = new Option("--speed", "N", "how fast");
-  private static final Option INPUT = new Option("--input", "NAME=LEVEL", "a level");
-  private static final Option QUIET = new Option("--quiet", "", "say less");
+  private static final Option SPEED = Option.text("--speed", "N", "how fast");
+  private static final Option INPUT = Option.text("--input", "NAME=LEVEL", "a level").repeated();
+  private static final Option QUIET = Option.flag("--quiet", "say less");
 
   private static Arguments parse(String... words) throws UsageException {
     return Arguments.parse(List.of(SPEED, INPUT, QUIET), List.of(words));
@@ -59,5 +61,34 @@ final class ArgumentsTest {
     assertEquals(
         "--speed is given 2 times, expected once",
         assertThrows(UsageException.class, () -> twice.value(SPEED)).getMessage());
+  }
+
+  @Test
+  void numbersAreReadInTheRangeOfTheirOption() throws UsageException {
+    Option time =
+        Option.of("--time", new OptionArgument.Real("S", 0, 60, false, "seconds"), "how long");
+    Option ports =
+        Option.of("--ports", new OptionArgument.Whole("N", 1, 9), "how many").standing("3");
+    Option side = Option.of("--side", new OptionArgument.Choice("left", "right"), "where");
+    List<Option> options = List.of(time, ports, side);
+    Arguments none = Arguments.parse(options, List.of());
+
+    assertEquals(OptionalDouble.empty(), none.number(time));
+    assertEquals(OptionalInt.of(3), none.whole(ports));
+    assertEquals(Optional.empty(), none.word(side));
+    Arguments right = Arguments.parse(options, List.of("--time=2.5", "--ports=9", "--side=left"));
+    assertEquals(OptionalDouble.of(2.5), right.number(time));
+    assertEquals(OptionalInt.of(9), right.whole(ports));
+    assertEquals(Optional.of("left"), right.word(side));
+    Arguments wrong = Arguments.parse(options, List.of("--time=NaN", "--ports=0", "--side=up"));
+    assertEquals(
+        "--time is NaN, must be 0 to 60 seconds",
+        assertThrows(UsageException.class, () -> wrong.number(time)).getMessage());
+    assertEquals(
+        "--ports is 0, must be a number from 1 to 9",
+        assertThrows(UsageException.class, () -> wrong.whole(ports)).getMessage());
+    assertEquals(
+        "--side is up, must be left or right",
+        assertThrows(UsageException.class, () -> wrong.word(side)).getMessage());
   }
 }

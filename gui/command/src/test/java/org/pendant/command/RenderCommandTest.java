@@ -135,7 +135,7 @@ final class RenderCommandTest {
     String out = picture.toString();
     for (List<String> each :
         List.of(
-            List.of("--at", "soon", "--at is soon, must be a number of seconds"),
+            List.of("--at", "soon", "--at is soon, must be at least 0 seconds"),
             List.of("--at", "-1", "--at is -1, must be at least 0 seconds"),
             List.of(
                 "--view", "up", "--view is up, must be one of iso, front, back, left, right, top"),
