@@ -22,7 +22,7 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.servo.FrictionShare;
 
 /** One frame of the simulated UR5e with a payload: swaying to and fro, held at rest, and free. */

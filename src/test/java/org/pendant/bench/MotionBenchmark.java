@@ -21,7 +21,7 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.MotionTicket;
 import org.pendant.motion.Move;

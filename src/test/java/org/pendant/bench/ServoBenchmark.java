@@ -18,7 +18,7 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.MotionPlan;
 import org.pendant.motion.MotionTicket;

@@ -9,7 +9,7 @@ import org.pendant.controller.freedrive.FreedriveHolder;
 import org.pendant.controller.freedrive.FreedriveMode;
 import org.pendant.controller.freedrive.FreedriveStart;
 import org.pendant.controller.jog.Jogging;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.script.value.Value;
 
 /**

@@ -5,7 +5,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /** A clock whose pace can be changed while it runs. One thread waits, any thread steers. */
 public final class SteerableClock implements Clock {

@@ -3,7 +3,7 @@ package org.pendant.controller;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * The next frame is due at once: as fast as the processor goes. While somebody outside is waited

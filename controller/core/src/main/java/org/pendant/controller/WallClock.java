@@ -3,7 +3,7 @@ package org.pendant.controller;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * A frame every 2 ms of real time, or faster or slower by a factor. A delay is caught up at twice

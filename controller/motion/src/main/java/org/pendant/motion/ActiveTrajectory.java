@@ -3,6 +3,7 @@ package org.pendant.motion;
 import java.util.Optional;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.text.FloatText;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Active trajectory: the motion under way, the time along it, and its time scaling. Motion time is

@@ -2,6 +2,7 @@ package org.pendant.motion;
 
 import java.util.Arrays;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Six numbers of the frame loop, one a joint, that change from frame to frame. Changing them

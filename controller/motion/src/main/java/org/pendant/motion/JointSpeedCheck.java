@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.text.FloatText;
+import org.pendant.models.time.FrameTime;
 
 /** Whether joints can turn as fast as a motion needs, and what to say when they cannot. */
 final class JointSpeedCheck {

@@ -2,6 +2,7 @@ package org.pendant.motion;
 
 import java.util.Arrays;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.time.FrameTime;
 
 /**
  * A carried arm that a safety function holds: all joints slow down in proportion and stay. What has

@@ -1,5 +1,7 @@
 package org.pendant.motion;
 
+import org.pendant.models.time.FrameTime;
+
 /**
  * Time scaling: the rate of a trajectory's own time against the clock. Speed slider, pauses and
  * stops set the rate that is wanted; the scaling follows it in ramps within the limits of the

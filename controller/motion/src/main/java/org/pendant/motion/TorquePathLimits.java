@@ -6,6 +6,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Path limits from the speeds and torques of the joints. At a few points q(s) of the path a rate v

@@ -19,6 +19,7 @@ import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Chains of ten blended moves keep to the accelerations that the moves themselves may use: those of

@@ -16,6 +16,7 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.models.time.FrameTime;
 
 @Tag("slow")
 final class BlendTest {

@@ -14,6 +14,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.models.time.FrameTime;
 
 /**
  * A thousand random chains of ten blended moves of every kind: none is slower than with a stop at

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.time.FrameTime;
 
 /** The target of an arm that is guided by hand. */
 class ControlSourceTest {

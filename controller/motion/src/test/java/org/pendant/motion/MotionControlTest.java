@@ -18,6 +18,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.profile.ProfileLimits;
 
 @Tag("slow")

@@ -11,6 +11,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.time.FrameTime;
 
 /** Chains of moves of a ur5e, run as a program would that says its next moves in time. */
 final class MoveChain {

@@ -13,6 +13,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.models.time.FrameTime;
 
 /** Moves from rest to rest take the time of their closed forms, and lines are straight. */
 final class MoveDurationTest {

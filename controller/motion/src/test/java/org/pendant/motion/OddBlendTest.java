@@ -15,6 +15,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.models.time.FrameTime;
 
 /** Blends that nobody would program on purpose. */
 final class OddBlendTest {

@@ -10,6 +10,7 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.time.FrameTime;
 
 /** Motions that something slows down, halts or ends. */
 final class PathLimitTest {

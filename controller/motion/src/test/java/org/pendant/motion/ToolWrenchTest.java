@@ -14,6 +14,7 @@ import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.time.FrameTime;
 
 /** Limits of what the payload does to the tool hold from the first frame of a chain to the last. */
 @Tag("slow")

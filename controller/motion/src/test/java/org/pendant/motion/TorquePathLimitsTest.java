@@ -14,6 +14,7 @@ import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.time.FrameTime;
 
 final class TorquePathLimitsTest {
   private static final Payload LOAD = new Payload(3, 0.02, 0, 0.08, 0.01, 0.01, 0.01, 0, 0, 0);

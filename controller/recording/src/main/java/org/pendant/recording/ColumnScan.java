@@ -1,7 +1,7 @@
 package org.pendant.recording;
 
 import java.util.Arrays;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /** Follows one number through a recording. */
 final class ColumnScan {

@@ -3,7 +3,7 @@ package org.pendant.recording;
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.models.arm.ArmLibrary;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /** What the file of a recording begins with, and what is in it; docs/recording.md describes it. */
 final class FileFormat {

@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.script.vm.ProgramEvent;
 
 /**

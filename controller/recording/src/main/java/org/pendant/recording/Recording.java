@@ -8,7 +8,7 @@ import java.util.Optional;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.ArmDescription;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * A stretch of what one controller did: of its {@link RecordingRing} at one moment, or of a file.

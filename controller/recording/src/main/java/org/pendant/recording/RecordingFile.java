@@ -18,7 +18,7 @@ import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.kinematics.ForwardKinematics;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Opens {@code .rec} files. All of a file is read and checked once, which takes a while: not for

@@ -12,7 +12,7 @@ import java.util.Optional;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Writes a {@code .rec} file frame by frame, at any length with the same memory. Equal frames make

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Snapshot encoder: turns snapshots into segments of a recording. One thread feeds it; it allocates

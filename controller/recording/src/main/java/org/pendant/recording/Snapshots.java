@@ -24,7 +24,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Wrench;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.MotionFailure;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.variables.TracedVariables;

@@ -2,7 +2,7 @@ package org.pendant.controller.arm;
 
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * The moving masses of the true arm: where the joints are, how fast they turn, and how both change

@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * What the arm takes from its 48 V supply: the electronics of a powered arm, the work of its motors

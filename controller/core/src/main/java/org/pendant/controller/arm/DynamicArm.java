@@ -10,7 +10,7 @@ import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * An arm with masses, friction, drives with limited torque, brakes, and a tool that touches things.

@@ -8,7 +8,7 @@ import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * External forces on the tool: the wrench at the flange and the torques that it causes at the

@@ -2,7 +2,7 @@ package org.pendant.controller.arm;
 
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Temperatures of the joints and of the electronics in the tool flange: each comes nearer to what

@@ -8,7 +8,7 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Servos that follow a target. The torque that the target motion needs by the controller's model is

@@ -3,7 +3,7 @@ package org.pendant.controller.box;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * What the controller believes about its arm: masses, the payload that programs declare, and how

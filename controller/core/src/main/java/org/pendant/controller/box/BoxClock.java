@@ -3,7 +3,7 @@ package org.pendant.controller.box;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Optional;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /** The time of a box: its frames are counted here, and its date follows them or the wall. */
 public final class BoxClock {

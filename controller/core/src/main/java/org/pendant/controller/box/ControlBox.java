@@ -29,7 +29,7 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.pose.Pose;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.TorquePathLimits;
 import org.pendant.motion.force.ContactWatch;

@@ -2,7 +2,7 @@ package org.pendant.controller.box;
 
 import org.pendant.controller.arm.ArmCommand;
 import org.pendant.models.arm.Joints;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.MotionControl;
 
 /**

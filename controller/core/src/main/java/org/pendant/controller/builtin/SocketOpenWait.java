@@ -3,7 +3,7 @@ package org.pendant.controller.builtin;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.external.ExternalSocket;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.script.function.Wait;
 import org.pendant.script.value.Value;
 

@@ -7,7 +7,7 @@ import org.pendant.controller.external.ReceivedBytes;
 import org.pendant.controller.external.SocketRead;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Declaration;

@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;

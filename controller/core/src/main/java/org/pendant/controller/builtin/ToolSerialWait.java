@@ -3,7 +3,7 @@ package org.pendant.controller.builtin;
 import java.util.Optional;
 import org.pendant.controller.box.ToolSerialInterface;
 import org.pendant.controller.external.ToolSerialConnector;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.script.function.Wait;
 import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.Value;

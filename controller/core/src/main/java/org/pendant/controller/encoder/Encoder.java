@@ -2,7 +2,7 @@ package org.pendant.controller.encoder;
 
 import java.util.Optional;
 import org.pendant.controller.io.DigitalIo;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.offset.BeltPosition;
 import org.pendant.script.value.Value;
 

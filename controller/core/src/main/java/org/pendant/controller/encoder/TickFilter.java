@@ -1,6 +1,6 @@
 package org.pendant.controller.encoder;
 
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Follows a count smoothly: between two ticks, and between two readings of an encoder that is read

@@ -11,7 +11,7 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Axis constraint: holds the tool centre point along the axes that are not free in freedrive; the

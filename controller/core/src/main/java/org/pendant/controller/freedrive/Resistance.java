@@ -3,7 +3,7 @@ package org.pendant.controller.freedrive;
 import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.PathLimiter;
 
 /**

@@ -3,7 +3,7 @@ package org.pendant.controller.jog;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.safety.SafetyMode;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.MotionTicket;
 import org.pendant.motion.PlanningException;
 import org.pendant.motion.StopJ;

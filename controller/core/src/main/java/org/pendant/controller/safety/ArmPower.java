@@ -1,6 +1,6 @@
 package org.pendant.controller.safety;
 
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /** Power and brakes: each step towards a running arm takes its time, in frames. */
 final class ArmPower {

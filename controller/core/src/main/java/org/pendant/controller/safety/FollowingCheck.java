@@ -3,7 +3,7 @@ package org.pendant.controller.safety;
 import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Whether the arm stays with its target (C153) and nothing pushes it (C157). The thresholds are not

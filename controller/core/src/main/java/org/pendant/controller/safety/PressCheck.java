@@ -2,7 +2,7 @@ package org.pendant.controller.safety;
 
 import java.util.Optional;
 import org.pendant.models.arm.Joints;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Whether the arm presses on its surroundings or works on them more than a limit allows, for a

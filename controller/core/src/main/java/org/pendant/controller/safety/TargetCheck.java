@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /** Whether the target goes on from where it was (C204). */
 final class TargetCheck {

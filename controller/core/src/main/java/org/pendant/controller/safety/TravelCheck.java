@@ -3,7 +3,7 @@ package org.pendant.controller.safety;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.models.arm.Joints;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Whether the target could still stop before position limits, planes and the largest tilt (C150 to

@@ -2,7 +2,7 @@ package org.pendant.controller.world;
 
 import org.pendant.controller.json.Range;
 import org.pendant.models.arm.Joints;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * A hand that holds the arm at a point of one of its links, and pushes it with a force or pulls it

@@ -22,7 +22,7 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /** The tool goes straight down onto a table that is 20 mm below it. */
 class ContactTest {

@@ -10,7 +10,7 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /** A simulated arm with everything that a test wants to turn. */
 final class Rig {

@@ -1,7 +1,7 @@
 package org.pendant.controller.arm;
 
 import org.pendant.models.arm.Joints;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /** A straight move in joint space whose speed is a trapezoid over time. */
 record Trapezoid(Joints from, Joints to, double acceleration, double speed) {

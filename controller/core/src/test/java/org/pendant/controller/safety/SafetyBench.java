@@ -11,7 +11,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /** A safety system and the arm, target and program that a test makes up for it. */
 final class SafetyBench {

@@ -1,7 +1,7 @@
 package org.pendant.motion.force;
 
 import java.util.Arrays;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * How fast the TCP wants to give way: along a compliant axis as a mass does that is pushed by the

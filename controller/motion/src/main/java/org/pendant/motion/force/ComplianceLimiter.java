@@ -10,7 +10,7 @@ import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.kinematics.Singularity;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.PathLimiter;
 

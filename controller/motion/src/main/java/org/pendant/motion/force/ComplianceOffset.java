@@ -2,7 +2,7 @@ package org.pendant.motion.force;
 
 import java.util.Arrays;
 import org.pendant.models.pose.Rotations;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Compliance offset: displacement and rotation of the TCP from its path by force mode, in the base

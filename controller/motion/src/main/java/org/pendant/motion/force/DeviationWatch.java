@@ -9,7 +9,7 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Rotations;
 import org.pendant.models.pose.Transforms;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Watches that the TCP stays near where it is to be, along and about the axes that do not give way

@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * What pushes the tool at its TCP, and what it will be a moment later if it goes on changing as it

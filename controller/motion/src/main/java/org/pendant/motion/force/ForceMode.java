@@ -9,7 +9,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
 import org.pendant.models.text.FloatText;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.Motion;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.PathLimiter;

@@ -1,6 +1,6 @@
 package org.pendant.motion.offset;
 
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Follows a travel that may be running already or change suddenly: within a limited acceleration

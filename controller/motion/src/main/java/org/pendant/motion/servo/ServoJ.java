@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.pendant.models.arm.JointLimits;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.Motion;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.MotionFailure;

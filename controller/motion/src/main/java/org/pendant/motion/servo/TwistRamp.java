@@ -3,7 +3,7 @@ package org.pendant.motion.servo;
 import java.util.Arrays;
 import org.pendant.models.pose.Rotations;
 import org.pendant.models.pose.Transforms;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.ToolCurve;
 
 /**

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 final class FollowerTest {
   private static final double FRAME_S = FrameTime.FRAME_S;

@@ -9,7 +9,7 @@ import org.pendant.controller.Command;
 import org.pendant.controller.CommandJournal;
 import org.pendant.controller.Controller;
 import org.pendant.controller.box.Determinism;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Every command that has changed a controller since it was switched on, with the place in its run

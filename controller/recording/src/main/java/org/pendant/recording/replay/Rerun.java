@@ -9,7 +9,7 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.Determinism;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 
 /**
  * Brings a fresh controller to the end of a frame of another one's run, as fast as the processor

@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.Branching;
 import org.pendant.desktop.session.Branching.Outcome;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.recording.replay.RerunRefused;
 
 /**

@@ -12,7 +12,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.motion.FrameTime;
+import org.pendant.models.time.FrameTime;
 import org.pendant.recording.RecordedProgram;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingMark;

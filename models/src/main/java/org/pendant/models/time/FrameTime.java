@@ -1,4 +1,4 @@
-package org.pendant.motion;
+package org.pendant.models.time;
 
 /** The controller's step in time. */
 public final class FrameTime {
@@ -9,7 +9,7 @@ public final class FrameTime {
   public static final int FRAMES_PER_SECOND = 500;
 
   /** Part of a frame that counts as rounding when a duration is a whole number of frames. */
-  static final double ROUNDING = 1e-9;
+  public static final double ROUNDING = 1e-9;
 
   private FrameTime() {}
 
