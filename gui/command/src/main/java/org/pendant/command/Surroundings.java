@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.ArmChoice;
-import org.pendant.controller.json.JsonException;
+import org.pendant.models.json.JsonException;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyConfigurationReader;
 import org.pendant.controller.world.Scene;

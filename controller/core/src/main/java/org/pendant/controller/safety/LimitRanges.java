@@ -1,6 +1,6 @@
 package org.pendant.controller.safety;
 
-import org.pendant.controller.json.Range;
+import org.pendant.models.json.Range;
 
 /** What the numbers of a set of limits may be in files, whatever the arm. */
 public final class LimitRanges {

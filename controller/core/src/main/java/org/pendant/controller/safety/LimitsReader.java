@@ -1,10 +1,10 @@
 package org.pendant.controller.safety;
 
 import java.util.List;
-import org.pendant.controller.json.Json;
-import org.pendant.controller.json.JsonException;
-import org.pendant.controller.json.JsonFields;
-import org.pendant.controller.json.Range;
+import org.pendant.models.json.Json;
+import org.pendant.models.json.JsonException;
+import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.Range;
 import org.pendant.models.arm.Joints;
 
 /** Reads one set of limits over the standard one. */

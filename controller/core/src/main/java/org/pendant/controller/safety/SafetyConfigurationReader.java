@@ -4,11 +4,11 @@ import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.json.Json;
-import org.pendant.controller.json.JsonException;
-import org.pendant.controller.json.JsonFields;
-import org.pendant.controller.json.JsonFile;
-import org.pendant.controller.json.Range;
+import org.pendant.models.json.Json;
+import org.pendant.models.json.JsonException;
+import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.JsonFile;
+import org.pendant.models.json.Range;
 import org.pendant.models.arm.ArmDescription;
 
 /**

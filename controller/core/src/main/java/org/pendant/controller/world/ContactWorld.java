@@ -3,7 +3,7 @@ package org.pendant.controller.world;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.pendant.controller.json.Range;
+import org.pendant.models.json.Range;
 import org.pendant.models.pose.Wrench;
 
 /**

@@ -1,6 +1,6 @@
 package org.pendant.controller.world;
 
-import org.pendant.controller.json.Range;
+import org.pendant.models.json.Range;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.time.FrameTime;
 

@@ -3,10 +3,10 @@ package org.pendant.controller.world;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.json.Json;
-import org.pendant.controller.json.JsonException;
-import org.pendant.controller.json.JsonFields;
-import org.pendant.controller.json.Range;
+import org.pendant.models.json.Json;
+import org.pendant.models.json.JsonException;
+import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.Range;
 import org.pendant.models.dynamics.Payload;
 
 /** Reads the load of a scene: what truly hangs on the flange. */

@@ -1,7 +1,7 @@
 package org.pendant.controller.world;
 
 import java.util.Optional;
-import org.pendant.controller.json.Json;
+import org.pendant.models.json.Json;
 
 /** What an object of a scene may be called. */
 final class ObjectName {

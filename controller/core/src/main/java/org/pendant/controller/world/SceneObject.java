@@ -1,6 +1,6 @@
 package org.pendant.controller.world;
 
-import org.pendant.controller.json.Range;
+import org.pendant.models.json.Range;
 import org.pendant.models.pose.Pose;
 
 /** A solid thing that the tool can touch; it stands still, whatever pushes it. */

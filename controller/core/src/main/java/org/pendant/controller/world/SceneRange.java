@@ -1,6 +1,6 @@
 package org.pendant.controller.world;
 
-import org.pendant.controller.json.Range;
+import org.pendant.models.json.Range;
 
 /** What lengths and angles in a scene may be. */
 final class SceneRange {

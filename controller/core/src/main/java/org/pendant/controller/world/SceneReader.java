@@ -6,11 +6,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.pendant.controller.json.FilePosition;
-import org.pendant.controller.json.Json;
-import org.pendant.controller.json.JsonException;
-import org.pendant.controller.json.JsonFields;
-import org.pendant.controller.json.JsonFile;
+import org.pendant.models.json.FilePosition;
+import org.pendant.models.json.Json;
+import org.pendant.models.json.JsonException;
+import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.JsonFile;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 

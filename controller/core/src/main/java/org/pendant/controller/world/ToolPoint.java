@@ -1,6 +1,6 @@
 package org.pendant.controller.world;
 
-import org.pendant.controller.json.Range;
+import org.pendant.models.json.Range;
 
 /**
  * A place of the tool that can touch things.

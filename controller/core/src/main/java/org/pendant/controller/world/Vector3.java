@@ -1,10 +1,10 @@
 package org.pendant.controller.world;
 
 import java.util.List;
-import org.pendant.controller.json.Json;
-import org.pendant.controller.json.JsonException;
-import org.pendant.controller.json.JsonFields;
-import org.pendant.controller.json.Range;
+import org.pendant.models.json.Json;
+import org.pendant.models.json.JsonException;
+import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.Range;
 
 /**
  * Three numbers along the axes of a frame; what they count, and which frame, is said where the

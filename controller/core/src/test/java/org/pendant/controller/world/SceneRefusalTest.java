@@ -8,7 +8,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.json.JsonException;
+import org.pendant.models.json.JsonException;
 
 /** What the reader says about files that are no scenes. */
 final class SceneRefusalTest {

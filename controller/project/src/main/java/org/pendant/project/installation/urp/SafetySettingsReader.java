@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
-import org.pendant.controller.json.Range;
+import org.pendant.models.json.Range;
 import org.pendant.controller.safety.LimitRanges;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyLimits;

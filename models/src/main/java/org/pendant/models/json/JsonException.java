@@ -1,4 +1,4 @@
-package org.pendant.controller.json;
+package org.pendant.models.json;
 
 /**
  * A file is not what it should be. The message says where ({@code file:line:column}), what was

@@ -1,4 +1,4 @@
-package org.pendant.controller.json;
+package org.pendant.models.json;
 
 /** Where something stands in a file; lines and columns count from 1. */
 public record FilePosition(String file, int line, int column) {

@@ -1,4 +1,4 @@
-package org.pendant.controller.json;
+package org.pendant.models.json;
 
 import java.io.IOException;
 import java.io.InputStream;

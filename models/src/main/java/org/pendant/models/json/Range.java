@@ -1,4 +1,4 @@
-package org.pendant.controller.json;
+package org.pendant.models.json;
 
 /**
  * What a number of a file may be; NaN is in no range.

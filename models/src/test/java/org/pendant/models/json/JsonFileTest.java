@@ -1,4 +1,4 @@
-package org.pendant.controller.json;
+package org.pendant.models.json;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
