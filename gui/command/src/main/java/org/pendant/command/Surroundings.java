@@ -9,12 +9,12 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.ArmChoice;
-import org.pendant.models.json.JsonException;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyConfigurationReader;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneReader;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.json.JsonException;
 
 /** The options that say which arm simulation is used, what is around it and what limits it. */
 final class Surroundings {

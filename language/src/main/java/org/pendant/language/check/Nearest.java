@@ -11,6 +11,11 @@ public final class Nearest {
 
   private int asked;
 
+  /** The nearest of a few candidates, for a caller who asks once. */
+  public static Optional<String> among(String name, Collection<String> candidates) {
+    return new Nearest().to(name, () -> candidates);
+  }
+
   /** The candidate fewest typing slips away from {@code name}, if one is near. */
   public Optional<String> to(String name, Supplier<? extends Collection<String>> names) {
     if (asked++ >= LIMIT) {

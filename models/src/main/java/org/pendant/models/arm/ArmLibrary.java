@@ -3,7 +3,10 @@ package org.pendant.models.arm;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.pendant.models.json.JsonObject;
+import org.pendant.models.json.Json;
+import org.pendant.models.json.JsonException;
+import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.JsonFile;
 
 /** The arm models that come with the program. Descriptions are data, one JSON file each. */
 public final class ArmLibrary {
@@ -51,6 +54,11 @@ public final class ArmLibrary {
    */
   public static ArmDescription load(String name) {
     String file = idOf(name).concat(".json");
-    return DescriptionReader.read(JsonObject.ofResource(ArmLibrary.class, file));
+    try {
+      Json root = JsonFile.ofResource(ArmLibrary.class, file);
+      return DescriptionReader.read(new JsonFields(root, "an arm"));
+    } catch (JsonException | IllegalArgumentException e) {
+      throw new IllegalStateException(file + " is no arm: " + e.getMessage(), e);
+    }
   }
 }

@@ -2,7 +2,8 @@ package org.pendant.models.arm;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.models.json.JsonObject;
+import org.pendant.models.json.JsonException;
+import org.pendant.models.json.JsonFields;
 
 /**
  * Reads an arm description from JSON. Every start of the program comes through here: no code made
@@ -14,30 +15,27 @@ import org.pendant.models.json.JsonObject;
 final class DescriptionReader {
   private DescriptionReader() {}
 
-  /** Reads a whole file; an {@link IllegalStateException} says what is wrong with it. */
-  static ArmDescription read(JsonObject root) {
-    try {
-      return description(root);
-    } catch (IllegalArgumentException e) {
-      throw root.refused(e);
-    }
-  }
-
-  private static ArmDescription description(JsonObject root) {
+  /**
+   * Reads a whole file.
+   *
+   * @throws JsonException if a member is missing or of the wrong type
+   * @throws IllegalArgumentException if there is no such arm
+   */
+  static ArmDescription read(JsonFields root) throws JsonException {
     List<JointLimits> joints = new ArrayList<>();
     List<Actuator> actuators = new ArrayList<>();
-    for (JsonObject joint : root.objects("joints")) {
+    for (JsonFields joint : root.objects("joints")) {
       joints.add(limits(joint));
       actuators.add(actuator(joint));
     }
     List<LinkMass> links = new ArrayList<>();
-    for (JsonObject link : root.objects("links")) {
+    for (JsonFields link : root.objects("links")) {
       links.add(link(link));
     }
     return new ArmDescription(
-        root.text("id"),
-        root.text("displayName"),
-        series(root.text("series")),
+        root.text("id").value(),
+        root.text("displayName").value(),
+        series(root.text("series").value()),
         lengths(root.object("dh")),
         joints,
         actuators,
@@ -58,7 +56,7 @@ final class DescriptionReader {
         "series is " + name + ", must be CB3, e-Series or UR-Series");
   }
 
-  private static DhLengths lengths(JsonObject dh) {
+  private static DhLengths lengths(JsonFields dh) throws JsonException {
     return new DhLengths(
         dh.number("d1"),
         dh.number("a2"),
@@ -68,16 +66,16 @@ final class DescriptionReader {
         dh.number("d6"));
   }
 
-  private static ArmDescription.Status status(JsonObject status) {
+  private static ArmDescription.Status status(JsonFields status) throws JsonException {
     return new ArmDescription.Status(
-        Confidence.named(status.text("kinematics")),
-        Confidence.named(status.text("masses")),
-        Confidence.named(status.text("inertias")),
-        Confidence.named(status.text("jointLimits")),
-        Confidence.named(status.text("actuators")));
+        Confidence.named(status.text("kinematics").value()),
+        Confidence.named(status.text("masses").value()),
+        Confidence.named(status.text("inertias").value()),
+        Confidence.named(status.text("jointLimits").value()),
+        Confidence.named(status.text("actuators").value()));
   }
 
-  private static JointLimits limits(JsonObject joint) {
+  private static JointLimits limits(JsonFields joint) throws JsonException {
     boolean unlimited = joint.flag("unlimited");
     return new JointLimits(
         unlimited ? Double.NEGATIVE_INFINITY : joint.number("minRad"),
@@ -86,7 +84,7 @@ final class DescriptionReader {
         joint.number("maxTorqueNm"));
   }
 
-  private static Actuator actuator(JsonObject joint) {
+  private static Actuator actuator(JsonFields joint) throws JsonException {
     return new Actuator(
         joint.number("rotorInertiaKgM2"),
         joint.number("coulombNm"),
@@ -94,11 +92,11 @@ final class DescriptionReader {
         joint.number("torqueConstantNmPerA"));
   }
 
-  private static LinkMass link(JsonObject link) {
-    double[] com = link.numbers("comM", 3);
-    double[] inertia = link.numbers("inertiaKgM2", 6);
+  private static LinkMass link(JsonFields link) throws JsonException {
+    double[] com = link.vector("comM", 3);
+    double[] inertia = link.vector("inertiaKgM2", 6);
     return new LinkMass(
-        link.text("name"),
+        link.text("name").value(),
         link.number("massKg"),
         com[0],
         com[1],

@@ -1,11 +1,25 @@
 package org.pendant.models.json;
 
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.language.check.Nearest;
 
-/** The members of one JSON object, asked for by key; every complaint says where. */
+/**
+ * Members of one JSON object, asked for by key as the type that they must have; every refusal says
+ * where.
+ *
+ * <p>Every start of the program reads an arm description through here: no code made at run time
+ * (lambdas, text joined by plus) where nothing is wrong.
+ */
 public final class JsonFields {
+  /** Spelling help for keys that are not known. */
+  @FunctionalInterface
+  public interface Spelling {
+    /** The candidate that was probably meant by {@code name}, if one is near. */
+    Optional<String> nearest(String name, Collection<String> candidates);
+  }
+
   private final Json.Members members;
   private final String what;
 
@@ -31,15 +45,15 @@ public final class JsonFields {
   /**
    * Refuses every key that is not listed.
    *
+   * @param spelling finds the listed key that was probably meant
    * @throws JsonException for the first one in the file
    */
-  public void allow(String... keys) throws JsonException {
+  public void allow(Spelling spelling, String... keys) throws JsonException {
     List<String> known = List.of(keys);
     for (var member : members.byKey().entrySet()) {
       String key = member.getKey();
       if (!known.contains(key)) {
-        String hint =
-            new Nearest().to(key, () -> known).map(n -> "did you mean " + n + "? ").orElse("");
+        String hint = spelling.nearest(key, known).map(n -> "did you mean " + n + "? ").orElse("");
         throw member
             .getValue()
             .keyPlace()
@@ -57,7 +71,8 @@ public final class JsonFields {
 
   /** The value of a key that may be left out. */
   public Optional<Json> optional(String key) {
-    return Optional.ofNullable(members.byKey().get(key)).map(Json.Member::value);
+    Json.Member member = members.byKey().get(key);
+    return member == null ? Optional.empty() : Optional.of(member.value());
   }
 
   /** The value of a key that must be there. */
@@ -76,6 +91,67 @@ public final class JsonFields {
       return text;
     }
     throw wrong(key, value, "a text");
+  }
+
+  /** Whether a key is there and true. */
+  public boolean flag(String key) throws JsonException {
+    Json.Member member = members.byKey().get(key);
+    if (member == null) {
+      return false;
+    }
+    if (member.value() instanceof Json.Word word && !word.word().equals("null")) {
+      return word.word().equals("true");
+    }
+    throw wrong(key, member.value(), "true or false");
+  }
+
+  /** An object that must be there; messages call it by its key. */
+  public JsonFields object(String key) throws JsonException {
+    return new JsonFields(required(key), key);
+  }
+
+  /** The objects of an array that must be there; messages call each by the key. */
+  public List<JsonFields> objects(String key) throws JsonException {
+    List<JsonFields> objects = new ArrayList<>();
+    for (Json each : elements(key, "an array of objects")) {
+      objects.add(new JsonFields(each, key));
+    }
+    return objects;
+  }
+
+  /** The texts of an array that must be there. */
+  public List<String> texts(String key) throws JsonException {
+    List<String> texts = new ArrayList<>();
+    for (Json each : elements(key, "an array of texts")) {
+      if (!(each instanceof Json.Text text)) {
+        throw wrong(key, each, "a text");
+      }
+      texts.add(text.value());
+    }
+    return texts;
+  }
+
+  private List<Json> elements(String key, String expected) throws JsonException {
+    Json value = required(key);
+    if (value instanceof Json.Elements array) {
+      return array.values();
+    }
+    throw wrong(key, value, expected);
+  }
+
+  /** A number of any size that must be there. */
+  public double number(String key) throws JsonException {
+    return numeral(key, required(key)).value();
+  }
+
+  /** An array of {@code count} numbers of any size that must be there. */
+  public double[] vector(String key, int count) throws JsonException {
+    List<Json> values = numbers(key, count);
+    double[] numbers = new double[count];
+    for (int i = 0; i < count; i++) {
+      numbers[i] = numeral(key, values.get(i)).value();
+    }
+    return numbers;
   }
 
   /** A number that must be there. */
@@ -112,13 +188,18 @@ public final class JsonFields {
 
   /** The number that {@code value} must be. */
   public static double number(String name, Json value, Range range) throws JsonException {
-    if (!(value instanceof Json.Numeral number)) {
-      throw wrong(name, value, "a number");
-    }
+    Json.Numeral number = numeral(name, value);
     if (!range.holds(number.value())) {
       throw number.place().refusal(range.refusal(name, number.value()));
     }
     return number.value();
+  }
+
+  private static Json.Numeral numeral(String name, Json value) throws JsonException {
+    if (value instanceof Json.Numeral number) {
+      return number;
+    }
+    throw wrong(name, value, "a number");
   }
 
   /** The complaint that {@code value} is not of the right kind. */

@@ -2,6 +2,7 @@ package org.pendant.models.json;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.CodingErrorAction;
@@ -20,9 +21,9 @@ import tools.jackson.core.exc.UnexpectedEndOfInputException;
 import tools.jackson.core.json.JsonFactory;
 
 /**
- * Reads one JSON value from a file of UTF-8, with the place of everything in it. The streaming
- * parser alone is used: it tells the places, and data binding would cost more than the file is
- * worth.
+ * Reader of one JSON value from a file of UTF-8, with the place of everything in it. The streaming
+ * parser alone is used: it tells the places, and data binding would cost each start of the program
+ * more than the whole file is worth.
  */
 public final class JsonFile {
   /** Far above what anybody writes by hand; a larger file is a mistake. */
@@ -32,9 +33,8 @@ public final class JsonFile {
   static final int DEEPEST = 8;
 
   /** What the parser's messages say about the parser itself. */
-  private static final Pattern PARSER_TALK =
-      Pattern.compile(
-          ": (enable|hexa).*|:? \\((start marker|for |not recognized|consider).*|, from `[^`]*`");
+  private static final String PARSER_TALK =
+      ": (enable|hexa).*|:? \\((start marker|for |not recognized|consider).*|, from `[^`]*`";
 
   private final String file;
 
@@ -49,6 +49,25 @@ public final class JsonFile {
    */
   public static Json read(String file, InputStream in) throws JsonException {
     return new JsonFile(file).read(in);
+  }
+
+  /**
+   * Reads a file of the program.
+   *
+   * @param owner a class of the package that the file lies in
+   * @param file its path from there, such as {@code ur5e.json}
+   * @throws IllegalStateException if the file is missing from the build
+   * @throws JsonException if it is not one JSON value
+   */
+  public static Json ofResource(Class<?> owner, String file) throws JsonException {
+    try (InputStream in = owner.getResourceAsStream(file)) {
+      if (in == null) {
+        throw new IllegalStateException(file + " is missing from this build");
+      }
+      return read(file, in);
+    } catch (IOException e) {
+      throw new UncheckedIOException(file + " cannot be read", e);
+    }
   }
 
   private Json read(InputStream in) throws JsonException {
@@ -117,6 +136,7 @@ public final class JsonFile {
       }
       case VALUE_STRING -> new Json.Text(parser.getString(), place);
       case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT ->
+          // not getDoubleValue: loading the fast number parser behind it takes longer than a file
           new Json.Numeral(Double.parseDouble(parser.getString()), place);
       case VALUE_TRUE, VALUE_FALSE, VALUE_NULL -> new Json.Word(parser.getString(), place);
       case NOT_AVAILABLE, END_OBJECT, END_ARRAY, PROPERTY_NAME, VALUE_EMBEDDED_OBJECT ->
@@ -149,6 +169,7 @@ public final class JsonFile {
   private static String complaint(JacksonException e) {
     return e instanceof UnexpectedEndOfInputException
         ? "not JSON: the file ends too early"
-        : "not JSON: " + PARSER_TALK.matcher(e.getOriginalMessage()).replaceFirst("");
+        : "not JSON: "
+            + Pattern.compile(PARSER_TALK).matcher(e.getOriginalMessage()).replaceFirst("");
   }
 }

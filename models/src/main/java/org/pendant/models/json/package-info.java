@@ -1,5 +1,6 @@
 /**
- * Reads the JSON files that come with the program, and says precisely what is wrong with one. Open
- * {@link org.pendant.models.json.JsonObject}, there is nothing else.
+ * JSON files, those that come with the program and those that people write: one reader, which says
+ * with line and column what is wrong in one. Open {@link org.pendant.models.json.JsonFile} first,
+ * then {@link org.pendant.models.json.JsonFields}.
  */
 package org.pendant.models.json;

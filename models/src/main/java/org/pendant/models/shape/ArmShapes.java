@@ -2,7 +2,9 @@ package org.pendant.models.shape;
 
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Confidence;
-import org.pendant.models.json.JsonObject;
+import org.pendant.models.json.JsonException;
+import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.JsonFile;
 
 /**
  * Shapes of the arms that come with the program, one JSON file each beside the descriptions. A
@@ -19,40 +21,45 @@ public final class ArmShapes {
    */
   public static ArmShape load(String name) {
     String file = "shape/" + ArmLibrary.idOf(name) + ".json";
-    return read(JsonObject.ofResource(ArmLibrary.class, file));
-  }
-
-  /** Reads a whole file; an {@link IllegalStateException} says what is wrong with it. */
-  static ArmShape read(JsonObject root) {
     try {
-      return new ArmShape(
-          root.text("id"),
-          Confidence.named(root.text("status")),
-          base(root.object("base")),
-          knuckle(root.object("shoulder")),
-          limb(root.object("upperArm")),
-          limb(root.object("forearm")),
-          knuckle(root.object("wrist1")),
-          knuckle(root.object("wrist2")),
-          knuckle(root.object("wrist3")));
-    } catch (IllegalArgumentException e) {
-      throw root.refused(e);
+      return read(new JsonFields(JsonFile.ofResource(ArmLibrary.class, file), "a shape"));
+    } catch (JsonException | IllegalArgumentException e) {
+      throw new IllegalStateException(file + " is no shape: " + e.getMessage(), e);
     }
   }
 
-  private static Base base(JsonObject base) {
+  /**
+   * Reads a whole file.
+   *
+   * @throws JsonException if a member is missing or of the wrong type
+   * @throws IllegalArgumentException if there is no such body
+   */
+  static ArmShape read(JsonFields root) throws JsonException {
+    return new ArmShape(
+        root.text("id").value(),
+        Confidence.named(root.text("status").value()),
+        base(root.object("base")),
+        knuckle(root.object("shoulder")),
+        limb(root.object("upperArm")),
+        limb(root.object("forearm")),
+        knuckle(root.object("wrist1")),
+        knuckle(root.object("wrist2")),
+        knuckle(root.object("wrist3")));
+  }
+
+  private static Base base(JsonFields base) throws JsonException {
     return new Base(base.number("heightM"), base.number("footRadiusM"), base.number("topRadiusM"));
   }
 
-  private static JointHousing knuckle(JsonObject knuckle) {
+  private static JointHousing knuckle(JsonFields knuckle) throws JsonException {
     double radiusM = knuckle.number("radiusM");
-    double[] alongZ = knuckle.numbers("alongZM", 2);
-    double[] alongY = knuckle.numbers("alongYM", 2);
+    double[] alongZ = knuckle.vector("alongZM", 2);
+    double[] alongY = knuckle.vector("alongYM", 2);
     return new JointHousing(
         new Cylinder(radiusM, alongZ[0], alongZ[1]), new Cylinder(radiusM, alongY[0], alongY[1]));
   }
 
-  private static Limb limb(JsonObject limb) {
+  private static Limb limb(JsonFields limb) throws JsonException {
     return new Limb(
         limb.number("lengthM"),
         housing(limb.object("near")),
@@ -60,13 +67,13 @@ public final class ArmShapes {
         tube(limb.object("tube")));
   }
 
-  private static Cylinder housing(JsonObject housing) {
-    double[] alongZ = housing.numbers("alongZM", 2);
+  private static Cylinder housing(JsonFields housing) throws JsonException {
+    double[] alongZ = housing.vector("alongZM", 2);
     return new Cylinder(housing.number("radiusM"), alongZ[0], alongZ[1]);
   }
 
-  private static Tube tube(JsonObject tube) {
-    double[] radii = tube.numbers("radiiM", 3);
+  private static Tube tube(JsonFields tube) throws JsonException {
+    double[] radii = tube.vector("radiiM", 3);
     return new Tube(tube.number("centreZM"), radii[0], radii[1], radii[2]);
   }
 }

@@ -13,7 +13,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.models.json.JsonObject;
+import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.JsonFile;
 
 class ArmLibraryTest {
   @Test
@@ -94,19 +95,19 @@ class ArmLibraryTest {
 
   @Test
   void aDescriptionWithoutALengthIsRefused() {
-    assertEquals("test.json: a2 is missing, must be a number", refusal("\"a2\": -0.425, ", ""));
+    assertEquals(
+        "test.json:7:9: key \"a2\" is missing, dh must have it", refusal("\"a2\": -0.425, ", ""));
   }
 
   @Test
   void numbersThatNoArmHasAreRefusedWithTheName() {
     assertEquals(
-        "test.json: dh: a2 is 0.0 m and a3 is -0.3922 m, neither may be zero",
+        "dh: a2 is 0.0 m and a3 is -0.3922 m, neither may be zero",
         refusal("\"a2\": -0.425", "\"a2\": 0"));
     assertEquals(
-        "test.json: series is UR, must be CB3, e-Series or UR-Series",
-        refusal("\"e-Series\"", "\"UR\""));
+        "series is UR, must be CB3, e-Series or UR-Series", refusal("\"e-Series\"", "\"UR\""));
     assertEquals(
-        "test.json: status is sure, must be verified, measured, assumed, estimated or missing",
+        "status is sure, must be verified, measured, assumed, estimated or missing",
         refusal("\"kinematics\": \"verified\"", "\"kinematics\": \"sure\""));
   }
 
@@ -130,8 +131,12 @@ class ArmLibraryTest {
     }
     assertTrue(good.contains(piece), piece);
     byte[] bad = good.replace(piece, replacement).getBytes(StandardCharsets.UTF_8);
-    JsonObject root = JsonObject.parse("test.json", new ByteArrayInputStream(bad));
-    return assertThrows(IllegalStateException.class, () -> DescriptionReader.read(root))
+    return assertThrows(
+            Exception.class,
+            () ->
+                DescriptionReader.read(
+                    new JsonFields(
+                        JsonFile.read("test.json", new ByteArrayInputStream(bad)), "an arm")))
         .getMessage();
   }
 }

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.stream.Stream;
@@ -16,7 +17,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Confidence;
 import org.pendant.models.arm.DhLengths;
-import org.pendant.models.json.JsonObject;
+import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.JsonFile;
 
 @Tag("slow")
 class ArmShapesTest {
@@ -131,16 +133,16 @@ class ArmShapesTest {
   }
 
   @Test
-  void aFileWithAnImpossibleBodyIsRefusedByName() {
+  void aFileWithAnImpossibleBodyIsRefused() throws Exception {
     String json =
         """
         {"id": "x", "status": "measured",
          "base": {"heightM": 0, "footRadiusM": 0.1, "topRadiusM": 0.1}}
         """;
-    JsonObject root =
-        JsonObject.parse("x.json", new ByteArrayInputStream(json.getBytes(StandardCharsets.UTF_8)));
-    assertEquals(
-        "x.json: base: height is 0.0 m, radii are 0.1 m and 0.1 m, all must be above 0",
-        assertThrows(IllegalStateException.class, () -> ArmShapes.read(root)).getMessage());
+    InputStream in = new ByteArrayInputStream(json.getBytes(StandardCharsets.UTF_8));
+    JsonFields root = new JsonFields(JsonFile.read("x.json", in), "a shape");
+    assertRefused(
+        "base: height is 0.0 m, radii are 0.1 m and 0.1 m, all must be above 0",
+        () -> ArmShapes.read(root));
   }
 }

@@ -7,6 +7,12 @@ import org.pendant.script.value.Value;
 
 /** What the controller told the world at the end of the frame before, for programs to read. */
 public interface Published {
+  /** The output field that tells how long the computer worked at a frame. */
+  String EXECUTION_TIME = "actual_execution_time";
+
+  /** The input field with the readings of an external force/torque sensor. */
+  String EXTERNAL_FORCE_TORQUE = "external_force_torque";
+
   /** A box that nobody drives has told nothing. */
   Published NOTHING =
       new Published() {
@@ -18,6 +24,11 @@ public interface Published {
         @Override
         public Collection<String> fieldNames() {
           return List.of();
+        }
+
+        @Override
+        public boolean takesInput(String name) {
+          return false;
         }
 
         @Override
@@ -36,6 +47,9 @@ public interface Published {
 
   /** The names of all RTDE output fields. */
   Collection<String> fieldNames();
+
+  /** Whether {@code name} is an RTDE input field. */
+  boolean takesInput(String name);
 
   /** A register as Modbus clients see it, 0 to 65535; empty if there is none. */
   Optional<Integer> portRegister(int address);

@@ -2,7 +2,6 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Published;
-import org.pendant.controller.rtde.OutputFields;
 import org.pendant.language.check.Nearest;
 import org.pendant.language.signature.Type;
 import org.pendant.script.function.Builtins;
@@ -31,7 +30,7 @@ final class PublishedBuiltins {
 
   private static Outcome rtdeValue(Call<ControlBox> call) throws ScriptError {
     String key = call.text(0);
-    if (key.equals(OutputFields.EXECUTION_TIME)) {
+    if (key.equals(Published.EXECUTION_TIME)) {
       call.host()
           .clock()
           .determinism()

@@ -2,8 +2,8 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.arm.ExternalForceSensor;
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.box.Published;
 import org.pendant.controller.io.WatchdogAction;
-import org.pendant.controller.rtde.InputFields;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.dynamics.Payload;
@@ -80,7 +80,7 @@ final class RtdeInputBuiltins {
       box.links()
           .inputWatchdogs()
           .setUnlessAny(
-              InputFields.EXTERNAL_FORCE_TORQUE,
+              Published.EXTERNAL_FORCE_TORQUE,
               DEFAULT_WATCHDOG_HZ,
               WatchdogAction.PAUSE,
               box.clock().timeS());
@@ -103,7 +103,7 @@ final class RtdeInputBuiltins {
 
   private static Outcome setWatchdog(Call<ControlBox> call) throws ScriptError {
     String input = call.text(0);
-    if (InputFields.of(input).isEmpty()) {
+    if (!call.host().links().published().takesInput(input)) {
       throw call.refuse(0, "must be an input of RTDE such as input_int_register_0");
     }
     double leastHz = call.number(1);

@@ -8,6 +8,7 @@ import static org.pendant.controller.quantity.ScalarType.UINT32;
 import static org.pendant.controller.quantity.ScalarType.UINT64;
 
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.box.Published;
 import org.pendant.controller.freedrive.FreedriveHolder;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.RobotBits;
@@ -46,7 +47,7 @@ final class StatusQuantities {
     list.whole("control_step", "Control step", UINT64, ControllerState::frame).rtde("control_step");
     list.number("execution_time", "Execution time", MICROSECOND, s -> MICRO * s.executionTimeS())
         .explained("How long the computer worked at the frame")
-        .rtde("actual_execution_time");
+        .rtde(Published.EXECUTION_TIME);
     list.number(
             "target_execution_time",
             "Target execution time",

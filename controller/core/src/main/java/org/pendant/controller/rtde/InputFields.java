@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import org.pendant.controller.box.Published;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.InputOwners;
 import org.pendant.controller.io.RegisterDirection;
@@ -21,9 +22,6 @@ import org.pendant.controller.io.SignalWrite;
  * takes the mask only, not what it could select.
  */
 public final class InputFields {
-  /** The readings of an external force/torque sensor. */
-  public static final String EXTERNAL_FORCE_TORQUE = "external_force_torque";
-
   private static final int BITS = 32;
 
   /** Boolean registers below are written in two groups, those from here on one by one. */
@@ -53,9 +51,9 @@ public final class InputFields {
     addRegisters(fields);
     add(
         fields,
-        EXTERNAL_FORCE_TORQUE,
+        Published.EXTERNAL_FORCE_TORQUE,
         FieldType.VECTOR6D,
-        List.of(EXTERNAL_FORCE_TORQUE),
+        List.of(Published.EXTERNAL_FORCE_TORQUE),
         (values, into) -> {
           double[] wrench6 = new double[6];
           for (int i = 0; i < wrench6.length; i++) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.pendant.controller.box.Published;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.io.Signal;
@@ -97,7 +98,7 @@ final class InputGathering {
   void setExternalWrench(double[] values) {
     for (double value : values) {
       if (!Double.isFinite(value)) {
-        ignored.add(InputFields.EXTERNAL_FORCE_TORQUE + " has " + value + ", must be finite");
+        ignored.add(Published.EXTERNAL_FORCE_TORQUE + " has " + value + ", must be finite");
         return;
       }
     }

@@ -15,9 +15,6 @@ import org.pendant.controller.quantity.StateQuantity;
  * microseconds; poses and what belongs to the TCP are in the base frame.
  */
 public final class OutputFields {
-  /** The field that says how long the computer works at a frame. */
-  public static final String EXECUTION_TIME = "actual_execution_time";
-
   private static final Map<String, OutputField> FIELDS = fields();
 
   private OutputFields() {}

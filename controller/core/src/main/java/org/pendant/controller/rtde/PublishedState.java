@@ -58,6 +58,11 @@ public final class PublishedState implements Published {
   }
 
   @Override
+  public boolean takesInput(String name) {
+    return InputFields.of(name).isPresent();
+  }
+
+  @Override
   public Optional<Integer> portRegister(int address) {
     return PortImage.register(address, newest.get());
   }

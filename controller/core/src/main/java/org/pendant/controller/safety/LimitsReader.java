@@ -1,11 +1,12 @@
 package org.pendant.controller.safety;
 
 import java.util.List;
+import org.pendant.language.check.Nearest;
+import org.pendant.models.arm.Joints;
 import org.pendant.models.json.Json;
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 import org.pendant.models.json.Range;
-import org.pendant.models.arm.Joints;
 
 /** Reads one set of limits over the standard one. */
 final class LimitsReader {
@@ -13,6 +14,7 @@ final class LimitsReader {
 
   static SafetyLimits read(JsonFields fields, SafetyLimits standard) throws JsonException {
     fields.allow(
+        Nearest::among,
         "powerW",
         "momentumKgMPerS",
         "stoppingTimeS",

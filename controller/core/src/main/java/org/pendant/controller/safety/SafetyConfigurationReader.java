@@ -4,12 +4,13 @@ import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.language.check.Nearest;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.json.Json;
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 import org.pendant.models.json.JsonFile;
 import org.pendant.models.json.Range;
-import org.pendant.models.arm.ArmDescription;
 
 /**
  * Reads a safety configuration from JSON; docs/safety.md describes the file. What it leaves out is
@@ -34,7 +35,7 @@ public final class SafetyConfigurationReader {
       throws JsonException {
     Json root = JsonFile.read(fileName, in);
     JsonFields fields = new JsonFields(root, "a safety configuration");
-    fields.allow("normal", "reduced", "planes", "toolDirection");
+    fields.allow(Nearest::among, "normal", "reduced", "planes", "toolDirection");
     SafetyLimits standard = StandardLimits.normal(arm);
     SafetyLimits normal = limits(fields.optional("normal"), "the normal limits", standard);
     SafetyLimits reduced =
@@ -75,7 +76,7 @@ public final class SafetyConfigurationReader {
 
   private static SafetyPlane plane(Json value) throws JsonException {
     JsonFields fields = new JsonFields(value, "a plane");
-    fields.allow("name", "pointM", "allowedSide", "applies", "elbow");
+    fields.allow(Nearest::among, "name", "pointM", "allowedSide", "applies", "elbow");
     Json.Text name = fields.text("name");
     double[] point = three(fields, "pointM", POINT);
     Axis side = axis(fields, "allowedSide");
@@ -90,7 +91,7 @@ public final class SafetyConfigurationReader {
 
   private static ToolDirection toolDirection(Json value) throws JsonException {
     JsonFields fields = new JsonFields(value, "a tool direction");
-    fields.allow("allowedInBase", "toolInFlange", "largestAngleRad", "applies");
+    fields.allow(Nearest::among, "allowedInBase", "toolInFlange", "largestAngleRad", "applies");
     return new ToolDirection(
         axis(fields, "allowedInBase"),
         fields.optional("toolInFlange").isPresent()

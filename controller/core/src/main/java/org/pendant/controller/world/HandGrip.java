@@ -1,7 +1,7 @@
 package org.pendant.controller.world;
 
-import org.pendant.models.json.Range;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.json.Range;
 import org.pendant.models.time.FrameTime;
 
 /**

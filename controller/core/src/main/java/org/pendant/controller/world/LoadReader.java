@@ -3,11 +3,12 @@ package org.pendant.controller.world;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.language.check.Nearest;
+import org.pendant.models.dynamics.Payload;
 import org.pendant.models.json.Json;
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 import org.pendant.models.json.Range;
-import org.pendant.models.dynamics.Payload;
 
 /** Reads the load of a scene: what truly hangs on the flange. */
 final class LoadReader {
@@ -29,7 +30,7 @@ final class LoadReader {
 
   static Payload load(Json value) throws JsonException {
     JsonFields fields = new JsonFields(value, "a load");
-    fields.allow("mass", "cog", "inertia");
+    fields.allow(Nearest::among, "mass", "cog", "inertia");
     double massKg = fields.number("mass", MASS);
     Vector3 cogM =
         fields.optional("cog").isPresent()

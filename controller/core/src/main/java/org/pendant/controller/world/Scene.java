@@ -4,8 +4,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.pendant.models.json.Json;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.models.json.Json;
 import org.pendant.models.pose.Wrench;
 
 /**

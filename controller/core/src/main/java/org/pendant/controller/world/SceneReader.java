@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.pendant.language.check.Nearest;
 import org.pendant.models.json.FilePosition;
 import org.pendant.models.json.Json;
 import org.pendant.models.json.JsonException;
@@ -34,7 +35,7 @@ public final class SceneReader {
 
   private Scene scene(Json root) throws JsonException {
     JsonFields fields = new JsonFields(root, "a scene");
-    fields.allow("objects", "load", "tool", "push");
+    fields.allow(Nearest::among, "objects", "load", "tool", "push");
     for (Json each : fields.array("objects", Scene.MAX_OBJECTS)) {
       add(each);
     }
@@ -56,7 +57,7 @@ public final class SceneReader {
       return Wrench.ZERO;
     }
     JsonFields fields = new JsonFields(value.get(), "a push");
-    fields.allow("force", "torque");
+    fields.allow(Nearest::among, "force", "torque");
     Vector3 force = vectorOrZero(fields, "force");
     Vector3 torque = vectorOrZero(fields, "torque");
     return new Wrench(force.x(), force.y(), force.z(), torque.x(), torque.y(), torque.z());
@@ -95,7 +96,7 @@ public final class SceneReader {
   }
 
   private static SceneObject plane(JsonFields fields) throws JsonException {
-    fields.allow("type", "name", "point", "normal", "material");
+    fields.allow(Nearest::among, "type", "name", "point", "normal", "material");
     String name = name(fields);
     Vector3 point = Vector3.read(fields, "point", SceneRange.POSITION);
     Vector3 normal = Vector3.read(fields, "normal", SceneObject.Plane.NORMAL);
@@ -109,7 +110,7 @@ public final class SceneReader {
   }
 
   private static SceneObject box(JsonFields fields) throws JsonException {
-    fields.allow("type", "name", "pose", "size", "material");
+    fields.allow(Nearest::among, "type", "name", "pose", "size", "material");
     String name = name(fields);
     List<Json> six = fields.numbers("pose", Pose.SIZE);
     double[] pose = new double[Pose.SIZE];
@@ -121,7 +122,7 @@ public final class SceneReader {
   }
 
   private static SceneObject sphere(JsonFields fields) throws JsonException {
-    fields.allow("type", "name", "centre", "radius", "material");
+    fields.allow(Nearest::among, "type", "name", "centre", "radius", "material");
     return new SceneObject.Sphere(
         name(fields),
         Vector3.read(fields, "centre", SceneRange.POSITION),
@@ -144,7 +145,7 @@ public final class SceneReader {
       return Material.DEFAULT;
     }
     JsonFields fields = new JsonFields(value.get(), "a material");
-    fields.allow("stiffness", "damping", "friction");
+    fields.allow(Nearest::among, "stiffness", "damping", "friction");
     return new Material(
         fields.number("stiffness", Material.STIFFNESS, Material.DEFAULT.stiffnessNPerM()),
         fields.number("damping", Material.DAMPING, Material.DEFAULT.dampingSPerM()),
@@ -152,7 +153,7 @@ public final class SceneReader {
   }
 
   private static ToolPoint toolPoint(JsonFields fields) throws JsonException {
-    fields.allow("point", "radius");
+    fields.allow(Nearest::among, "point", "radius");
     return new ToolPoint(
         Vector3.read(fields, "point", ToolPoint.POINT),
         fields.number("radius", ToolPoint.RADIUS, 0));

@@ -13,9 +13,9 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.pendant.models.json.JsonException;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.json.JsonException;
 
 final class SafetyConfigurationReaderTest {
   private static final ArmDescription ARM = ArmLibrary.load("ur5e");

@@ -12,8 +12,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.models.json.JsonException;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.models.json.JsonException;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 

@@ -9,11 +9,11 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
-import org.pendant.models.json.Range;
 import org.pendant.controller.safety.LimitRanges;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.json.Range;
 import org.pendant.project.installation.urp.SafetySections.Section;
 import org.pendant.project.polyscope.xml.XmlElement;
 
