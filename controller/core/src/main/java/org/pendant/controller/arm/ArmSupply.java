@@ -37,7 +37,7 @@ public final class ArmSupply {
   }
 
   /** Takes in what the motors did in a frame. */
-  public void step(ArmSensors sensors, boolean powered) {
+  public void step(SimulatedSensors sensors, boolean powered) {
     powerW = powered ? ELECTRONICS_W + motorsW(sensors) : 0;
     if (powerW > 0) {
       consumedJ += powerW * FrameTime.FRAME_S;
@@ -46,7 +46,7 @@ public final class ArmSupply {
     }
   }
 
-  private double motorsW(ArmSensors sensors) {
+  private double motorsW(SimulatedSensors sensors) {
     double sum = 0;
     for (int i = 0; i < Joints.COUNT; i++) {
       double currentA = sensors.torqueNm[i] * amperePerNm[i];

@@ -73,7 +73,7 @@ public final class DynamicArm implements SimulatedArm {
   private final Flange flange;
   private final JointHeat heat;
   private final SplittableRandom noise;
-  private final ArmSensors sensors = new ArmSensors();
+  private final SimulatedSensors sensors = new SimulatedSensors();
   private final double[] motorSum = new double[N];
   private ArmCommand last = ArmCommand.BRAKES_ON;
   private Payload load = Payload.NONE;
@@ -218,7 +218,7 @@ public final class DynamicArm implements SimulatedArm {
   }
 
   @Override
-  public ArmSensors sensors() {
+  public SimulatedSensors sensors() {
     return sensors;
   }
 

@@ -22,7 +22,7 @@ import org.pendant.models.pose.Wrench;
 public final class IdealArm implements SimulatedArm {
   private final DynamicArm.Setup setup;
   private final Flange flange;
-  private final ArmSensors sensors = new ArmSensors();
+  private final SimulatedSensors sensors = new SimulatedSensors();
   private Optional<DynamicArm> yielding = Optional.empty();
   private Payload load = Payload.NONE;
   private Pose tcpInFlange = Pose.ZERO;
@@ -84,7 +84,7 @@ public final class IdealArm implements SimulatedArm {
       arm.jumpTo(positionRad, speedRadPerS);
     }
     arm.step(command);
-    ArmSensors felt = arm.sensors();
+    SimulatedSensors felt = arm.sensors();
     if (!Arrays.equals(felt.positionRad, sensors.positionRad)
         || !Arrays.equals(felt.speedRadPerS, sensors.speedRadPerS)
         || !Arrays.equals(felt.accelerationRadPerS2, sensors.accelerationRadPerS2)) {
@@ -117,7 +117,7 @@ public final class IdealArm implements SimulatedArm {
   }
 
   @Override
-  public ArmSensors sensors() {
+  public SimulatedSensors sensors() {
     return sensors;
   }
 

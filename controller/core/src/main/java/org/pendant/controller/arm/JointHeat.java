@@ -27,7 +27,7 @@ final class JointHeat {
   private final double[] leadsToC = new double[N];
   private double toolLeadsToC;
 
-  JointHeat(ArmDescription arm, ArmSensors sensors) {
+  JointHeat(ArmDescription arm, SimulatedSensors sensors) {
     this.arm = arm;
     for (int i = 0; i < N; i++) {
       sensors.temperatureC[i] = AMBIENT_C;
@@ -37,7 +37,7 @@ final class JointHeat {
   }
 
   /** Takes the torques that the motors give now. */
-  void load(ArmSensors sensors, boolean powered) {
+  void load(SimulatedSensors sensors, boolean powered) {
     for (int i = 0; i < N; i++) {
       double share = sensors.torqueNm[i] / arm.joints().get(i).maxTorqueNm();
       leadsToC[i] = AMBIENT_C + (powered ? POWERED_RISE_K : 0) + FULL_TORQUE_RISE_K * share * share;
@@ -46,7 +46,7 @@ final class JointHeat {
   }
 
   /** Warms or cools for a frame. */
-  void step(ArmSensors sensors) {
+  void step(SimulatedSensors sensors) {
     double[] temperature = sensors.temperatureC;
     for (int i = 0; i < N; i++) {
       temperature[i] += SHARE * (leadsToC[i] - temperature[i]);

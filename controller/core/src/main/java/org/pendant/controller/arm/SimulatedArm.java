@@ -16,7 +16,7 @@ public interface SimulatedArm extends MeasuredArm {
   void jumpTo(Joints positionRad);
 
   /** What the sensors report; the same object always, its numbers change with every step. */
-  ArmSensors sensors();
+  SimulatedSensors sensors();
 
   /**
    * The load on the flange as its force/torque sensor feels it: weight and inertia of what hangs

@@ -1,8 +1,8 @@
 package org.pendant.controller.builtin;
 
-import org.pendant.controller.arm.ArmSensors;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.PositionHistory;
+import org.pendant.controller.sensor.ArmSensors;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.arm.Joints;

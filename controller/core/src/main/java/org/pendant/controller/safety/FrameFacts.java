@@ -1,6 +1,6 @@
 package org.pendant.controller.safety;
 
-import org.pendant.controller.arm.ArmSensors;
+import org.pendant.controller.sensor.ArmSensors;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;

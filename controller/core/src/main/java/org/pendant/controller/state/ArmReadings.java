@@ -1,8 +1,8 @@
 package org.pendant.controller.state;
 
-import org.pendant.controller.arm.ArmSensors;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Mounting;
+import org.pendant.controller.sensor.ArmSensors;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;

@@ -10,6 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.pendant.controller.sensor.ArmSensors;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;

@@ -4,10 +4,10 @@ import org.pendant.models.arm.Joints;
 
 /** Sensors that report what a test wants them to. */
 public final class SensorReadings {
-  private final ArmSensors sensors = new ArmSensors();
+  private final SimulatedSensors sensors = new SimulatedSensors();
 
   /** The sensors to hand out; the same object always. */
-  public ArmSensors sensors() {
+  public SimulatedSensors sensors() {
     return sensors;
   }
 

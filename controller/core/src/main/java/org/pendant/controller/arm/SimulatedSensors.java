@@ -1,12 +1,10 @@
 package org.pendant.controller.arm;
 
+import org.pendant.controller.sensor.ArmSensors;
 import org.pendant.models.arm.Joints;
 
-/**
- * What the arm's sensors and drives report after a frame. The arm writes it; everybody else reads
- * it within the frame loop and copies what has to last.
- */
-public final class ArmSensors {
+/** Sensor readings of a simulated arm; the arm writes them. */
+public final class SimulatedSensors implements ArmSensors {
   final double[] positionRad = new double[Joints.COUNT];
   final double[] speedRadPerS = new double[Joints.COUNT];
   final double[] accelerationRadPerS2 = new double[Joints.COUNT];
@@ -19,76 +17,72 @@ public final class ArmSensors {
   final double[] toolAccelerationMPerS2 = new double[3];
   double toolTemperatureC;
 
-  /** Positions as the encoders at the joints read them, rad. */
+  @Override
   public Joints positionRad() {
     return Joints.of(positionRad);
   }
 
-  /** Speeds as derived from the encoders, rad/s. */
+  @Override
   public Joints speedRadPerS() {
     return Joints.of(speedRadPerS);
   }
 
-  /** Accelerations as derived from the encoders, rad/s². */
+  @Override
   public Joints accelerationRadPerS2() {
     return Joints.of(accelerationRadPerS2);
   }
 
-  /** Torques of the drives at the joints, from the motor currents, Nm. */
+  @Override
   public Joints torqueNm() {
     return Joints.of(torqueNm);
   }
 
-  /**
-   * Torques that arm and declared payload need for the motion that was measured, by the
-   * controller's model, friction included, Nm. What {@link #torqueNm} has beyond them comes from
-   * outside. All 0 while the motors are off: brakes feel nothing.
-   */
+  @Override
   public Joints modelTorqueNm() {
     return Joints.of(modelTorqueNm);
   }
 
-  /** Torques that the target motion needs by the controller's model, Nm. */
+  @Override
   public Joints targetTorqueNm() {
     return Joints.of(targetTorqueNm);
   }
 
-  /** Motor currents, A. */
+  @Override
   public Joints currentA() {
     return Joints.of(currentA);
   }
 
-  /** Motor currents that {@link #targetTorqueNm} needs, A. */
+  @Override
   public Joints targetCurrentA() {
     return Joints.of(targetCurrentA);
   }
 
-  /** Temperatures of the joints, degrees Celsius. */
+  @Override
   public Joints temperatureC() {
     return Joints.of(temperatureC);
   }
 
-  /** Temperature of the tool flange's electronics, degrees Celsius. */
+  @Override
   public double toolTemperatureC() {
     return toolTemperatureC;
   }
 
-  /** Reading {@code axis} (0 to 2) of the accelerometer in the tool flange, flange axes, m/s². */
+  @Override
   public double toolAccelerationMPerS2(int axis) {
     return toolAccelerationMPerS2[axis];
   }
 
-  /** Writes the positions into six numbers; allocates nothing. */
+  @Override
   public void copyPositionRad(double[] q) {
     System.arraycopy(positionRad, 0, q, 0, Joints.COUNT);
   }
 
-  /** Writes the speeds into six numbers; allocates nothing. */
+  @Override
   public void copySpeedRadPerS(double[] qd) {
     System.arraycopy(speedRadPerS, 0, qd, 0, Joints.COUNT);
   }
 
-  /** What {@link #torqueNm} has beyond {@link #modelTorqueNm}, Nm. */
+  @Override
   public Joints externalTorqueNm() {
     return new Joints(
         externalTorqueNm(0),
@@ -99,7 +93,7 @@ public final class ArmSensors {
         externalTorqueNm(5));
   }
 
-  /** What the torque of joint {@code joint} has beyond the model's, Nm. */
+  @Override
   public double externalTorqueNm(int joint) {
     return torqueNm[joint] - modelTorqueNm[joint];
   }
