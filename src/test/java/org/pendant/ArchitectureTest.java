@@ -119,11 +119,9 @@ final class ArchitectureTest {
   @ArchTest
   static void packagesOfAModuleStackAtMostEightDeep(JavaClasses all) {
     PackageDepth depth = new PackageDepth(all);
-    // The controller's core is yet to be taken apart.
     List<String> tooDeep =
         depth.deepestChains().values().stream()
             .filter(chain -> chain.size() > MAX_DEPTH)
-            .filter(chain -> !chain.getFirst().startsWith("org.pendant.controller"))
             .map(chain -> String.join(" > ", chain))
             .toList();
     assertEquals(List.of(), tooDeep);
