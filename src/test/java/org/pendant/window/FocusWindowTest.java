@@ -41,7 +41,7 @@ final class FocusWindowTest {
     window.awaitFocus("palette-query");
     window.type("show");
     endTheStep();
-    window.awaitWords("program-state", "held");
+    window.awaitWords("program-state", "in debugger");
     window.settle();
     window.awaitFocus("palette-query");
     window.type(" lo");
@@ -59,7 +59,7 @@ final class FocusWindowTest {
     window.awaitWords("program-state", "running");
     window.type("when");
     endTheStep();
-    window.awaitWords("program-state", "held");
+    window.awaitWords("program-state", "in debugger");
     window.settle();
     window.awaitFocus("search-words");
     window.perform("Fold or unfold the dock at the bottom");
@@ -95,7 +95,7 @@ final class FocusWindowTest {
     window.press("DOWN");
     window.press("F9");
     window.press("F5");
-    window.awaitWords("program-state", "held");
+    window.awaitWords("program-state", "in debugger");
     visitor = visited.accept();
   }
 

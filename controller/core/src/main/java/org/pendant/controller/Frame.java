@@ -150,7 +150,7 @@ final class Frame {
               + Value.of(late.leastHz()).text()
               + " Hz and was not: the program ";
       switch (late.action()) {
-        case IGNORE -> box.log().warning(what + "goes on");
+        case IGNORE -> box.log().warning(what + "continues");
         case PAUSE -> {
           box.log().error(what + "pauses");
           machine.pause();
@@ -175,7 +175,7 @@ final class Frame {
               + Value.of(late.leastHz()).text()
               + " Hz and was not: ";
       switch (late.action()) {
-        case IGNORE -> box.log().warning(what + "the program goes on");
+        case IGNORE -> box.log().warning(what + "the program continues");
         case PAUSE -> {
           box.log().error(what + "protective stop, the program pauses");
           box.safety().protectiveStop();

@@ -326,7 +326,7 @@ class AssemblyProgramTest {
     program.run(reading("  r.set_watchdog(10, 0)\n  sleep(1)\n  textmsg(\"and on\")"));
     assertEquals(List.of("on", "and on"), program.said());
     assertTrue(
-        program.reported().stream().anyMatch(line -> line.endsWith("the program goes on")),
+        program.reported().stream().anyMatch(line -> line.endsWith("the program continues")),
         () -> program.reported().toString());
   }
 

@@ -134,7 +134,7 @@ final class RtdeInputProgramTest {
     assertTrue(robot.reported().getFirst().endsWith("the program ends"));
     robot.run("rtde_set_watchdog(\"input_int_register_24\", 10, \"ignore\")\nsleep(1)\n");
     assertEquals(2, robot.reported().size());
-    assertTrue(robot.reported().getLast().endsWith("the program goes on"));
+    assertTrue(robot.reported().getLast().endsWith("the program continues"));
   }
 
   @Test

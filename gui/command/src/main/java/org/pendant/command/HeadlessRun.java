@@ -141,7 +141,7 @@ final class HeadlessRun {
             source,
             "paused in line "
                 + controller.state().program().line()
-                + "; goes on at once, as nobody is here to resume it"));
+                + "; continues at once, as nobody is here to resume it"));
     if (ask(new Command.ResumeProgram()) instanceof Reply.Refused refused) {
       throw new IllegalStateException("a paused program cannot be resumed: " + refused.reason());
     }

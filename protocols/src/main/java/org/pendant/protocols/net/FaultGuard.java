@@ -29,7 +29,7 @@ public final class FaultGuard {
       failing.set(false);
     } catch (RuntimeException | Error e) {
       if (!failing.getAndSet(true)) {
-        log.write(Level.ERROR, what + " failed and goes on: internal error: " + e);
+        log.write(Level.ERROR, what + " failed and continues: internal error: " + e);
       }
     }
   }

@@ -40,7 +40,7 @@ class PeriodicTasksTest {
     assertTrue(rounds.await(GIVE_UP_S, TimeUnit.SECONDS));
     assertEquals(
         List.of(
-            "ERROR the watchdog failed and goes on: internal error:"
+            "ERROR the watchdog failed and continues: internal error:"
                 + " java.lang.IllegalStateException: broken"),
         List.copyOf(logged));
   }

@@ -19,7 +19,7 @@ public enum StopReason {
   FORCE_MODE_TURN(153, Kind.PROTECTIVE, "is turned away from its path about", "rad"),
   SINGULARITY(154, 0, Kind.PROTECTIVE, "", ""),
   WRONG_PAYLOAD(
-      155, 0, Kind.PROTECTIVE, "is not what the flange carries, or somebody pushes the tool", "N"),
+      155, 0, Kind.PROTECTIVE, "is not what the flange carries, or something pushes the tool", "N"),
   COLLISION(157, Kind.PROTECTIVE, "is pushed from outside", "Nm"),
   OUT_OF_REACH(200, 0, Kind.PROTECTIVE, "", ""),
   TARGET_POSITION_JUMP(204, 1, Kind.PROTECTIVE, "has a target position that jumps", "rad"),

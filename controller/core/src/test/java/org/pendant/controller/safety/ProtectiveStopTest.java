@@ -67,7 +67,7 @@ final class ProtectiveStopTest {
     assertEquals(SafetyAction.STOP_ON_PATH, bench.step());
     assertEquals(
         "C155A0 protective stop at 0.002 s: the declared payload is not what the flange carries,"
-            + " or somebody pushes the tool: 19.6 N, limit 7.4 N",
+            + " or something pushes the tool: 19.6 N, limit 7.4 N",
         bench.stop().message());
     safety.powerOff();
     assertEquals(SafetyAction.NONE, bench.step());

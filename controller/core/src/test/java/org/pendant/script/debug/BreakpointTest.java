@@ -326,7 +326,7 @@ class BreakpointTest {
     assertFalse(debugger.state().held());
     assertEquals(ProgramState.STOPPED, fixture.machine.state());
     assertTrue(fixture.advance());
-    assertEquals(Optional.of("the program is not held"), DebugFixture.refusal(debugger::resume));
+    assertEquals(Optional.of("the program is not paused"), DebugFixture.refusal(debugger::resume));
   }
 
   @Test

@@ -317,10 +317,11 @@ class SteppingTest {
   void requestsOutOfPlaceAreRefused() {
     assertEquals(Optional.of("no program is running"), DebugFixture.refusal(debugger::pause));
     assertEquals(
-        Optional.of("the program is not held"), DebugFixture.refusal(() -> debugger.stepOver(0)));
+        Optional.of("the program is not paused"), DebugFixture.refusal(() -> debugger.stepOver(0)));
     debugger.set(Breakpoint.at(6));
     fixture.start(CALLS).go();
-    assertEquals(Optional.of("the program is held already"), DebugFixture.refusal(debugger::pause));
+    assertEquals(
+        Optional.of("the program is paused already"), DebugFixture.refusal(debugger::pause));
     assertEquals(
         Optional.of("there is no thread 7"), DebugFixture.refusal(() -> debugger.stepInto(7)));
     assertTrue(debugger.state().held());

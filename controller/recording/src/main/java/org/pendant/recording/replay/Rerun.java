@@ -110,7 +110,7 @@ public final class Rerun {
       reached = fresh.state().frame();
       each.accept(fresh.state());
       if (!fresh.state().debug().held() && isIn(begun, next)) {
-        throw otherwise(begun, "the debugger did not hold the program");
+        throw otherwise(begun, "the debugger did not pause the program");
       }
     }
     refuseUnlessSame(fresh);
@@ -125,7 +125,7 @@ public final class Rerun {
       return false;
     }
     if (state.frame() < frame) {
-      throw otherwise(state.frame(), "the debugger held the program");
+      throw otherwise(state.frame(), "the debugger paused the program");
     }
     return true;
   }

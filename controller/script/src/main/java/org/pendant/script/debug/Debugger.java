@@ -175,13 +175,13 @@ public final class Debugger {
 
   private void refuseHeld() {
     if (probe.held()) {
-      throw new IllegalArgumentException("the program is held already");
+      throw new IllegalArgumentException("the program is paused already");
     }
   }
 
   private void refuseUnlessHeld() {
     if (!probe.held()) {
-      throw new IllegalArgumentException("the program is not held");
+      throw new IllegalArgumentException("the program is not paused");
     }
   }
 

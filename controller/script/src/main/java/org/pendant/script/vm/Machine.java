@@ -327,7 +327,7 @@ public final class Machine {
   private void tellOnce(String during, Throwable fault) {
     if (!faultTold) {
       faultTold = true;
-      host.warn("the program goes on after an internal error while " + during + ":");
+      host.warn("the program continues after an internal error while " + during + ":");
       host.internalError(fault);
     }
   }

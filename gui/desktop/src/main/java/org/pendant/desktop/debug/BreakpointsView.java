@@ -139,7 +139,7 @@ public final class BreakpointsView implements View {
 
   private JComponent buttons() {
     onErrors.setName("break-on-errors");
-    onErrors.setToolTipText("Holds a program that fails, so that its variables can be looked at");
+    onErrors.setToolTipText("Pauses a program that fails, so that its variables can be looked at");
     onErrors.getAccessibleContext().setAccessibleName("Stop at errors, before the program ends");
     onErrors.addActionListener(event -> openBreakpoints.setOnErrors(onErrors.isSelected()));
     remove.setName("breakpoint-remove");

@@ -30,8 +30,8 @@ public final class CallStackView implements View {
   public static final String ID = "call-stack";
 
   private static final String NOTE =
-      "No program runs. The threads of one that runs appear here, and when it is held, by a"
-          + " breakpoint (F9) or on request, their calls with variables.";
+      "No program runs. The threads of one that runs appear here, and when it is paused, by a"
+          + " breakpoint (F9) or in the debugger, their calls with variables.";
 
   private final Workbench workbench;
   private final DebugPresenter debug;
@@ -50,8 +50,8 @@ public final class CallStackView implements View {
     assert EventQueue.isDispatchThread();
     this.workbench = workbench;
     this.debug = debug;
-    hold = button("Hold all", "debug.pause", "Holds all threads, to look at them");
-    resume = button("Go on", "debug.continue", "Lets the program go on");
+    hold = button("Pause all", "debug.pause", "Pauses all threads, to look at them");
+    resume = button("Continue", "debug.continue", "Continues the program");
     steps =
         List.of(
             button("Over", "debug.step-over", "Step over: to the next statement of this function"),
@@ -97,7 +97,7 @@ public final class CallStackView implements View {
     kill.addActionListener(event -> killSelected());
     row.add(kill);
     onErrors.setName("call-stack-break-on-errors");
-    onErrors.setToolTipText("Holds a program that fails, so that its variables can be looked at");
+    onErrors.setToolTipText("Pauses a program that fails, so that its variables can be looked at");
     onErrors.addActionListener(event -> debug.breakpoints().setOnErrors(onErrors.isSelected()));
     debug.breakpoints().addListener(() -> onErrors.setSelected(debug.breakpoints().onErrors()));
     row.add(onErrors);
@@ -171,7 +171,7 @@ public final class CallStackView implements View {
 
   private String running() {
     String keys = KeyText.shown(workbench.actions().keysOf("debug.pause"));
-    return "Running: where its threads were a moment ago. Hold all"
+    return "Running: where its threads were a moment ago. Pause all"
         + (keys.isEmpty() ? "" : " (" + keys + ")")
         + " shows their variables.";
   }

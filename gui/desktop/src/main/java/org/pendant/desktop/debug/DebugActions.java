@@ -20,14 +20,8 @@ public final class DebugActions {
       Workbench workbench, DebugPresenter debug, BreakpointsView list, IntSupplier caretLine) {
     Actions actions = workbench.actions();
     Stepping steps = debug.steps();
-    add(actions, "continue", "Go on from the stop", "", debug::held, steps::resume);
-    add(
-        actions,
-        "pause",
-        "Hold the program to look at it",
-        "shift F6",
-        steps::canPause,
-        steps::pause);
+    add(actions, "continue", "Continue", "", debug::held, steps::resume);
+    add(actions, "pause", "Pause in the debugger", "shift F6", steps::canPause, steps::pause);
     add(actions, "step-over", "Step over calls", "", steps::canStep, steps::over);
     add(actions, "step-into", "Step into calls", "F11", steps::canStep, steps::into);
     add(actions, "step-out", "Step out to the caller", "shift F11", steps::canStep, steps::out);
@@ -41,7 +35,7 @@ public final class DebugActions {
     add(
         actions,
         "show-held",
-        "Show where the program is held",
+        "Show where the debugger has paused",
         "alt F10",
         debug::held,
         debug::showHeld);

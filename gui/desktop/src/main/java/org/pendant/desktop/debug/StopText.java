@@ -27,13 +27,13 @@ final class StopText {
               + " failed: "
               + ByteText.decoded(failed.message());
       case PauseReason.Stepped() -> "Stepped to line " + line;
-      case PauseReason.PauseRequested() -> "Held on request on line " + line;
+      case PauseReason.PauseRequested() -> "Paused on line " + line;
       case PauseReason.Failed failed ->
           "Failed on line "
               + line
               + ": "
               + ByteText.decoded(failed.failure().message())
-              + ". The program ends when it goes on";
+              + ". The program ends when it continues";
     };
   }
 

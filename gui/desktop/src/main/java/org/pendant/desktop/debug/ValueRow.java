@@ -94,7 +94,7 @@ sealed interface ValueRow {
           + " of "
           + total
           + " shown \u2013 "
-          + (cut ? "hold the program to see all" : "Enter shows more");
+          + (cut ? "pause in the debugger to see all" : "Enter shows more");
     }
   }
 

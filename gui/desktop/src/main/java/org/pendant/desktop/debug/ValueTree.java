@@ -240,8 +240,8 @@ final class ValueTree {
       return "";
     }
     return live.filter(Live::changeable).isPresent()
-        ? "Hold the program to change it"
-        : "It can be changed while the program runs or is held";
+        ? "Pause in the debugger to change it"
+        : "It can be changed while the program runs or is paused";
   }
 
   /** What an editor of the value begins with: what was refused before, or what it is. */

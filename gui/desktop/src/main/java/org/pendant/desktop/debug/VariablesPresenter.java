@@ -78,6 +78,8 @@ final class VariablesPresenter {
   /** How many variables are not shown because there are too many; empty for none. */
   String omission() {
     int omitted = live.samples().omitted();
-    return omitted > 0 ? omitted + " more variables are shown only while the program is held" : "";
+    return omitted > 0
+        ? omitted + " more variables are shown only while the program is paused"
+        : "";
   }
 }

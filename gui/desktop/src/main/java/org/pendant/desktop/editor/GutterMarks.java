@@ -243,7 +243,7 @@ final class GutterMarks {
     }
     return switch (state.state()) {
       case RUNNING -> "This line runs";
-      case HELD -> "The program is held before this line";
+      case HELD -> "The program is paused before this line";
       case FAILED -> "The program failed here";
     };
   }

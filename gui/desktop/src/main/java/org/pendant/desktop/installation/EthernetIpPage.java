@@ -25,7 +25,7 @@ final class EthernetIpPage implements Page {
             now -> List.of(WatchdogAction.values()),
             action ->
                 switch (action) {
-                  case IGNORE -> "Go on";
+                  case IGNORE -> "Continue";
                   case PAUSE -> "Pause the program";
                   case STOP -> "Stop the program";
                 },

@@ -44,8 +44,8 @@ final class SafetyCard {
     return switch (input) {
       case EMERGENCY_STOP -> "The emergency stop button of the robot is pressed";
       case SYSTEM_EMERGENCY_STOP -> "The machines around demand an emergency stop";
-      case SAFEGUARD_STOP -> "Somebody is near: the arm waits";
-      case AUTOMATIC_MODE_SAFEGUARD_STOP -> "Somebody is near in automatic mode: the arm waits";
+      case SAFEGUARD_STOP -> "A person is near: the arm waits";
+      case AUTOMATIC_MODE_SAFEGUARD_STOP -> "A person is near in automatic mode: the arm waits";
       case REDUCED_MODE -> "The reduced limits hold";
     };
   }

@@ -53,7 +53,7 @@ record Obstacle(String text, String remedy, Optional<Command> command) {
   private static Optional<String> pace(Pace pace) {
     return switch (pace) {
       case Pace.Paused paused ->
-          Optional.of("Robot time is paused. Let it go on to move the arm by hand.");
+          Optional.of("Robot time is paused. Continue it to move the arm by hand.");
       case Pace.Unlimited unlimited -> Optional.of(tooFast());
       case Pace.Times times ->
           times.factor() > MAX_PACE ? Optional.of(tooFast()) : Optional.empty();
@@ -66,7 +66,7 @@ record Obstacle(String text, String remedy, Optional<Command> command) {
 
   private static Optional<String> slider(ControllerState state) {
     return state.arm().speedFraction() == 0
-        ? Optional.of("The speed slider is at 0 %, which holds the arm. Move it up.")
+        ? Optional.of("The speed slider is at 0 %, so the arm stands still. Move it up.")
         : Optional.empty();
   }
 }

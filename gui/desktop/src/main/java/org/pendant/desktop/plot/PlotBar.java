@@ -26,14 +26,14 @@ final class PlotBar {
   PlotBar(PlotPresenter presenter, Runnable changed, Runnable export) {
     this.presenter = presenter;
     bar.setName("plot-bar");
-    add(pause, "plot-pause", "Hold the charts still; recording goes on (Space on a chart)");
+    add(pause, "plot-pause", "Pause the charts; recording continues (Space on a chart)");
     pause.addActionListener(
         event -> {
           presenter.pause(pause.isSelected());
           changed.run();
         });
     addWidths(changed);
-    add(cursors, "plot-cursors", "Hold the charts and read values and differences at two cursors");
+    add(cursors, "plot-cursors", "Pause the charts and read values and differences at two cursors");
     cursors.addActionListener(
         event -> {
           presenter.showCursors(cursors.isSelected());

@@ -149,7 +149,7 @@ final class ProgramHost implements FormHost {
   @Override
   public void release() {
     if (!hold.reason().isEmpty()) {
-      notify("The arm did not go on: " + hold.reason());
+      notify("The arm has stopped: " + hold.reason());
     }
     hold.release();
   }

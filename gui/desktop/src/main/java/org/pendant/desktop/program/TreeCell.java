@@ -115,7 +115,7 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
       text.append(", breakpoint");
     }
     if (looks.marks().execution() == shown.key()) {
-      text.append(looks.marks().state() == Execution.State.RUNNING ? ", runs" : ", held");
+      text.append(looks.marks().state() == Execution.State.RUNNING ? ", runs" : ", paused");
     }
     looks.problems(shown.key()).stream()
         .findFirst()

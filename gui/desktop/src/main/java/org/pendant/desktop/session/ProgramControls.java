@@ -29,7 +29,7 @@ public record ProgramControls(
     return new ProgramControls(
         program,
         running ? "The program is running" : held ? "" : refusal,
-        running ? "" : held ? "The program is held" : "No program is running",
+        running ? "" : held ? "The debugger has paused the program" : "No program is running",
         stopped ? "No program is running" : "",
         paused ? "The program is paused: resume it first" : stopped ? refusal : "");
   }

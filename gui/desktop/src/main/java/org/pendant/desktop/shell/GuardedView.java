@@ -83,12 +83,12 @@ final class GuardedView implements View {
 
   private void tell() {
     if (undrawn) {
-      strip.say("Internal error: " + view.title() + " cannot be drawn. Everything else goes on.");
+      strip.say("Internal error: " + view.title() + " cannot be drawn. Everything else works.");
     } else if (old) {
       strip.say(
           "Internal error: "
               + view.title()
-              + " shows an old state. It is tried again every second; everything else goes on.");
+              + " shows an old state. It is tried again every second; everything else works.");
     }
     strip.setVisible(undrawn || old);
   }

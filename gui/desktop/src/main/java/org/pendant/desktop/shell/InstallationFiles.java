@@ -116,7 +116,7 @@ final class InstallationFiles {
     notices.ask(
         BESIDE,
         program.name() + " is made for the installation " + file.getFileName() + " beside it.",
-        List.of(new Choice("Open it", () -> open(file)), Choice.nothing("Go on with this one")));
+        List.of(new Choice("Open it", () -> open(file)), Choice.nothing("Keep this one")));
   }
 
   /** What can be done with them. */
@@ -188,7 +188,7 @@ final class InstallationFiles {
                             then.run();
                           }
                         })),
-            new Choice("Go on without saving", then),
+            new Choice("Continue without saving", then),
             Choice.nothing("Cancel")));
     notices.focus();
   }

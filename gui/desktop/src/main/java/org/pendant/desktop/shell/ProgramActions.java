@@ -46,7 +46,7 @@ final class ProgramActions {
         runner::stop);
     add(
         "program.step",
-        "Hold program, or step to its next line",
+        "Pause in the debugger, or step over",
         "F10",
         controls -> runner.loading() ? runner.whyLoading() : controls.whyNoStep(),
         runner::step);
@@ -88,7 +88,7 @@ final class ProgramActions {
             () -> remedy().filter(ProgramActions::powersOff).isPresent(),
             () -> runner.send(new Command.PowerOff())));
     actions.add(
-        Action.of("clock.pause", "Pause or go on with robot time", "control F6", this::pauseTime));
+        Action.of("clock.pause", "Pause or continue robot time", "control F6", this::pauseTime));
     actions.add(
         new Action(
             "clock.step-frame",

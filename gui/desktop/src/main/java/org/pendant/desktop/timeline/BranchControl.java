@@ -80,7 +80,7 @@ final class BranchControl {
   Optional<String> question() {
     return asking.map(
         state ->
-            "Go on from "
+            "Continue from "
                 + LookBack.text(state.timeS())
                 + "? The robot is put back to that moment with its time paused. What came after it"
                 + " is given up.");
@@ -129,7 +129,7 @@ final class BranchControl {
           tell.accept(
               "The robot is at "
                   + LookBack.text(begun.frame() / (double) FrameTime.FRAMES_PER_SECOND)
-                  + " again, and its time is paused: change something, then let time go on");
+                  + " again, and its time is paused: change something, then let time continue");
         }
         case Outcome.Refused refused -> tell.accept("No branch: " + refused.reason());
         case Outcome.Cancelled cancelled -> tell.accept("The branch was cancelled");

@@ -53,7 +53,7 @@ public final class TimelineView implements View {
   private final JButton live = button("live", "Live", "Back to what the robot does now (Esc)");
   private final JButton branchButton = button("branch", "Branch from here\u2026", "");
   private final JLabel question = new JLabel();
-  private final JButton yes = button("branch-yes", "Branch", "Goes on from that moment");
+  private final JButton yes = button("branch-yes", "Branch", "Continues from that moment");
   private final JProgressBar progress = new JProgressBar(0, THOUSAND);
 
   /**
@@ -249,7 +249,7 @@ public final class TimelineView implements View {
     String why = branch.whyNot();
     branchButton.setEnabled(why.isEmpty());
     branchButton.setToolTipText(
-        why.isEmpty() ? "Puts the robot back to this moment, to go on otherwise" : why);
+        why.isEmpty() ? "Puts the robot back to this moment, to continue in another way" : why);
     canvas.repaint();
   }
 

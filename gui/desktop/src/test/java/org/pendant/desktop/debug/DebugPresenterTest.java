@@ -107,7 +107,7 @@ final class DebugPresenterTest {
     assertTrue(debug.steps().canPause());
     debug.steps().pause();
     fixture.frames(1);
-    assertEquals("Held on request on line 9", debug.stopText());
+    assertEquals("Paused on line 9", debug.stopText());
     assertFalse(debug.steps().canPause());
   }
 
@@ -128,7 +128,7 @@ final class DebugPresenterTest {
   @Test
   void refusalsAreTold() {
     debug.steps().resume();
-    assertEquals(List.of("Refused: the program is not held"), fixture.told());
+    assertEquals(List.of("Refused: the program is not paused"), fixture.told());
   }
 
   @Test

@@ -141,7 +141,7 @@ final class LiveVariablesTest {
       tree.showMore((ValueRow.More) tree.rows().getLast());
     }
     assertTrue(
-        rows().getLast().endsWith("of 3000 shown \u2013 hold the program to see all"),
+        rows().getLast().endsWith("of 3000 shown \u2013 pause in the debugger to see all"),
         rows().getLast());
   }
 
@@ -161,7 +161,7 @@ final class LiveVariablesTest {
     start("x = 1", "def main():", "  local here = 2", "  sleep(9)", "end", "main()");
     assertEquals(List.of("Local in main", "here = 2", "Global", "x = 1"), rows());
     assertFalse(tree.canAssign(row("here")));
-    assertEquals("Hold the program to change it", tree.whyFixed(row("here")));
+    assertEquals("Pause in the debugger to change it", tree.whyFixed(row("here")));
     assertTrue(tree.canAssign(row("x")));
   }
 

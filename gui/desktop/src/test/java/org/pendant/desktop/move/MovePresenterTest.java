@@ -159,7 +159,7 @@ final class MovePresenterTest {
   void timeMustGoByAtAPaceThatHandsCanFollow() {
     refresh(1);
     presenter.take(controller.state(), new Pace.Paused());
-    assertEquals("Robot time is paused. Let it go on to move the arm by hand.", obstacle());
+    assertEquals("Robot time is paused. Continue it to move the arm by hand.", obstacle());
     presenter.take(controller.state(), new Pace.Times(5));
     assertTrue(obstacle().contains("at most 4 times"), obstacle());
     presenter.take(controller.state(), new Pace.Times(4));
@@ -170,7 +170,7 @@ final class MovePresenterTest {
   void aSliderAtZeroIsTold() {
     var _ = controller.submit(new Command.SetSpeedFraction(0));
     refresh(1);
-    assertEquals("The speed slider is at 0 %, which holds the arm. Move it up.", obstacle());
+    assertEquals("The speed slider is at 0 %, so the arm stands still. Move it up.", obstacle());
   }
 
   @Test

@@ -55,7 +55,7 @@ final class BranchControlTest {
       long frame = lookBack.past().orElseThrow().frame();
 
       branchControl.ask();
-      assertTrue(branchControl.question().orElseThrow().startsWith("Go on from "));
+      assertTrue(branchControl.question().orElseThrow().startsWith("Continue from "));
       branchControl.confirm();
       assertFalse(branchControl.progress().isEmpty());
       later.poll(30, TimeUnit.SECONDS).run();

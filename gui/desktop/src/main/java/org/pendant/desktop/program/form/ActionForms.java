@@ -43,7 +43,7 @@ final class ActionForms {
   private static Form waiting(FormContext context, WaitFor what) {
     context.kept().keep(what);
     FormBuilder form =
-        new FormBuilder(context, "wait", "Wait", "Goes on when the time or signal has come.");
+        new FormBuilder(context, "wait", "Wait", "Continues when the time or signal has come.");
     form.sides(
         "what",
         "Wait for",
@@ -63,7 +63,7 @@ final class ActionForms {
         chosen -> new ActionStep.Wait(waitFor(context, chosen)));
     SignalChoices signals = context.signals();
     switch (what) {
-      case WaitFor.Nothing _ -> form.quiet("nothing", "The program goes on at once.");
+      case WaitFor.Nothing _ -> form.quiet("nothing", "The program continues at once.");
       case WaitFor.Time(double timeS) ->
           form.number(
               NodeFields.WAIT_TIME,
@@ -286,7 +286,7 @@ final class ActionForms {
   private static Form call(FormContext context, ActionStep.Call call) {
     List<String> subs = ProgramNames.subPrograms(context.tree());
     FormBuilder form =
-        new FormBuilder(context, "call", "Call", "Runs a sub program, then goes on.")
+        new FormBuilder(context, "call", "Call", "Runs a sub program, then continues.")
             .choice(
                 "subProgram",
                 "Sub program",

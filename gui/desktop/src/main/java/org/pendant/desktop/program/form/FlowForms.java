@@ -173,7 +173,7 @@ final class FlowForms {
         new FormBuilder(context, "loop", "Loop", "Runs its nodes again and again.")
             .sides(
                 "rule",
-                "Goes on",
+                "Repeats",
                 List.of(
                     new Option("forever", "For ever"),
                     new Option("times", "A number of times"),

@@ -294,7 +294,7 @@ final class MotionForms {
               .quiet(
                   "contact-hint",
                   "How far the tool goes back from where it touched; 0 stays there, a negative"
-                      + " number goes on.");
+                      + " number moves on past it.");
       case UntilRule.Expression(String condition) ->
           form.condition(
               "rule.condition",

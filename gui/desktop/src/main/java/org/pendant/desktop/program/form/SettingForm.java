@@ -40,7 +40,7 @@ final class SettingForm {
         "",
         chosen -> step(setting(context, chosen)));
     switch (setting) {
-      case Setting.Nothing _ -> form.quiet("nothing", "The program goes on at once.");
+      case Setting.Nothing _ -> form.quiet("nothing", "The program continues at once.");
       case Setting.Digital digital -> digital(form, digital);
       case Setting.Analog analog -> analog(form, analog);
       case Setting.Pulse pulse -> pulse(form, pulse);

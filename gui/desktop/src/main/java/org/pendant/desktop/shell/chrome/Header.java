@@ -188,7 +188,7 @@ public final class Header extends JPanel {
     ProgramState program = now.program().state();
     boolean held = now.debug().held();
     programState.show(
-        words("Program ", held ? "held" : Words.of(program)),
+        words("Program ", held ? "in debugger" : Words.of(program)),
         color(held ? ProgramState.PAUSED : program));
   }
 

@@ -23,7 +23,7 @@ final class SpeedSlider extends JPanel {
   SpeedSlider(IntFunction<CompletableFuture<Reply>> ask) {
     super(new MigLayout("insets 0, gap 4", "[][grow, 60:150:150][right]", "[center]"));
     slider.setName("speed-slider");
-    slider.setToolTipText("Speed of programs; at 0 % the arm stands still and goes on later");
+    slider.setToolTipText("Speed of programs; at 0 % the arm stands still and continues later");
     slider.getAccessibleContext().setAccessibleName("Speed of programs in percent");
     JLabel title = new JLabel("Speed");
     title.setLabelFor(slider);

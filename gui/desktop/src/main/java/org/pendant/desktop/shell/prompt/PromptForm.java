@@ -199,7 +199,7 @@ final class PromptForm {
     no.setVisible(prompt.yesOrNo());
     yes.setVisible(prompt.yesOrNo());
     go.setText(question ? "OK" : prompt.waits() ? "Continue" : "Close");
-    tip(go, question ? "Gives the answer" : prompt.waits() ? "The program goes on" : "Closes it");
+    tip(go, question ? "Gives the answer" : prompt.waits() ? "The program continues" : "Closes it");
     go.setVisible(!prompt.yesOrNo());
     safeChoice = prompt.yesOrNo() ? no : prompt.typed() ? field : go;
   }

@@ -91,7 +91,7 @@ record RunFacts(
   }
 
   private static String heldText(DebugState.Stop stop, IntUnaryOperator shown) {
-    return "Held before line " + shown.applyAsInt(stop.line());
+    return "Paused before line " + shown.applyAsInt(stop.line());
   }
 
   private static String stateText(ProgramStatus program, IntUnaryOperator shown) {

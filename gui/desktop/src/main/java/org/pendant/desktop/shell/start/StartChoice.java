@@ -84,7 +84,7 @@ public final class StartChoice {
         phase = place.orElseThrow().reached(state) ? Phase.THERE : Phase.ASKING;
         distanceM = place.orElseThrow().distanceM(state);
         if (!arm.heldBecause().isEmpty() && phase == Phase.ASKING) {
-          remark = "The arm did not go on: " + arm.heldBecause();
+          remark = "The arm has stopped: " + arm.heldBecause();
         }
       }
     }

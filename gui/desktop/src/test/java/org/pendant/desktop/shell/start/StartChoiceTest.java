@@ -177,7 +177,7 @@ final class StartChoiceTest {
     choice.hold();
     arm.reason = "there is a wall";
     choice.refresh(AWAY);
-    assertEquals("The arm did not go on: there is a wall", choice.text());
+    assertEquals("The arm has stopped: there is a wall", choice.text());
   }
 
   @Test
