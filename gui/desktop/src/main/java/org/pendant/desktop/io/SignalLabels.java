@@ -46,10 +46,15 @@ public final class SignalLabels {
         });
   }
 
-  /** The signal of an id: {@code digital_in[0]} for {@code digital-in-0}. */
+  /**
+   * The signal of an id: {@code digital_in[0]} for {@code digital-in-0}; the id for what has no
+   * number.
+   */
   static String signalOf(String id) {
     int end = id.lastIndexOf('-');
-    return id.substring(0, end).replace('-', '_') + "[" + id.substring(end + 1) + "]";
+    return end < 0
+        ? id
+        : id.substring(0, end).replace('-', '_') + "[" + id.substring(end + 1) + "]";
   }
 
   /** The name of a digital signal; empty while it has none. */

@@ -43,4 +43,9 @@ final class SignalLabelsTest {
     installed.clear();
     assertEquals("", labels.of("input-float-register-3"));
   }
+
+  @Test
+  void whatHasNoNumberHasNoName() {
+    assertEquals("", labels.of("timestamp"));
+  }
 }
