@@ -271,7 +271,8 @@ final class RunTest {
         () -> assertTrue(third.errors().contains("encoder is 2, must be 0 or 1"), third.errors()),
         () ->
             assertTrue(
-                word.errors().contains("--encoder 0 is fast, must be a number of ticks a second"),
+                word.errors()
+                    .contains("--encoder 0 is fast, must be -1000000 to 1000000 ticks a second"),
                 word.errors()),
         () ->
             assertTrue(
