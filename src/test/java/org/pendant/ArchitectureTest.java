@@ -12,6 +12,7 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noMethods;
 import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
@@ -22,13 +23,19 @@ import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.library.dependencies.SliceAssignment;
 import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import java.awt.event.ActionListener;
+import java.lang.reflect.ParameterizedType;
 import java.nio.channels.FileChannel;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import javax.swing.Timer;
+import org.pendant.controller.Controller;
+import org.pendant.controller.Drive;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.CommandHandler;
 
 /** The shape that docs/architecture.md describes, held by the build. */
 @AnalyzeClasses(packages = "org.pendant", importOptions = ImportOption.DoNotIncludeTests.class)
@@ -273,5 +280,39 @@ final class ArchitectureTest {
     public String getDescription() {
       return "packages";
     }
+  }
+
+  @ArchTest
+  static final ArchRule clientsHaveTheRobotAndDoNotDriveIt =
+      noClasses()
+          .that()
+          .resideInAPackage("org.pendant.protocols..")
+          .should()
+          .dependOnClassesThat()
+          .belongToAnyOf(Controller.class, Drive.class);
+
+  @ArchTest
+  static void everyCommandIsARecordOfASealedFamilyThatOneClassCarriesOut(JavaClasses all) {
+    List<Class<?>> families =
+        all.stream()
+            .filter(each -> each.isAssignableTo(CommandHandler.class) && !each.isInterface())
+            .flatMap(each -> Arrays.stream(each.reflect().getGenericInterfaces()))
+            .filter(ParameterizedType.class::isInstance)
+            .map(ParameterizedType.class::cast)
+            .filter(each -> each.getRawType() == CommandHandler.class)
+            .<Class<?>>map(each -> (Class<?>) each.getActualTypeArguments()[0])
+            .toList();
+    assertEquals(Set.copyOf(families).size(), families.size(), "two classes for one family");
+    all.stream()
+        .filter(each -> each.isAssignableTo(Command.class) && !each.isInterface())
+        .forEach(
+            each -> {
+              Class<?> command = each.reflect();
+              assertTrue(command.isRecord(), command + " is no record");
+              assertTrue(
+                  Arrays.stream(command.getInterfaces())
+                      .anyMatch(family -> family.isSealed() && families.contains(family)),
+                  "nobody carries out the family of " + command);
+            });
   }
 }

@@ -3,9 +3,9 @@ package org.pendant.bench;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 import org.pendant.script.value.Value;
@@ -66,7 +66,7 @@ final class BenchmarkScript {
 
   /** Starts the program and leaves it running. */
   void start() {
-    var reply = controller.submit(new Command.StartProgram(program));
+    var reply = controller.submit(new ProgramCommand.StartProgram(program));
     controller.advance();
     if (!reply.isDone()) {
       throw new IllegalStateException(program.name() + " was not started");

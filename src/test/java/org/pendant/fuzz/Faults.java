@@ -3,9 +3,9 @@ package org.pendant.fuzz;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.Optional;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.language.source.Diagnostic;
@@ -30,7 +30,7 @@ final class Faults {
           .findFirst()
           .map(each -> "does not compile: " + DiagnosticFormat.format(source, each));
     }
-    var _ = controller.submit(new Command.StartProgram(loadResult.program().get()));
+    var _ = controller.submit(new ProgramCommand.StartProgram(loadResult.program().get()));
     for (int frame = 0; frame < FRAMES; frame++) {
       controller.advance();
     }

@@ -8,10 +8,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Map;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Reply;
 import org.pendant.language.source.Source;
 import org.pendant.script.value.IntValue;
 import org.pendant.script.value.Value;
@@ -70,7 +70,7 @@ final class FrameWatch {
     }
     int beats = controller.globals().get("beats") instanceof IntValue count ? count.value() : 0;
     String ending = controller.state().program().ending().map(FrameWatch::code).orElse("");
-    var _ = controller.submit(new Command.StopProgram());
+    var _ = controller.submit(new ProgramCommand.StopProgram());
     long stopNs = frameNs();
     boolean stopped = !running();
     start(FRIENDLY);
@@ -109,7 +109,7 @@ final class FrameWatch {
     if (loadResult.program().isEmpty()) {
       throw new IllegalStateException(loadResult.diagnostics() + "\n" + text);
     }
-    var reply = controller.submit(new Command.StartProgram(loadResult.program().get()));
+    var reply = controller.submit(new ProgramCommand.StartProgram(loadResult.program().get()));
     controller.advance();
     if (!(reply.join() instanceof Reply.Done)) {
       throw new IllegalStateException(reply.join() + "\n" + text);

@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.VirtualClock;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.language.source.Source;
@@ -54,20 +54,20 @@ public final class ScriptRun implements AutoCloseable {
                 "test.script",
                 ("def test():\n" + lines + "end\n").getBytes(StandardCharsets.ISO_8859_1)));
     assertTrue(loadResult.program().isPresent(), () -> loadResult.diagnostics().toString());
-    var _ = controller.submit(new Command.StartProgram(loadResult.program().get()));
+    var _ = controller.submit(new ProgramCommand.StartProgram(loadResult.program().get()));
     advance();
   }
 
   /** Runs one frame, at the pace of the wall clock while somebody outside is waited for. */
   public void advance() throws InterruptedException {
-    clock.awaitFrame(controller::waitsForOutside);
+    clock.awaitDue(controller::waitsForOutside);
     controller.advance();
     entries.addAll(controller.state().newEntries());
   }
 
   /** Stops the program. */
   public void stop() throws InterruptedException {
-    var _ = controller.submit(new Command.StopProgram());
+    var _ = controller.submit(new ProgramCommand.StopProgram());
     advance();
   }
 

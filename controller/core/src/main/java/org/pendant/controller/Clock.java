@@ -4,23 +4,37 @@ import java.util.function.BooleanSupplier;
 
 /** Paces the frames. */
 public sealed interface Clock permits SteerableClock, VirtualClock, WallClock {
-  /**
-   * Waits until the next frame is due.
-   *
-   * @throws InterruptedException if the thread is interrupted meanwhile
-   */
-  default void awaitFrame() throws InterruptedException {
-    awaitFrame(() -> false);
+  /** What is to be done next. */
+  enum Due {
+    /** A frame. */
+    FRAME,
+    /** Commands have arrived while time stands: they are carried out without a frame. */
+    COMMANDS
   }
 
   /**
-   * As {@link #awaitFrame()}, but robot time goes no faster than the wall clock while somebody
+   * Waits until something is due.
+   *
+   * @throws InterruptedException if the thread is interrupted meanwhile
+   */
+  default Due awaitDue() throws InterruptedException {
+    return awaitDue(() -> false);
+  }
+
+  /**
+   * As {@link #awaitDue()}, but robot time goes no faster than the wall clock while somebody
    * outside is waited for, who knows no other time.
    *
    * @param waitsForOutside asked only where it matters
    * @throws InterruptedException if the thread is interrupted meanwhile
    */
-  void awaitFrame(BooleanSupplier waitsForOutside) throws InterruptedException;
+  Due awaitDue(BooleanSupplier waitsForOutside) throws InterruptedException;
+
+  /**
+   * Says that a command has arrived; any thread. It comes into force with the next frame, if there
+   * is one soon.
+   */
+  default void commandArrived() {}
 
   /** Time has stood still on purpose: the next frame is due whenever it comes. */
   void startAfresh();

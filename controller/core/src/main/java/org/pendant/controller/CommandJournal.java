@@ -1,5 +1,7 @@
 package org.pendant.controller;
 
+import org.pendant.controller.command.Command;
+
 /**
  * Is told every command that reaches a controller, in the thread that drives it and right before
  * the command is carried out. The same commands at the same places make another controller with the
@@ -13,7 +15,7 @@ public interface CommandJournal {
    * @param frame that has begun
    * @param turn 0 when it has just begun; while a debugger holds the frame, how many times it has
    *     been gone on with
-   * @param command a {@link Command.Debug} stands for one {@link
+   * @param command a {@link DebugCommand.Debug} stands for one {@link
    *     org.pendant.script.debug.DebugRequest}; there is none for what only looks
    */
   void note(long frame, long turn, Command command);

@@ -5,12 +5,16 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.concurrent.CompletableFuture;
-import java.util.function.BooleanSupplier;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Determinism;
 import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.eip.AssemblyCommandHandler;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.io.IoCommandHandler;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.safety.SafetyCommandHandler;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
@@ -23,14 +27,15 @@ import org.pendant.script.vm.InterpreterJournal;
 import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.Machine;
 import org.pendant.script.vm.ProgramLoader;
+import org.pendant.script.vm.ProgramState;
 
 /**
- * One robot controller with its arm. Any number of them live in a process.
+ * Controller of one robot with its arm. Any number of them live in a process.
  *
- * <p>One thread at a time drives it, frame by frame, with {@link #advance}: a {@link FrameLoop}, or
- * whoever created it. Everybody else reads {@link #state} and submits commands, from any thread.
+ * <p>One thread at a time drives it by {@link Drive}: a {@link FrameLoop}, or whoever created it.
+ * Everybody else has it as a {@link Robot}.
  */
-public final class Controller {
+public final class Controller implements Robot, Drive {
   private final Builtins<ControlBox> builtins;
   private final ControlBox box;
   private final Machine machine;
@@ -62,8 +67,35 @@ public final class Controller {
     Debugger debugger = new Debugger(machine);
     ManualControl hand = new ManualControl(box, machine);
     VariableTracer tracer = new VariableTracer(machine);
-    commandQueue = new CommandQueue(box, machine, debugger, hand, tracer, installed);
+    commandQueue = commandQueue(debugger, hand, tracer);
     frame = new Frame(box, machine, debugger, commandQueue, hand, tracer, installed);
+  }
+
+  private CommandQueue commandQueue(Debugger debugger, ManualControl hand, VariableTracer tracer) {
+    return new CommandQueue(
+        box.clock(),
+        box.log(),
+        machine.interpreter(),
+        debugger,
+        new ProgramCommandHandler(box, machine, hand),
+        List.of(
+            new SafetyCommandHandler(box.safety(), machine::stop),
+            new IoCommandHandler(box.signals(), this::activeProgram),
+            new RtdeCommandHandler(box),
+            new AssemblyCommandHandler(box.links().assemblies(), box.clock()::timeS),
+            new MessageCommandHandler(box, machine),
+            new WorldCommandHandler(box),
+            new BoxCommandHandler(box),
+            hand,
+            new InterpreterCommandHandler(machine.interpreter()),
+            new DebugCommandHandler(debugger, tracer),
+            new InstallationCommandHandler(box, hand, installed)));
+  }
+
+  private Optional<String> activeProgram() {
+    return machine.state() == ProgramState.STOPPED
+        ? Optional.empty()
+        : Optional.of(machine.programName());
   }
 
   private void setInput(String name, boolean level) {
@@ -79,114 +111,92 @@ public final class Controller {
     return Arrays.stream(SafetyInput.values()).filter(each -> each.word().equals(name)).findAny();
   }
 
-  /**
-   * What is set up, with the values that programs have left in the installation's variables; any
-   * thread. The same object while nothing of it changes.
-   */
+  @Override
   public Installation installation() {
     return installed.current();
   }
 
-  /** The functions that programs may call. */
+  @Override
   public Builtins<ControlBox> builtins() {
     return builtins;
   }
 
-  /** Parses, checks and compiles a program; any thread. */
+  @Override
   public LoadResult load(Source source) {
     return ProgramLoader.load(source, builtins);
   }
 
-  /**
-   * Leaves a command for the next frame; any thread. What is chained to the reply without an
-   * executor runs in the frame loop and must be short.
-   */
+  @Override
+  public Reply ask(Command command, Deadline deadline) {
+    return commandQueue.ask(command, deadline);
+  }
+
+  @Override
   public CompletableFuture<Reply> submit(Command command) {
     return commandQueue.post(command).reply();
   }
 
-  /** As {@link #submit}, for who may want to take the command back; any thread. */
+  @Override
   public PendingCommand post(Command command) {
     return commandQueue.post(command);
   }
 
-  /**
-   * Has {@code journal} told of every command from now on. Only for the thread that drives the
-   * frames.
-   */
+  @Override
   public void noteCommandsIn(CommandJournal journal) {
     commandQueue.noteIn(journal);
   }
 
-  /**
-   * Whether what has happened can happen once more, with the same options and commands; any thread.
-   */
+  @Override
+  public void wakeBy(Runnable wake) {
+    commandQueue.wakeBy(wake);
+  }
+
+  @Override
   public Determinism determinism() {
     return box.clock().determinism();
   }
 
-  /** Runs one frame in the calling thread. */
+  @Override
   public void advance() {
     frame.advance();
   }
 
-  /**
-   * Runs frames in the calling thread until a condition holds, looked at after each.
-   *
-   * @param condition usually about {@link #state}
-   * @param maxFrames how many frames to run at most
-   * @return whether the condition came to hold
-   */
-  public boolean runUntil(BooleanSupplier condition, long maxFrames) {
-    for (long i = 0; i < maxFrames; i++) {
-      frame.advance();
-      if (condition.getAsBoolean()) {
-        return true;
-      }
-    }
-    return false;
+  @Override
+  public void applyCommands() {
+    frame.applyCommands();
   }
 
-  /**
-   * Whether a script thread waits for somebody outside, who lives by the wall clock, or Modbus
-   * devices are asked again and again. Only for the thread that drives the frames.
-   */
+  @Override
   public boolean waitsForOutside() {
     return machine.waitsForOutside() || box.links().modbus().active();
   }
 
-  /** The newest snapshot; any thread. */
+  @Override
   public ControllerState state() {
     return frame.state();
   }
 
-  /** Every snapshot in turn, for who must not miss a frame; any thread. */
+  @Override
   public StateStream feed() {
     return frame.feed();
   }
 
-  /**
-   * Log lines after number {@code number} that are still kept, oldest first; any thread. The number
-   * of the first tells how many were missed.
-   */
+  @Override
   public List<LogEntry> logSince(long number) {
     return box.log().since(number);
   }
 
-  /** What has happened in interpreter mode; any thread. */
+  @Override
   public InterpreterJournal interpreterJournal() {
     return machine.interpreter().journal();
   }
 
-  /** The text of the running or last program. Only for the thread that drives the frames. */
+  @Override
   public Optional<Source> programSource() {
     return machine.source();
   }
 
-  /**
-   * Copies of the global variables of the running or last program, by name. Only for the thread
-   * that drives the frames.
-   */
+  @Override
   public SortedMap<String, Value> globals() {
     return machine.globals();
   }

@@ -16,6 +16,7 @@ import org.pendant.controller.safety.FittedSafety;
 import org.pendant.controller.safety.PowerTimes;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
@@ -147,7 +148,7 @@ public final class ControllerOptions {
   /**
    * With simulated belts that turn encoders from the start.
    *
-   * @param ticksPerS by the number of the encoder, 0 or 1; see {@link Command.RunEncoder}
+   * @param ticksPerS by the number of the encoder, 0 or 1; see {@link WorldCommand.RunEncoder}
    */
   public ControllerOptions withEncoders(Map<Integer, Double> ticksPerS) {
     return changed(copy -> copy.encoderTicksPerS = Map.copyOf(ticksPerS));

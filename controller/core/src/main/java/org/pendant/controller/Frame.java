@@ -90,11 +90,35 @@ final class Frame {
     try {
       step();
     } catch (OutOfMemoryError | StackOverflowError e) {
-      if (machine.state() == ProgramState.STOPPED) {
-        throw e;
-      }
-      // whatever met it: it is the program that takes so much, and without it the box goes on
-      endAfter(e);
+      endOrThrow(e);
+    }
+  }
+
+  /** Whatever met it: it is the program that takes so much, and without it the box goes on. */
+  private void endOrThrow(VirtualMachineError e) {
+    if (machine.state() == ProgramState.STOPPED) {
+      throw e;
+    }
+    endAfter(e);
+  }
+
+  /**
+   * Carries out the commands that have arrived, between two frames: no time passes. A frame that a
+   * debugger holds goes on with them.
+   */
+  void applyCommands() {
+    if (held) {
+      advance();
+      return;
+    }
+    try {
+      beganNs = box.clock().inRealTime() ? System.nanoTime() : 0;
+      commandQueue.drain(this::followProgram);
+      commandQueue.runSecondaries();
+      followProgram();
+      publish();
+    } catch (OutOfMemoryError | StackOverflowError e) {
+      endOrThrow(e);
     }
   }
 
@@ -103,7 +127,7 @@ final class Frame {
     if (!held) {
       box.beginFrame();
     }
-    applyCommands();
+    takeInputs();
     held = runScripts();
     if (held) {
       // a debugger holds the frame: time stands still, and the next call goes on with it
@@ -127,7 +151,7 @@ final class Frame {
     return feed;
   }
 
-  private void applyCommands() {
+  private void takeInputs() {
     box.links().modbus().step(box.clock().timeS());
     box.links().toolLine().step();
     commandQueue.drain(this::followProgram);

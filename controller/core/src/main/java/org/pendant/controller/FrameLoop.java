@@ -1,6 +1,7 @@
 package org.pendant.controller;
 
 import java.util.Optional;
+import org.pendant.controller.box.BoxCommand;
 
 /** A thread that drives a controller at the pace of a clock until it is closed. */
 public final class FrameLoop implements AutoCloseable {
@@ -9,7 +10,8 @@ public final class FrameLoop implements AutoCloseable {
 
   private static final double NS = 1e-9;
 
-  private final Controller controller;
+  private final Robot robot;
+  private final Drive drive;
   private final Clock clock;
   private final Runnable afterEach;
   private final Thread thread;
@@ -18,7 +20,8 @@ public final class FrameLoop implements AutoCloseable {
   private volatile Optional<Throwable> failure = Optional.empty();
 
   private FrameLoop(Controller controller, Clock clock, Runnable afterEach) {
-    this.controller = controller;
+    robot = controller;
+    drive = controller;
     this.clock = clock;
     this.afterEach = afterEach;
     thread = Thread.ofPlatform().daemon().name("frame loop").unstarted(this::run);
@@ -41,13 +44,19 @@ public final class FrameLoop implements AutoCloseable {
   }
 
   private void run() {
+    drive.wakeBy(clock::commandArrived);
+    // those that came before
+    clock.commandArrived();
     try {
       while (!closing) {
-        clock.awaitFrame(controller::waitsForOutside);
+        Clock.Due due = clock.awaitDue(drive::waitsForOutside);
         tellLost();
-        controller.advance();
+        switch (due) {
+          case FRAME -> drive.advance();
+          case COMMANDS -> drive.applyCommands();
+        }
         afterEach.run();
-        if (controller.state().debug().held()) {
+        if (drive.state().debug().held()) {
           // time stands still; only commands are waited for
           Thread.sleep(HELD_MS);
           clock.startAfresh();
@@ -65,7 +74,7 @@ public final class FrameLoop implements AutoCloseable {
   private void tellLost() {
     if (clock.lostNs() != toldLostNs) {
       toldLostNs = clock.lostNs();
-      var _ = controller.submit(new Command.NoteLostTime(NS * toldLostNs));
+      var _ = robot.submit(new BoxCommand.NoteLostTime(NS * toldLostNs));
     }
   }
 

@@ -3,6 +3,7 @@ package org.pendant.controller;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.command.Refusal;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.freedrive.FreedriveHolder;
@@ -27,9 +28,9 @@ final class FreedriveSession {
   private static final class Hold {
     final FreedriveMode mode;
     long lastFrame;
-    Optional<String> reason;
+    Optional<Refusal> reason;
 
-    Hold(FreedriveMode mode, Optional<String> reason) {
+    Hold(FreedriveMode mode, Optional<Refusal> reason) {
       this.mode = mode;
       this.reason = reason;
     }
@@ -40,7 +41,7 @@ final class FreedriveSession {
   }
 
   /** Begins, or goes on; answers why the arm cannot be guided, or no longer. */
-  Optional<String> hold(FreeAxes axes, FreedriveFrame frame) {
+  Optional<Refusal> hold(FreeAxes axes, FreedriveFrame frame) {
     FreedriveMode mode = new FreedriveMode(FreedriveHolder.HAND, axes, frame, true);
     if (hold.isEmpty() || !hold.get().mode.equals(mode)) {
       box.motion().clearFault();
@@ -51,17 +52,20 @@ final class FreedriveSession {
     return hold.get().reason;
   }
 
-  private static Optional<String> refusal(FreedriveStart start) {
+  private static Optional<Refusal> refusal(FreedriveStart start) {
     return switch (start) {
       case FreedriveStart.Started _ -> Optional.empty();
-      case FreedriveStart.Refused refused -> Optional.of(refused.reason());
+      case FreedriveStart.Refused refused -> Optional.of(refused.refusal());
       case FreedriveStart.WrongPayload wrong ->
           Optional.of(
-              "the declared payload is wrong by "
-                  + text(wrong.errorN())
-                  + " N, must be at most "
-                  + text(wrong.toleranceN())
-                  + " N, or something pushes the tool; declare what hangs on the flange first");
+              new Refusal(
+                  Refusal.Code.INVALID,
+                  "the declared payload is wrong by "
+                      + text(wrong.errorN())
+                      + " N, must be at most "
+                      + text(wrong.toleranceN())
+                      + " N, or something pushes the tool; declare what hangs on the flange"
+                      + " first"));
     };
   }
 
@@ -95,7 +99,10 @@ final class FreedriveSession {
         box.freedrive().state(box.drive().actualPositionRad()).heldBy(FreedriveHolder.HAND);
     if (!guided && present.reason.isEmpty()) {
       present.reason =
-          Optional.of(box.safety().programRefusal().orElse("freedrive has been ended"));
+          Optional.of(
+              box.safety()
+                  .programRefusal()
+                  .orElse(new Refusal(Refusal.Code.ARM_POWER, "freedrive has been ended")));
     }
   }
 
@@ -105,7 +112,7 @@ final class FreedriveSession {
    * @param demanded whether one of them is high
    * @param program why a program keeps the arm from being guided; asked only when that matters
    */
-  void followInput(boolean demanded, Supplier<Optional<String>> program) {
+  void followInput(boolean demanded, Supplier<Optional<Refusal>> program) {
     if (demanded == inputDemands) {
       return;
     }
@@ -114,10 +121,10 @@ final class FreedriveSession {
       box.freedrive().end(FreedriveHolder.INPUT);
       return;
     }
-    Optional<String> refusal = program.get();
+    Optional<Refusal> refusal = program.get();
     if (refusal.isEmpty() && !box.freedrive().active()) {
       refusal = refusal(box.freedrive().start(FreedriveMode.free(FreedriveHolder.INPUT, true)));
     }
-    refusal.ifPresent(reason -> box.log().warning("freedrive by an input: " + reason));
+    refusal.ifPresent(why -> box.log().warning("freedrive by an input: " + why.text()));
   }
 }

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.command.Refusal;
 import org.pendant.controller.encoder.PulseDecoder;
 import org.pendant.controller.external.ModbusAddress;
 import org.pendant.controller.external.ModbusExchange;
@@ -241,12 +242,12 @@ final class InstallationHandler {
     if (level != powerLevel) {
       powerLevel = level;
       if (level == current.startUp().powerOnHigh()) {
-        Optional<String> refusal = box.safety().releaseBrakes();
+        Optional<Refusal> refusal = box.safety().releaseBrakes();
         box.log()
             .info(
                 powerInput.get()
                     + refusal
-                        .map(why -> " asks to switch the arm on, which is refused: " + why)
+                        .map(why -> " asks to switch the arm on, which is refused: " + why.text())
                         .orElse(" switches the arm on"));
       }
     }

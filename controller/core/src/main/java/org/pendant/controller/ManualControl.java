@@ -4,6 +4,10 @@ import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.command.CommandHandler;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Refusal.Code;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.jog.JogMove;
@@ -19,7 +23,7 @@ import org.pendant.script.vm.Machine;
  * Manual control: jogging, freedrive and other commands of an operator; refused while a program has
  * the arm.
  */
-final class ManualControl {
+final class ManualControl implements CommandHandler<ManualCommand> {
   /** Farthest TCP and centre of gravity along each axis of the flange, m. */
   private static final double MAX_M = 4;
 
@@ -38,6 +42,33 @@ final class ManualControl {
     guiding = new FreedriveSession(box);
   }
 
+  @Override
+  public Class<ManualCommand> family() {
+    return ManualCommand.class;
+  }
+
+  @Override
+  public Reply carryOut(ManualCommand command) {
+    return switch (command) {
+      case ManualCommand.Jog(JogMove move, double speedFraction) ->
+          Reply.unless(jog(move, speedFraction));
+      case ManualCommand.StopJog _ -> {
+        jogging.release();
+        yield Reply.done();
+      }
+      case ManualCommand.StartFreedrive(FreeAxes axes, FreedriveFrame frame) ->
+          Reply.unless(guide(axes, frame));
+      case ManualCommand.EndFreedrive _ -> {
+        guiding.release();
+        yield Reply.done();
+      }
+      case ManualCommand.SetTool(ToolCentre tool) -> Reply.unless(setTool(tool));
+      case ManualCommand.DeclarePayload declare ->
+          Reply.unless(
+              declarePayload(declare.massKg(), declare.cogInFlangeM(), declare.inertiaKgM2()));
+    };
+  }
+
   /** Looks at how a move by hand goes; after the step of the motion. */
   void step() {
     jogging.step();
@@ -47,8 +78,8 @@ final class ManualControl {
         () -> programRefusal("an input asks for freedrive"));
   }
 
-  Optional<String> guide(FreeAxes axes, FreedriveFrame frame) {
-    Optional<String> refusal = programRefusal("the arm is guided by hand");
+  private Optional<Refusal> guide(FreeAxes axes, FreedriveFrame frame) {
+    Optional<Refusal> refusal = programRefusal("the arm is guided by hand");
     if (refusal.isEmpty()) {
       jogging.giveUp();
       refusal = guiding.hold(axes, frame);
@@ -56,19 +87,9 @@ final class ManualControl {
     return refusal;
   }
 
-  /** Ends {@link #guide}: the arm holds where it is. */
-  void endGuiding() {
-    guiding.release();
-  }
-
-  /** Each of these answers why not, empty if it is done. */
-  Optional<String> jog(JogMove move, double speedFraction) {
-    Optional<String> refusal = programRefusal("the arm is moved by hand");
+  private Optional<Refusal> jog(JogMove move, double speedFraction) {
+    Optional<Refusal> refusal = programRefusal("the arm is moved by hand");
     return refusal.isPresent() ? refusal : jogging.hold(move, speedFraction);
-  }
-
-  void stop() {
-    jogging.release();
   }
 
   /** A program takes the arm over. */
@@ -77,14 +98,14 @@ final class ManualControl {
     guiding.release();
   }
 
-  Optional<String> setTool(ToolCentre tool) {
-    Optional<String> refusal = settingRefusal("the TCP is changed");
+  private Optional<Refusal> setTool(ToolCentre tool) {
+    Optional<Refusal> refusal = settingRefusal("the TCP is changed");
     if (refusal.isEmpty()) {
       Pose p = tool.inFlange();
       refusal = distanceRefusal("the TCP", p.x(), p.y(), p.z());
     }
     if (refusal.isEmpty() && !Double.isFinite(angleRad(tool.inFlange()))) {
-      refusal = Optional.of("the rotation of the TCP is " + tool.inFlange() + ", must be finite");
+      refusal = invalid("the rotation of the TCP is " + tool.inFlange() + ", must be finite");
     }
     if (refusal.isEmpty()) {
       box.flange().setTool(tool);
@@ -96,8 +117,8 @@ final class ManualControl {
     return new Vector3(p.rx(), p.ry(), p.rz()).length();
   }
 
-  Optional<String> declarePayload(double massKg, Vector3 cogM, Optional<Inertia> inertia) {
-    Optional<String> refusal = settingRefusal("the payload is changed");
+  private Optional<Refusal> declarePayload(double massKg, Vector3 cogM, Optional<Inertia> inertia) {
+    Optional<Refusal> refusal = settingRefusal("the payload is changed");
     if (refusal.isEmpty()) {
       refusal = massRefusal(massKg);
     }
@@ -105,7 +126,10 @@ final class ManualControl {
       refusal = distanceRefusal("the centre of gravity", cogM.x(), cogM.y(), cogM.z());
     }
     if (refusal.isEmpty()) {
-      refusal = inertia.flatMap(Inertia::problem).map(why -> "the inertia is refused: " + why);
+      refusal =
+          inertia
+              .flatMap(Inertia::problem)
+              .flatMap(why -> invalid("the inertia is refused: " + why));
     }
     if (refusal.isEmpty()) {
       Inertia i = inertia.orElse(Inertia.NONE);
@@ -119,12 +143,12 @@ final class ManualControl {
     return refusal;
   }
 
-  private Optional<String> massRefusal(double massKg) {
+  private Optional<Refusal> massRefusal(double massKg) {
     ArmDescription arm = box.armDescription();
     double most = MAX_RATED_PAYLOADS * arm.payloadKg();
     return massKg >= 0 && massKg <= most
         ? Optional.empty()
-        : Optional.of(
+        : invalid(
             "the mass is "
                 + text(massKg)
                 + " kg, must be 0 to "
@@ -133,11 +157,11 @@ final class ManualControl {
                 + arm.id());
   }
 
-  private static Optional<String> distanceRefusal(String what, double x, double y, double z) {
+  private static Optional<Refusal> distanceRefusal(String what, double x, double y, double z) {
     boolean near = Math.abs(x) <= MAX_M && Math.abs(y) <= MAX_M && Math.abs(z) <= MAX_M;
     return near
         ? Optional.empty()
-        : Optional.of(
+        : invalid(
             what
                 + " is at ["
                 + text(x)
@@ -153,21 +177,30 @@ final class ManualControl {
   }
 
   /** Why nothing about the arm can be set up anew now; empty if it can. */
-  Optional<String> settingRefusal(String what) {
-    Optional<String> refusal = programRefusal(what);
+  Optional<Refusal> settingRefusal(String what) {
+    Optional<Refusal> refusal = programRefusal(what);
     return refusal.isEmpty() && box.motion().moving()
-        ? Optional.of("the arm is moving, must be at rest when " + what)
+        ? Optional.of(
+            new Refusal(Code.ARM_MOVES, "the arm is moving, must be at rest when " + what))
         : refusal;
   }
 
-  private Optional<String> programRefusal(String what) {
+  private Optional<Refusal> programRefusal(String what) {
     return switch (machine.state()) {
       case STOPPED -> Optional.empty();
       case RUNNING ->
-          Optional.of("program " + machine.programName() + " runs, stop it before " + what);
+          programHasArm("program " + machine.programName() + " runs, stop it before " + what);
       case PAUSED ->
-          Optional.of("program " + machine.programName() + " is paused, stop it before " + what);
+          programHasArm("program " + machine.programName() + " is paused, stop it before " + what);
     };
+  }
+
+  private static Optional<Refusal> programHasArm(String text) {
+    return Optional.of(new Refusal(Code.PROGRAM, text));
+  }
+
+  private static Optional<Refusal> invalid(String text) {
+    return Optional.of(new Refusal(Code.INVALID, text));
   }
 
   private static String text(double number) {

@@ -1,18 +1,22 @@
 package org.pendant.controller;
 
-import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 
 /**
- * A command on its way. Whoever has left it may take it back as long as no frame has taken it: so
- * it is either carried out or refused, never both. Any thread.
+ * Command on its way. Whoever has left it may take it back as long as no frame has taken it: so it
+ * is either carried out or not, never both. Any thread.
  */
 public final class PendingCommand {
+  static final Reply INTERRUPTED = new Reply.Busy("interrupted");
+  private static final Reply NO_ANSWER = new Reply.Busy("the controller does not answer");
+
   private final Command command;
   private final Consumer<PendingCommand> removal;
   private final CompletableFuture<Reply> reply = new CompletableFuture<>();
@@ -55,33 +59,41 @@ public final class PendingCommand {
   }
 
   /**
-   * Waits for the answer; a command that no frame has taken by then is taken back and refused.
+   * Waits for the answer. A thread that is interrupted meanwhile stays so, and is answered {@link
+   * Reply.Busy}.
    *
-   * @param patience a frame takes 2 ms: who gets no answer for much longer speaks to a box whose
-   *     time stands still
+   * @param spentNs how much of the time has gone by, ns
    */
-  public Reply await(Duration patience) throws InterruptedException {
+  Reply await(Deadline deadline, long spentNs) {
     try {
-      return reply.get(patience.toNanos(), TimeUnit.NANOSECONDS);
+      return reply.get(deadline.afterNs() - spentNs, TimeUnit.NANOSECONDS);
     } catch (TimeoutException e) {
-      return withdraw() ? noAnswer() : awaitEndOfFrame(patience);
+      return deadline.late() || withdraw() ? NO_ANSWER : awaitEndOfFrame(deadline);
+    } catch (InterruptedException e) {
+      return interrupted(deadline);
     } catch (ExecutionException e) {
       throw new IllegalStateException(e);
     }
   }
 
   /** A frame is at it, which is not over only if the controller has failed in the middle of it. */
-  private Reply awaitEndOfFrame(Duration patience) throws InterruptedException {
+  private Reply awaitEndOfFrame(Deadline deadline) {
     try {
-      return reply.get(patience.toNanos(), TimeUnit.NANOSECONDS);
+      return reply.get(deadline.afterNs(), TimeUnit.NANOSECONDS);
     } catch (TimeoutException e) {
-      return noAnswer();
+      return NO_ANSWER;
+    } catch (InterruptedException e) {
+      return interrupted(deadline);
     } catch (ExecutionException e) {
       throw new IllegalStateException(e);
     }
   }
 
-  private static Reply noAnswer() {
-    return new Reply.Refused("the controller does not answer");
+  private Reply interrupted(Deadline deadline) {
+    Thread.currentThread().interrupt();
+    if (!deadline.late()) {
+      withdraw();
+    }
+    return INTERRUPTED;
   }
 }

@@ -1,5 +1,6 @@
 package org.pendant.controller;
 
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
@@ -9,6 +10,10 @@ import org.pendant.models.time.FrameTime;
 
 /** A clock whose pace can be changed while it runs. One thread waits, any thread steers. */
 public final class SteerableClock implements Clock {
+  private static final Optional<Due> NOTHING = Optional.empty();
+  private static final Optional<Due> FRAME = Optional.of(Due.FRAME);
+  private static final Optional<Due> COMMANDS = Optional.of(Due.COMMANDS);
+
   private final LongSupplier nanoTime;
   private final LongConsumer parkNanos;
   private final Deadlines deadlines = new Deadlines();
@@ -53,29 +58,31 @@ public final class SteerableClock implements Clock {
     }
   }
 
-  /**
-   * Says that a command has been left for the next frame. One frame passes for it even if robot
-   * time is paused: nothing else carries commands out.
-   */
+  @Override
   public void commandArrived() {
     commandWaits = true;
-    LockSupport.unpark(waiting);
+    if (pace instanceof Pace.Paused) {
+      LockSupport.unpark(waiting);
+    }
   }
 
   @Override
-  public void awaitFrame(BooleanSupplier waitsForOutside) throws InterruptedException {
+  public Due awaitDue(BooleanSupplier waitsForOutside) throws InterruptedException {
     waiting = Thread.currentThread();
-    while (!frameIsDue(waitsForOutside)) {
+    Optional<Due> due = due(waitsForOutside);
+    while (due.isEmpty()) {
       if (Thread.interrupted()) {
         throw new InterruptedException();
       }
+      due = due(waitsForOutside);
     }
-    // Cleared before the frame takes its commands, so one that comes meanwhile asks for another.
+    // cleared before the commands are taken, so that one that comes meanwhile is not overlooked
     commandWaits = false;
+    return due.get();
   }
 
-  /** Whether the next frame may begin; if not, some time has passed. */
-  private boolean frameIsDue(BooleanSupplier waitsForOutside) {
+  /** What is due; if nothing is, some time has passed. */
+  private Optional<Due> due(BooleanSupplier waitsForOutside) {
     Pace wanted = pace;
     if (fasterThanReal(wanted) && waitsForOutside.getAsBoolean()) {
       wanted = Pace.REAL_TIME;
@@ -85,9 +92,9 @@ public final class SteerableClock implements Clock {
       deadlines.startAfresh();
     }
     return switch (wanted) {
-      case Pace.Unlimited unlimited -> !Thread.currentThread().isInterrupted();
-      case Pace.Paused paused -> grantedWhilePaused();
-      case Pace.Times times -> dueAt(times.factor());
+      case Pace.Unlimited unlimited -> Thread.currentThread().isInterrupted() ? NOTHING : FRAME;
+      case Pace.Paused paused -> dueWhilePaused();
+      case Pace.Times times -> dueAt(times.factor()) ? FRAME : NOTHING;
     };
   }
 
@@ -99,16 +106,16 @@ public final class SteerableClock implements Clock {
     };
   }
 
-  private boolean grantedWhilePaused() {
-    if (commandWaits) {
-      return true;
-    }
+  private Optional<Due> dueWhilePaused() {
     if (grantedFrames.get() > 0) {
       grantedFrames.decrementAndGet();
-      return true;
+      return FRAME;
+    }
+    if (commandWaits) {
+      return COMMANDS;
     }
     parkNanos.accept(Long.MAX_VALUE);
-    return false;
+    return NOTHING;
   }
 
   private boolean dueAt(double factor) {

@@ -27,7 +27,7 @@ public final class VirtualClock implements Clock {
   }
 
   @Override
-  public void awaitFrame(BooleanSupplier waitsForOutside) throws InterruptedException {
+  public Due awaitDue(BooleanSupplier waitsForOutside) throws InterruptedException {
     if (Thread.interrupted()) {
       throw new InterruptedException();
     }
@@ -39,6 +39,7 @@ public final class VirtualClock implements Clock {
       }
       awaitDeadline();
     }
+    return Due.FRAME;
   }
 
   @Override

@@ -45,7 +45,7 @@ public final class WallClock implements Clock {
   }
 
   @Override
-  public void awaitFrame(BooleanSupplier waitsForOutside) throws InterruptedException {
+  public Due awaitDue(BooleanSupplier waitsForOutside) throws InterruptedException {
     if (Thread.interrupted()) {
       throw new InterruptedException();
     }
@@ -59,6 +59,7 @@ public final class WallClock implements Clock {
     }
     boolean slowed = frameNs < REAL_FRAME_NS && waitsForOutside.getAsBoolean();
     deadlines.begin(nowNs, slowed ? REAL_FRAME_NS : frameNs);
+    return Due.FRAME;
   }
 
   @Override

@@ -10,6 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.eip.AssemblyCommand;
 import org.pendant.controller.eip.AssemblyData;
 import org.pendant.controller.eip.AssemblyPair;
 import org.pendant.controller.safety.SafetyMode;
@@ -23,11 +25,12 @@ class AssemblyProgramTest {
   private final RunningProgram program = new RunningProgram();
 
   private void configure() {
-    program.done(new Command.ConfigureAssemblies(new AssemblyPair(TO_PLC, 16, FROM_PLC, 16)));
+    program.done(
+        new AssemblyCommand.ConfigureAssemblies(new AssemblyPair(TO_PLC, 16, FROM_PLC, 16)));
   }
 
   private void receive(String hex) {
-    program.done(new Command.ReceiveAssembly(FROM_PLC, data(hex)));
+    program.done(new AssemblyCommand.ReceiveAssembly(FROM_PLC, data(hex)));
   }
 
   private static AssemblyData data(String hex) {
@@ -280,10 +283,12 @@ class AssemblyProgramTest {
     configure();
     assertInstanceOf(
         Reply.Refused.class,
-        program.ask(new Command.ConfigureAssemblies(new AssemblyPair(TO_PLC, 17, FROM_PLC, 16))));
+        program.ask(
+            new AssemblyCommand.ConfigureAssemblies(new AssemblyPair(TO_PLC, 17, FROM_PLC, 16))));
     assertInstanceOf(
         Reply.Refused.class,
-        program.ask(new Command.ConfigureAssemblies(new AssemblyPair(FROM_PLC, 1, TO_PLC, 1))));
+        program.ask(
+            new AssemblyCommand.ConfigureAssemblies(new AssemblyPair(FROM_PLC, 1, TO_PLC, 1))));
   }
 
   @Test

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
@@ -109,7 +110,7 @@ final class BlendedProgramTest {
     while (running.said().isEmpty() || running.state().arm().targetTcpInBase().y() < -0.05) {
       running.advance(1);
     }
-    running.done(new Command.SetInput("digital_in[0]", true));
+    running.done(new IoCommand.SetInput("digital_in[0]", true));
     running.finish();
     double before = Double.parseDouble(running.said().get(1));
     assertEquals(-0.05, before, 0.25 * 0.002);
@@ -204,7 +205,7 @@ final class BlendedProgramTest {
     while (running.said().isEmpty() || running.state().arm().targetTcpInBase().y() < -0.15) {
       running.advance(1);
     }
-    running.done(new Command.AbortMove());
+    running.done(new ProgramCommand.AbortMove());
     while (running.programState() == ProgramState.RUNNING) {
       assertTrue(running.state().arm().targetTcpInBase().y() < 0, "goes on far");
       running.advance(1);

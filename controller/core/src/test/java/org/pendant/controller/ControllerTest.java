@@ -10,11 +10,19 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.MessageCommand;
 import org.pendant.controller.message.Operator;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
@@ -58,11 +66,12 @@ final class ControllerTest {
     CompletableFuture<Reply> reply = controller.submit(command);
     assertFalse(reply.isDone());
     advance();
-    return reply.getNow(new Reply.Refused("no reply"));
+    return reply.getNow(new Reply.Busy("no reply"));
   }
 
   private void start(String text) {
-    assertEquals(new Reply.Done(), command(new Command.StartProgram(program(controller, text))));
+    assertEquals(
+        new Reply.Done(), command(new ProgramCommand.StartProgram(program(controller, text))));
   }
 
   private ControllerState run(String text) {
@@ -105,7 +114,7 @@ final class ControllerTest {
     start(MOVE);
     advance(200);
     assertTrue(moving());
-    assertEquals(new Reply.Done(), command(new Command.StopProgram()));
+    assertEquals(new Reply.Done(), command(new ProgramCommand.StopProgram()));
     assertInstanceOf(Ending.Stopped.class, controller.state().program().ending().orElseThrow());
     assertTrue(moving());
     advance(300);
@@ -128,12 +137,12 @@ final class ControllerTest {
         end
         """);
     advance(100);
-    command(new Command.PauseProgram());
+    command(new ProgramCommand.PauseProgram());
     assertEquals(ProgramState.PAUSED, controller.state().program().state());
     advance(2000);
     assertFalse(moving());
     assertTrue(lines.isEmpty());
-    command(new Command.ResumeProgram());
+    command(new ProgramCommand.ResumeProgram());
     advance(390);
     assertTrue(lines.isEmpty());
     advance(20);
@@ -186,7 +195,7 @@ final class ControllerTest {
     assertTrue(state.arm().fault().isPresent());
     controller.runUntil(() -> !controller.state().arm().moving(), 100);
     advance(2500);
-    command(new Command.UnlockProtectiveStop(false));
+    command(new SafetyCommand.UnlockProtectiveStop(false));
     run("textmsg(1)");
     assertTrue(controller.state().arm().fault().isEmpty());
   }
@@ -222,7 +231,7 @@ final class ControllerTest {
     advance(100);
     assertEquals(ProgramState.PAUSED, controller.state().program().state());
     long number = controller.state().openPopups().getFirst().number();
-    assertEquals(new Reply.Done(), command(new Command.AnswerPopup(number)));
+    assertEquals(new Reply.Done(), command(new MessageCommand.AnswerPopup(number)));
     advance(2);
     assertEquals(List.of("on"), lines);
     assertTrue(controller.state().openPopups().isEmpty());
@@ -252,7 +261,7 @@ final class ControllerTest {
         """);
     advance(50);
     assertEquals(ProgramState.RUNNING, controller.state().program().state());
-    command(new Command.SetInput("digital_in[2]", true));
+    command(new IoCommand.SetInput("digital_in[2]", true));
     advance(2);
     assertEquals(ProgramState.STOPPED, controller.state().program().state());
     assertEquals(2, controller.state().io().bits(SignalBank.TOOL_OUT));
@@ -274,23 +283,25 @@ final class ControllerTest {
   void commandsThatDoNotFitAreRefusedWithAReason() {
     Map<Command, String> reasons =
         Map.of(
-            new Command.PauseProgram(), "no program is running",
-            new Command.ResumeProgram(), "no program is paused",
-            new Command.SetSpeedFraction(2), "speed fraction is 2.0, must be 0 to 1",
-            new Command.AnswerPopup(5), "popup 5 is not open",
-            new Command.AbortMove(), "no move is under way");
-    reasons.forEach((command, reason) -> assertEquals(new Reply.Refused(reason), command(command)));
+            new ProgramCommand.PauseProgram(), "no program is running",
+            new ProgramCommand.ResumeProgram(), "no program is paused",
+            new BoxCommand.SetSpeedFraction(2), "speed fraction is 2.0, must be 0 to 1",
+            new MessageCommand.AnswerPopup(5), "popup 5 is not open",
+            new ProgramCommand.AbortMove(), "no move is under way");
+    reasons.forEach(
+        (command, reason) -> assertEquals(Optional.of(reason), command(command).complaint()));
     start(MOVE);
     Program second = program(controller, "textmsg(1)");
     assertEquals(
-        new Reply.Refused("program move runs already"), command(new Command.StartProgram(second)));
+        new Reply.Refused(Refusal.Code.PROGRAM, "program move runs already"),
+        command(new ProgramCommand.StartProgram(second)));
   }
 
   @Test
   void moreCommandsThanADeskHoldsAreRefusedAtOnce() {
     List<CompletableFuture<Reply>> replies = new ArrayList<>();
     for (int i = 0; i < 2000; i++) {
-      replies.add(controller.submit(new Command.SetInput("digital_in[0]", i % 2 == 0)));
+      replies.add(controller.submit(new IoCommand.SetInput("digital_in[0]", i % 2 == 0)));
     }
     advance();
     assertEquals(1024, replies.stream().filter(r -> r.join() instanceof Reply.Done).count());
@@ -299,7 +310,7 @@ final class ControllerTest {
 
   @Test
   void theSpeedSliderStretchesAMoveButNotASleep() {
-    command(new Command.SetSpeedFraction(0.5));
+    command(new BoxCommand.SetSpeedFraction(0.5));
     long before = controller.state().frame();
     run(
         "movej([0, -1.5707963267948966, -1.5707963267948966, -1.5707963267948966,"
@@ -314,7 +325,7 @@ final class ControllerTest {
   void abortingAMoveLetsTheProgramGoOn() {
     start(MOVE);
     advance(100);
-    command(new Command.AbortMove());
+    command(new ProgramCommand.AbortMove());
     controller.runUntil(() -> controller.state().newestEntry() > 0, 300);
     assertEquals("there", controller.logSince(0).getFirst().text());
   }
@@ -362,7 +373,8 @@ final class ControllerTest {
   void aFrameLoopDrivesTheControllerInItsOwnThread() {
     Program program = program(controller, "sleep(1)");
     try (FrameLoop loop = FrameLoop.start(controller, new VirtualClock())) {
-      assertEquals(new Reply.Done(), controller.submit(new Command.StartProgram(program)).join());
+      assertEquals(
+          new Reply.Done(), controller.submit(new ProgramCommand.StartProgram(program)).join());
       assertTrue(loop.failure().isEmpty());
     }
     long frame = controller.state().frame();

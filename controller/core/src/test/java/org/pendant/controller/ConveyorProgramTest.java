@@ -8,9 +8,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.io.IoCommand;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ArmState;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
@@ -50,7 +54,7 @@ final class ConveyorProgramTest {
 
   private static RunningProgram withBelt(double ticksPerS) {
     RunningProgram running = new RunningProgram();
-    running.done(new Command.RunEncoder(0, ticksPerS));
+    running.done(new WorldCommand.RunEncoder(0, ticksPerS));
     return running;
   }
 
@@ -181,7 +185,7 @@ final class ConveyorProgramTest {
     RunningProgram running = withBelt(TICKS_PER_S);
     running.start(CIRCLE.formatted(TRACK));
     until(running, "draws");
-    running.done(new Command.SetSpeedFraction(0));
+    running.done(new BoxCommand.SetSpeedFraction(0));
     running.advance(200);
     Pose before = tcp(running);
     running.advance(250);
@@ -195,13 +199,13 @@ final class ConveyorProgramTest {
     running.start(CIRCLE.formatted(TRACK));
     until(running, "draws");
     running.advance(100);
-    running.done(new Command.PauseProgram());
+    running.done(new ProgramCommand.PauseProgram());
     running.advance(200);
     Pose before = tcp(running);
     running.advance(250);
     assertEquals(0.5 * BELT_M_PER_S, tcp(running).y() - before.y(), 1e-6);
     assertEquals(before.x(), tcp(running).x(), 1e-9);
-    running.done(new Command.ResumeProgram());
+    running.done(new ProgramCommand.ResumeProgram());
     until(running, "drawn");
   }
 
@@ -211,7 +215,7 @@ final class ConveyorProgramTest {
     running.start(CIRCLE.formatted(TRACK));
     until(running, "draws");
     running.advance(100);
-    running.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    running.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     Smoothness stop = new Smoothness(40);
     stop.before = running.state().arm().targetSpeedRadPerS();
     for (int i = 0; i < 300; i++) {
@@ -225,7 +229,7 @@ final class ConveyorProgramTest {
     assertEquals(held, tcp(running));
     assertEquals(SafetyMode.SAFEGUARD_STOP, running.state().safety().safetyMode());
     Smoothness goingOn = new Smoothness(25);
-    running.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
+    running.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
     for (int i = 0; i < 3000 && !running.said().contains("drawn"); i++) {
       running.advance(1);
       goingOn.see(running.state().arm());
@@ -243,7 +247,7 @@ final class ConveyorProgramTest {
       running.start(TRACK + "sleep(1)\ntextmsg(\"now\")\nsleep(" + (stopped ? 9 : 0.1) + ")\n");
       until(running, "now");
       if (stopped) {
-        running.done(new Command.StopProgram());
+        running.done(new ProgramCommand.StopProgram());
       }
       Smoothness stop = new Smoothness(8.001);
       stop.before = running.state().arm().targetSpeedRadPerS();
@@ -265,12 +269,12 @@ final class ConveyorProgramTest {
     RunningProgram running = withBelt(TICKS_PER_S);
     running.start(TRACK + "sleep(1)\ntextmsg(\"now\")\nsleep(9)\n");
     until(running, "now");
-    running.done(new Command.PowerOff());
+    running.done(new SafetyCommand.PowerOff());
     running.advance(500);
     Pose rests = running.state().arm().actualTcpInBase();
-    running.done(new Command.PowerOn());
+    running.done(new SafetyCommand.PowerOn());
     running.advance(500);
-    running.done(new Command.ReleaseBrakes());
+    running.done(new SafetyCommand.ReleaseBrakes());
     running.advance(1500);
     assertEquals(0, Poses.distance(rests, running.state().arm().actualTcpInBase()), 1e-3);
     assertEquals(Joints.ZERO, running.state().arm().targetSpeedRadPerS());
@@ -330,10 +334,10 @@ final class ConveyorProgramTest {
         """);
     double before = tcp(running).z();
     for (int period = 0; period < 5; period++) {
-      running.done(new Command.SetInput("configurable_in[0]", true));
-      running.done(new Command.SetInput("configurable_in[1]", true));
-      running.done(new Command.SetInput("configurable_in[0]", false));
-      running.done(new Command.SetInput("configurable_in[1]", false));
+      running.done(new IoCommand.SetInput("configurable_in[0]", true));
+      running.done(new IoCommand.SetInput("configurable_in[1]", true));
+      running.done(new IoCommand.SetInput("configurable_in[0]", false));
+      running.done(new IoCommand.SetInput("configurable_in[1]", false));
     }
     until(running, "20");
     assertEquals(before + 0.02, tcp(running).z(), 1e-6);
@@ -479,7 +483,7 @@ final class ConveyorProgramTest {
         if (Math.abs(place + ticksPerS * frames * FRAME_S) > 2500) {
           ticksPerS = -ticksPerS;
         }
-        running.done(new Command.RunEncoder(0, ticksPerS));
+        running.done(new WorldCommand.RunEncoder(0, ticksPerS));
         place += ticksPerS * (frames + 1) * FRAME_S;
         smooth.before = running.state().arm().targetSpeedRadPerS();
         for (int i = 0; i < frames; i++) {

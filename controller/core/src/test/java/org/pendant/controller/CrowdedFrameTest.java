@@ -8,6 +8,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Reply;
 import org.pendant.language.source.Source;
 import org.pendant.script.debug.Breakpoint;
 
@@ -24,7 +27,7 @@ final class CrowdedFrameTest {
   private void start(String text) {
     CompletableFuture<Reply> reply =
         submit(
-            new Command.StartProgram(
+            new ProgramCommand.StartProgram(
                 controller.load(Source.of("t.script", text)).program().orElseThrow()));
     controller.advance();
     assertEquals(new Reply.Done(), reply.join());
@@ -32,7 +35,7 @@ final class CrowdedFrameTest {
 
   private CompletableFuture<Reply> submitSecondary() {
     return submit(
-        new Command.RunSecondary(
+        new ProgramCommand.RunSecondary(
             controller.load(Source.of("s.script", SECONDARY)).program().orElseThrow()));
   }
 
@@ -44,19 +47,20 @@ final class CrowdedFrameTest {
     }
     controller.advance();
     assertEquals(
-        new Reply.Refused("more than 8 secondary programs in a frame"), replies.getLast().join());
+        new Reply.Refused(Refusal.Code.LIMIT, "more than 8 secondary programs in a frame"),
+        replies.getLast().join());
     assertEquals(8, replies.stream().filter(each -> each.join() instanceof Reply.Done).count());
   }
 
   @Test
   void aSecondaryProgramIsRefusedAtOnceWhileADebuggerHoldsTheFrame() {
-    var _ = submit(new Command.Debug(debugger -> debugger.set(Breakpoint.at(2))));
+    var _ = submit(new DebugCommand.Debug(debugger -> debugger.set(Breakpoint.at(2))));
     start("def p():\n  x = 1\n  sleep(9)\nend\n");
     assertTrue(controller.state().debug().held());
     CompletableFuture<Reply> reply = submitSecondary();
     controller.advance();
-    assertEquals(new Reply.Refused("a debugger holds program p"), reply.join());
-    var _ = submit(new Command.Debug(debugger -> debugger.resume()));
+    assertEquals(new Reply.Refused(Refusal.Code.HELD, "a debugger holds program p"), reply.join());
+    var _ = submit(new DebugCommand.Debug(debugger -> debugger.resume()));
     controller.advance();
     assertEquals(List.of(), controller.logSince(0));
   }
@@ -66,7 +70,7 @@ final class CrowdedFrameTest {
     start("def p():\n  interpreter_mode()\nend\n");
     List<CompletableFuture<Reply>> replies = new ArrayList<>();
     for (int i = 0; i < 20; i++) {
-      replies.add(submit(new Command.Interpret("textmsg(" + i + ")")));
+      replies.add(submit(new InterpreterCommand.Interpret("textmsg(" + i + ")")));
     }
     controller.advance();
     assertEquals(16, replies.stream().filter(CompletableFuture::isDone).count());

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.SplittableRandom;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ArmState;
 import org.pendant.models.arm.ArmDescription;
@@ -122,7 +123,7 @@ final class DirectTorqueTest {
 
   @Test
   void aCallTakesOneFrameWhateverTheSlider() {
-    running.done(new Command.SetSpeedFraction(0.1));
+    running.done(new BoxCommand.SetSpeedFraction(0.1));
     running.start(
         """
         def torque():

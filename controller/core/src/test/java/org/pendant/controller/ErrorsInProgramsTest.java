@@ -8,6 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.language.source.Source;
 import org.pendant.script.function.Builtins;
@@ -44,7 +45,7 @@ final class ErrorsInProgramsTest {
   private void start(String text) {
     var _ =
         controller.submit(
-            new Command.StartProgram(
+            new ProgramCommand.StartProgram(
                 controller.load(Source.of("t.script", text)).program().orElseThrow()));
     controller.advance();
   }
@@ -85,13 +86,13 @@ final class ErrorsInProgramsTest {
     start("def goes_on():\n  sleep(9)\nend\n");
     var reply =
         controller.submit(
-            new Command.RunSecondary(
+            new ProgramCommand.RunSecondary(
                 controller
                     .load(Source.of("s.script", "sec s():\n  meet_error()\nend\n"))
                     .program()
                     .orElseThrow()));
     controller.advance();
-    assertInstanceOf(Reply.Refused.class, reply.join());
+    assertInstanceOf(Reply.Failed.class, reply.join());
     assertEquals(ProgramState.RUNNING, controller.state().program().state());
   }
 }

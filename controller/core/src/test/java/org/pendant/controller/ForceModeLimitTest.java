@@ -9,11 +9,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.pose.Wrench;
 import org.pendant.script.vm.ProgramState;
 
@@ -32,7 +34,7 @@ final class ForceModeLimitTest {
   }
 
   private void push(double fx, double fy, double fz, double mz) {
-    arm.running.done(new Command.PushTool(new Wrench(fx, fy, fz, 0, 0, mz)));
+    arm.running.done(new WorldCommand.PushTool(new Wrench(fx, fy, fz, 0, 0, mz)));
   }
 
   private SafetyMode mode() {
@@ -127,7 +129,7 @@ final class ForceModeLimitTest {
   void aPausedProgramIsNotStopped() {
     arm.start(floatZ("[0, 0, 0.1, 0, 0, 0]") + "sleep(10)\n");
     arm.frames(100);
-    arm.running.done(new Command.PauseProgram());
+    arm.running.done(new ProgramCommand.PauseProgram());
     push(0, 60, 0, 0);
     arm.frames(500);
     assertEquals(SafetyMode.NORMAL, mode());
@@ -141,8 +143,8 @@ final class ForceModeLimitTest {
     arm.frames(2600);
     push(0, 0, 0, 0);
     arm.frames(500);
-    arm.running.done(new Command.UnlockProtectiveStop(false));
-    arm.running.done(new Command.ResumeProgram());
+    arm.running.done(new SafetyCommand.UnlockProtectiveStop(false));
+    arm.running.done(new ProgramCommand.ResumeProgram());
     arm.frames(500);
     goesOn();
     push(0, 60, 0, 0);

@@ -8,7 +8,10 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.ArmChoice;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyMode;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
@@ -29,7 +32,7 @@ final class ForceModeProgramTest {
   private final PressingArm free = new PressingArm();
 
   private void push(double fx, double fy, double mz) {
-    free.running.done(new Command.PushTool(new Wrench(fx, fy, 0, 0, 0, mz)));
+    free.running.done(new WorldCommand.PushTool(new Wrench(fx, fy, 0, 0, 0, mz)));
   }
 
   /** Speed of the target along y over a frame, m/s. */
@@ -84,7 +87,7 @@ final class ForceModeProgramTest {
 
   @Test
   void theSpeedSliderDoesNotSlowIt() {
-    free.running.done(new Command.SetSpeedFraction(0.1));
+    free.running.done(new BoxCommand.SetSpeedFraction(0.1));
     free.start(ALONG_Y + "sleep(10)\n");
     free.frames(500);
     assertEquals(0.1, speedY(), 1e-6);
@@ -94,12 +97,12 @@ final class ForceModeProgramTest {
   void aPauseHoldsTheArmAndTheProgramGoesOnPressing() {
     free.start(ALONG_Y + "sleep(10)\n");
     free.frames(500);
-    free.running.done(new Command.PauseProgram());
+    free.running.done(new ProgramCommand.PauseProgram());
     free.frames(100);
     Pose held = free.target();
     free.frames(500);
     assertEquals(held, free.target());
-    free.running.done(new Command.ResumeProgram());
+    free.running.done(new ProgramCommand.ResumeProgram());
     free.frames(300);
     assertEquals(0.1, speedY(), 1e-6);
   }
@@ -112,8 +115,8 @@ final class ForceModeProgramTest {
     Pose held = free.target();
     free.frames(2600);
     assertEquals(held, free.target());
-    free.running.done(new Command.UnlockProtectiveStop(false));
-    free.running.done(new Command.ResumeProgram());
+    free.running.done(new SafetyCommand.UnlockProtectiveStop(false));
+    free.running.done(new ProgramCommand.ResumeProgram());
     free.frames(400);
     assertEquals(SafetyMode.NORMAL, free.running.state().safety().safetyMode());
     assertEquals(0.1, speedY(), 1e-6);
@@ -138,7 +141,7 @@ final class ForceModeProgramTest {
             + ALONG_Y
             + "movel(pose_trans(p[0, 0, 0.1, 0, 0, 0], here))\nsleep(10)\n");
     free.frames(200);
-    var _ = free.running.ask(new Command.StopProgram());
+    var _ = free.running.ask(new ProgramCommand.StopProgram());
     Joints before = free.arm().targetSpeedRadPerS();
     for (int i = 0; i < 300; i++) {
       free.frames(1);

@@ -18,6 +18,7 @@ import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
@@ -142,7 +143,7 @@ final class ForceModeRandomTest {
       if (random.nextInt(200) == 0) {
         Wrench push =
             new Wrench(random(random, 10), random(random, 10), random(random, 10), 0, 0, 0);
-        running.done(new Command.PushTool(push));
+        running.done(new WorldCommand.PushTool(push));
       } else {
         running.advance(1);
       }

@@ -10,13 +10,18 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.pendant.controller.box.ArmChoice;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.freedrive.FreedriveHolder;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.jog.JogMove;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.world.Vector3;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
@@ -123,20 +128,23 @@ final class FreedriveByHandTest {
 
   @Test
   void aProgramHasTheArmForItself() {
-    guided.done(new Command.StartProgram(program(WAITING)));
+    guided.done(new ProgramCommand.StartProgram(program(WAITING)));
     assertEquals(
-        new Reply.Refused("program waiting runs, stop it before the arm is guided by hand"),
+        new Reply.Refused(
+            Refusal.Code.PROGRAM, "program waiting runs, stop it before the arm is guided by hand"),
         guided.hold());
-    guided.done(new Command.PauseProgram());
+    guided.done(new ProgramCommand.PauseProgram());
     assertEquals(
-        new Reply.Refused("program waiting is paused, stop it before the arm is guided by hand"),
+        new Reply.Refused(
+            Refusal.Code.PROGRAM,
+            "program waiting is paused, stop it before the arm is guided by hand"),
         guided.hold());
   }
 
   @Test
   void aProgramThatStartsEndsIt() {
     guided.guide(0.1);
-    guided.done(new Command.StartProgram(program(WAITING)));
+    guided.done(new ProgramCommand.StartProgram(program(WAITING)));
     assertFalse(guided.state().freedrive().active());
   }
 
@@ -145,12 +153,12 @@ final class FreedriveByHandTest {
     guided.guide(0.1);
     assertEquals(
         "the arm is in freedrive, which must be ended first",
-        guided.refusal(new Command.Jog(new JogMove.TurnJoint(0, 1), 0.5)));
+        guided.refusal(new ManualCommand.Jog(new JogMove.TurnJoint(0, 1), 0.5)));
   }
 
   @Test
   void theNewestWishCountsWhileTheArmIsJogged() {
-    guided.done(new Command.Jog(new JogMove.TurnJoint(0, 1), 1));
+    guided.done(new ManualCommand.Jog(new JogMove.TurnJoint(0, 1), 1));
     guided.frames(100);
     guided.hold();
     assertTrue(guided.state().freedrive().active(), guided.said()::toString);
@@ -161,20 +169,20 @@ final class FreedriveByHandTest {
     guided.guide(0.1);
     guided.push(0, 20, 0);
     guided.guide(0.4);
-    guided.done(new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
+    guided.done(new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
     assertFalse(guided.state().freedrive().active());
     guided.frames(100);
     Reply.Refused refused = (Reply.Refused) guided.hold();
-    assertTrue(refused.reason().contains("emergency_stop"), refused.reason());
+    assertTrue(refused.refusal().text().contains("emergency_stop"), refused.refusal().text());
   }
 
   @Test
   void aSafeguardStopEndsItUntilItIsLetGoAndAskedForAnew() {
     guided.guide(0.1);
-    guided.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    guided.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     Reply.Refused refused = (Reply.Refused) guided.hold();
-    assertTrue(refused.reason().contains("safeguard_stop"), refused.reason());
-    guided.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
+    assertTrue(refused.refusal().text().contains("safeguard_stop"), refused.refusal().text());
+    guided.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
     guided.frames(5);
     assertTrue(guided.hold() instanceof Reply.Refused, "still held");
     guided.end();
@@ -187,7 +195,7 @@ final class FreedriveByHandTest {
     guided.guide(0.1);
     guided.push(0, 20, 0);
     guided.guide(0.4);
-    guided.done(new Command.PowerOff());
+    guided.done(new SafetyCommand.PowerOff());
     guided.frames(200);
     assertFalse(guided.state().freedrive().active());
     assertEquals(guided.position(), guided.arm().targetPositionRad());
@@ -196,17 +204,18 @@ final class FreedriveByHandTest {
 
   @Test
   void aWrongPayloadIsRefusedWithWhatIsWrong() {
-    guided.done(new Command.AttachLoad(Optional.of(Payload.of(2, 0, 0, 0.05))));
+    guided.done(new WorldCommand.AttachLoad(Optional.of(Payload.of(2, 0, 0, 0.05))));
     guided.frames(1000);
     Reply.Refused refused = (Reply.Refused) guided.hold();
     assertTrue(
         refused
-            .reason()
+            .refusal()
+            .text()
             .startsWith("the declared payload is wrong by 19.6 N, must be at most 7.4 N"),
-        refused.reason());
+        refused.refusal().text());
     assertFalse(guided.state().freedrive().active());
     guided.end();
-    guided.done(new Command.DeclarePayload(2, new Vector3(0, 0, 0.05), Optional.empty()));
+    guided.done(new ManualCommand.DeclarePayload(2, new Vector3(0, 0, 0.05), Optional.empty()));
     guided.frames(500);
     guided.guide(0.1);
     assertTrue(guided.state().freedrive().active());
@@ -214,7 +223,7 @@ final class FreedriveByHandTest {
 
   @Test
   void aPayloadThatIsALittleWrongMakesTheArmSink() {
-    guided.done(new Command.AttachLoad(Optional.of(Payload.of(0.7, 0, 0, 0.05))));
+    guided.done(new WorldCommand.AttachLoad(Optional.of(Payload.of(0.7, 0, 0, 0.05))));
     guided.frames(1000);
     Pose start = guided.tcp();
     guided.guide(2);
@@ -223,8 +232,8 @@ final class FreedriveByHandTest {
 
   @Test
   void withTheRightPayloadItStaysWhereItIs() {
-    guided.done(new Command.AttachLoad(Optional.of(Payload.of(3, 0, 0, 0.05))));
-    guided.done(new Command.DeclarePayload(3, new Vector3(0, 0, 0.05), Optional.empty()));
+    guided.done(new WorldCommand.AttachLoad(Optional.of(Payload.of(3, 0, 0, 0.05))));
+    guided.done(new ManualCommand.DeclarePayload(3, new Vector3(0, 0, 0.05), Optional.empty()));
     guided.frames(1000);
     Pose start = guided.tcp();
     guided.guide(2);
@@ -234,14 +243,14 @@ final class FreedriveByHandTest {
   @Test
   void anInputCanAskForIt() {
     guided.done(
-        new Command.RunSecondary(
+        new ProgramCommand.RunSecondary(
             program("sec s():\n  set_standard_digital_input_action(3, \"freedrive\")\nend\n")));
-    guided.done(new Command.SetInput("digital_in[3]", true));
+    guided.done(new IoCommand.SetInput("digital_in[3]", true));
     guided.frames(1);
     assertTrue(guided.state().freedrive().heldBy(FreedriveHolder.INPUT));
     guided.frames(1000);
     assertTrue(guided.state().freedrive().active(), "as long as it is high");
-    guided.done(new Command.SetInput("digital_in[3]", false));
+    guided.done(new IoCommand.SetInput("digital_in[3]", false));
     guided.frames(1);
     assertFalse(guided.state().freedrive().active());
   }
@@ -249,7 +258,7 @@ final class FreedriveByHandTest {
   @Test
   void anInputCannotTakeTheArmFromAProgram() {
     guided.done(
-        new Command.StartProgram(
+        new ProgramCommand.StartProgram(
             program(
                 """
                 def p():
@@ -257,7 +266,7 @@ final class FreedriveByHandTest {
                   sleep(100)
                 end
                 """)));
-    guided.done(new Command.SetInput("digital_in[3]", true));
+    guided.done(new IoCommand.SetInput("digital_in[3]", true));
     guided.frames(10);
     assertFalse(guided.state().freedrive().active());
     assertEquals(

@@ -15,9 +15,11 @@ import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.freedrive.SingularityDistance;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.world.Vector3;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.JointLimits;
@@ -36,7 +38,7 @@ final class FreedriveLimitsTest {
   }
 
   private static void pulled(GuidedArm guided, int link, Vector3 point, Vector3 place) {
-    guided.done(new Command.PullLink(link, point, place));
+    guided.done(new WorldCommand.PullLink(link, point, place));
   }
 
   @ParameterizedTest
@@ -96,7 +98,7 @@ final class FreedriveLimitsTest {
     guided.guide(0.1);
     Pose start = guided.tcp();
     Joints from = guided.position();
-    guided.done(new Command.PushTool(new Wrench(0, 0, 0, 0, 0, 4)));
+    guided.done(new WorldCommand.PushTool(new Wrench(0, 0, 0, 0, 0, 4)));
     guided.guide(1);
     assertTrue(guided.distance(start) < 1e-3);
     assertTrue(guided.position().maxAbsDifference(from) > 0.5, "turned to " + guided.position());
@@ -165,7 +167,7 @@ final class FreedriveLimitsTest {
   @Test
   void theArmGetsHarderToPushNearItsSpeedLimits() {
     GuidedArm guided = GuidedArm.free();
-    guided.done(new Command.SetSafetyInput(SafetyInput.REDUCED_MODE, true));
+    guided.done(new SafetyCommand.SetSafetyInput(SafetyInput.REDUCED_MODE, true));
     guided.frames(300);
     double limit = SafetyConfiguration.standard(ArmLibrary.load("ur5e")).reduced().toolSpeedMPerS();
     guided.guide(0.1);
@@ -251,9 +253,9 @@ final class FreedriveLimitsTest {
     int link = random.nextInt(6);
     Vector3 point = any(random, 0.1);
     switch (random.nextInt(3)) {
-      case 0 -> guided.done(new Command.PushLink(link, point, any(random, 25)));
+      case 0 -> guided.done(new WorldCommand.PushLink(link, point, any(random, 25)));
       case 1 -> pulled(guided, link, point, any(random, 1));
-      default -> guided.done(new Command.LetGo());
+      default -> guided.done(new WorldCommand.LetGo());
     }
   }
 

@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.freedrive.FreedriveHolder;
 import org.pendant.controller.safety.SafetyMode;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
@@ -19,7 +20,7 @@ final class FreedriveProgramTest {
   private final RunningProgram running = new RunningProgram();
 
   private void attach(double massKg) {
-    running.done(new Command.AttachLoad(Optional.of(Payload.of(massKg, 0, 0, 0.05))));
+    running.done(new WorldCommand.AttachLoad(Optional.of(Payload.of(massKg, 0, 0, 0.05))));
     running.advance(1000);
   }
 
@@ -32,7 +33,7 @@ final class FreedriveProgramTest {
   }
 
   private void push(double fy) {
-    running.done(new Command.PushTool(new Wrench(0, fy, 0, 0, 0, 0)));
+    running.done(new WorldCommand.PushTool(new Wrench(0, fy, 0, 0, 0, 0)));
   }
 
   @Test
@@ -84,9 +85,9 @@ final class FreedriveProgramTest {
     running.start("freedrive_mode()\nsleep(1)\ntextmsg(\"on\")\nsleep(1)\n");
     running.advance(100);
     assertTrue(guided());
-    running.done(new Command.PauseProgram());
+    running.done(new ProgramCommand.PauseProgram());
     assertFalse(guided());
-    running.done(new Command.ResumeProgram());
+    running.done(new ProgramCommand.ResumeProgram());
     running.advance(200);
     assertFalse(guided());
     running.finish();
@@ -99,7 +100,7 @@ final class FreedriveProgramTest {
     running.advance(100);
     push(30);
     running.advance(200);
-    running.done(new Command.StopProgram());
+    running.done(new ProgramCommand.StopProgram());
     assertFalse(guided());
     push(0);
     running.advance(500);

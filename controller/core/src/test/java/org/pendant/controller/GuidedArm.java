@@ -5,11 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
@@ -20,11 +23,11 @@ final class GuidedArm {
   static final int REPEAT_FRAMES = 17;
 
   final Controller controller;
-  private final Command.StartFreedrive start;
+  private final ManualCommand.StartFreedrive start;
 
   GuidedArm(ControllerOptions options, FreeAxes axes, FreedriveFrame frame) {
     controller = new Controller(options);
-    start = new Command.StartFreedrive(axes, frame);
+    start = new ManualCommand.StartFreedrive(axes, frame);
   }
 
   /** A UR5e with mass that may be guided any way. */
@@ -43,7 +46,7 @@ final class GuidedArm {
   }
 
   String refusal(Command command) {
-    return assertInstanceOf(Reply.Refused.class, ask(command)).reason();
+    return assertInstanceOf(Reply.Refused.class, ask(command)).refusal().text();
   }
 
   /** Guides for this many seconds of the robot, and repeats that as a screen does. */
@@ -73,7 +76,7 @@ final class GuidedArm {
   }
 
   void end() {
-    done(new Command.EndFreedrive());
+    done(new ManualCommand.EndFreedrive());
   }
 
   void frames(int count) {
@@ -81,7 +84,7 @@ final class GuidedArm {
   }
 
   void push(double x, double y, double z) {
-    done(new Command.PushTool(new Wrench(x, y, z, 0, 0, 0)));
+    done(new WorldCommand.PushTool(new Wrench(x, y, z, 0, 0, 0)));
   }
 
   ControllerState state() {

@@ -12,6 +12,8 @@ import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 import org.pendant.script.debug.Breakpoint;
@@ -53,7 +55,7 @@ final class HeldFramesTest {
 
   private void start() {
     send(
-        new Command.StartProgram(
+        new ProgramCommand.StartProgram(
             controller
                 .load(Source.of("t.script", PROGRAM.getBytes(StandardCharsets.ISO_8859_1)))
                 .program()
@@ -61,7 +63,7 @@ final class HeldFramesTest {
   }
 
   private void ask(Consumer<Debugger> request) {
-    send(new Command.Debug(request));
+    send(new DebugCommand.Debug(request));
   }
 
   /** Leaves a command; that it was carried out shows in what follows. */
@@ -122,7 +124,7 @@ final class HeldFramesTest {
     start();
     assertTrue(controller.runUntil(this::held, 1000));
     assertEquals(12, controller.state().debug().stop().orElseThrow().line());
-    send(new Command.StopProgram());
+    send(new ProgramCommand.StopProgram());
     controller.advance();
     assertFalse(held());
     assertEquals(ProgramState.STOPPED, controller.state().program().state());
@@ -131,7 +133,7 @@ final class HeldFramesTest {
   @Test
   void aRequestThatIsNotPossibleIsRefusedWithItsReason() {
     CompletableFuture<Reply> reply =
-        controller.submit(new Command.Debug(debugger -> debugger.set(Breakpoint.at(0))));
+        controller.submit(new DebugCommand.Debug(debugger -> debugger.set(Breakpoint.at(0))));
     controller.advance();
     assertInstanceOf(Reply.Refused.class, reply.join());
   }

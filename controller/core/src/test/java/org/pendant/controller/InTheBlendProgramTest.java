@@ -8,6 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
@@ -82,7 +83,7 @@ final class InTheBlendProgramTest {
     while (target(before).y() < -0.01) {
       before.advance(1);
     }
-    before.done(new Command.SetInput("digital_in[0]", true));
+    before.done(new IoCommand.SetInput("digital_in[0]", true));
     before.finish();
     assertEquals(-0.1, target(before).y(), 1e-9);
 
@@ -91,7 +92,7 @@ final class InTheBlendProgramTest {
     enter(behind);
     behind.advance(3);
     assertTrue(target(behind).y() < 0.045, "the corner is still ahead");
-    behind.done(new Command.SetInput("digital_in[0]", true));
+    behind.done(new IoCommand.SetInput("digital_in[0]", true));
     behind.finish();
     assertEquals(0.3, target(behind).x(), 1e-9);
   }

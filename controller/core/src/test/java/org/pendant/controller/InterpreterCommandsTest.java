@@ -8,7 +8,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.MessageCommand;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.Popup;
 import org.pendant.language.source.Source;
@@ -29,7 +33,7 @@ final class InterpreterCommandsTest {
   private void start(String... lines) {
     Program program =
         controller.load(Source.of("im.script", String.join("\n", lines))).program().orElseThrow();
-    assertEquals(new Reply.Done(), ask(new Command.StartProgram(program)));
+    assertEquals(new Reply.Done(), ask(new ProgramCommand.StartProgram(program)));
     controller.advance();
   }
 
@@ -44,7 +48,7 @@ final class InterpreterCommandsTest {
   }
 
   private CompletableFuture<Reply> send(String line) {
-    return controller.submit(new Command.Interpret(line));
+    return controller.submit(new InterpreterCommand.Interpret(line));
   }
 
   private static Reply acknowledged(int id) {
@@ -52,7 +56,8 @@ final class InterpreterCommandsTest {
   }
 
   private InterpreterStatus status() {
-    return assertInstanceOf(Reply.InterpreterState.class, ask(new Command.AskInterpreter()))
+    return assertInstanceOf(
+            Reply.InterpreterState.class, ask(new InterpreterCommand.AskInterpreter()))
         .status();
   }
 
@@ -100,7 +105,7 @@ final class InterpreterCommandsTest {
     CompletableFuture<Reply> waiting = send("textmsg(1)");
     controller.advance();
     assertFalse(waiting.isDone());
-    ask(new Command.StopProgram());
+    ask(new ProgramCommand.StopProgram());
     controller.advance();
     assertEquals(
         new Reply.Interpreted(new Interpreter.Response.Discarded("no program is running")),
@@ -114,7 +119,7 @@ final class InterpreterCommandsTest {
     var _ = send("clear_interpreter()");
     CompletableFuture<Reply> waiting = send("textmsg(1)");
     controller.advance();
-    ask(new Command.SkipInterpreted());
+    ask(new InterpreterCommand.SkipInterpreted());
     controller.advance();
     assertEquals(acknowledged(3), waiting.join());
   }
@@ -147,7 +152,7 @@ final class InterpreterCommandsTest {
     for (int i = 0; i < 4; i++) {
       controller.advance();
     }
-    ask(new Command.Interpret("end_interpreter()"));
+    ask(new InterpreterCommand.Interpret("end_interpreter()"));
     controller.advance();
     assertEquals(
         List.of(
@@ -163,7 +168,7 @@ final class InterpreterCommandsTest {
   @Test
   void theJournalTellsWhatAProgramKeeps() {
     start("def im():", "  interpreter_mode(clearOnEnd = False)", "  sleep(1)", "end");
-    ask(new Command.Interpret("end_interpreter()"));
+    ask(new InterpreterCommand.Interpret("end_interpreter()"));
     controller.advance();
     controller.advance();
     assertEquals(new InterpreterEvent.Kept(), events().getLast());
@@ -173,9 +178,9 @@ final class InterpreterCommandsTest {
   void theJournalKeepsTheNewestEvents() {
     interpreting();
     for (int i = 0; i < InterpreterJournal.KEPT; i++) {
-      ask(new Command.Interpret("a = 1"));
+      ask(new InterpreterCommand.Interpret("a = 1"));
       if (i % 1000 == 0) {
-        ask(new Command.Interpret("clear_interpreter()"));
+        ask(new InterpreterCommand.Interpret("clear_interpreter()"));
         controller.advance();
         controller.advance();
       }
@@ -192,7 +197,8 @@ final class InterpreterCommandsTest {
   void aPopupFromOutsideHoldsUpNothing() {
     Controller attended =
         new Controller(ControllerOptions.headless().withOperator(Operator.present()));
-    CompletableFuture<Reply> shown = attended.submit(new Command.ShowPopup("Popup", "hello"));
+    CompletableFuture<Reply> shown =
+        attended.submit(new MessageCommand.ShowPopup("Popup", "hello"));
     attended.advance();
     assertEquals(new Reply.Done(), shown.join());
     Popup popup = attended.state().openPopups().getFirst();
@@ -203,7 +209,7 @@ final class InterpreterCommandsTest {
   @Test
   void shuttingDownEndsTheProgramAndSwitchesTheArmOff() {
     interpreting();
-    ask(new Command.ShutDown());
+    ask(new BoxCommand.ShutDown());
     controller.advance();
     assertTrue(controller.state().safety().shutDown());
     assertEquals(ProgramState.STOPPED, controller.state().program().state());

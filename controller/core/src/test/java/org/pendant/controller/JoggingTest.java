@@ -15,12 +15,15 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.jog.JogDirection;
 import org.pendant.controller.jog.JogFrame;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.safety.Applies;
 import org.pendant.controller.safety.Axis;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
@@ -57,18 +60,18 @@ final class JoggingTest {
   }
 
   private static Command payload(double massKg, double x, double y, double z) {
-    return new Command.DeclarePayload(massKg, new Vector3(x, y, z), Optional.empty());
+    return new ManualCommand.DeclarePayload(massKg, new Vector3(x, y, z), Optional.empty());
   }
 
   private String refusal(Command command) {
-    return assertInstanceOf(Reply.Refused.class, ask(command)).reason();
+    return assertInstanceOf(Reply.Refused.class, ask(command)).refusal().text();
   }
 
   /** Holds for a time of the robot; returns the last reply. */
   private Reply hold(JogMove move, double speedFraction, double seconds) {
     Reply reply = new Reply.Done();
     for (int i = 0; i < seconds / 0.002; i += REPEAT_FRAMES) {
-      reply = ask(new Command.Jog(move, speedFraction));
+      reply = ask(new ManualCommand.Jog(move, speedFraction));
       frames(REPEAT_FRAMES - 1);
     }
     return reply;
@@ -76,8 +79,8 @@ final class JoggingTest {
 
   private String heldUntilRefused(JogMove move) {
     for (int i = 0; i < LONG; i += REPEAT_FRAMES) {
-      if (ask(new Command.Jog(move, 1)) instanceof Reply.Refused refused) {
-        return refused.reason();
+      if (ask(new ManualCommand.Jog(move, 1)) instanceof Reply.Refused refused) {
+        return refused.refusal().text();
       }
       frames(REPEAT_FRAMES - 1);
     }
@@ -125,7 +128,7 @@ final class JoggingTest {
   void aJointTurnsAsLongAsItIsHeldAndRestsAfterTheRelease() {
     assertEquals(new Reply.Done(), hold(BASE_UP, 1, 1));
     assertEquals(0.6, arm().targetSpeedRadPerS().get(0), 1e-9);
-    done(new Command.StopJog());
+    done(new ManualCommand.StopJog());
     rest();
     double where = arm().targetPositionRad().get(0);
     assertTrue(where > 0.4 && where < 0.55, "at " + where);
@@ -161,7 +164,7 @@ final class JoggingTest {
     assertTrue(where > smallest && where < smallest + 0.02, where + " of " + smallest);
     assertEquals(1, jogLines());
     assertEquals(SafetyMode.NORMAL, controller.state().safety().safetyMode());
-    done(new Command.StopJog());
+    done(new ManualCommand.StopJog());
     assertEquals(new Reply.Done(), hold(new JogMove.TurnJoint(2, 1), 1, 0.5));
   }
 
@@ -172,7 +175,7 @@ final class JoggingTest {
     Pose before = start;
     for (int i = 0; i < 600; i++) {
       if (i % REPEAT_FRAMES == 0) {
-        done(new Command.Jog(along(0, 0, 1, JogFrame.BASE), 1));
+        done(new ManualCommand.Jog(along(0, 0, 1, JogFrame.BASE), 1));
       } else {
         controller.advance();
       }
@@ -195,7 +198,7 @@ final class JoggingTest {
     assertEquals(0, moved.x(), 1e-9);
     assertEquals(0, moved.y(), 1e-9);
     assertTrue(moved.z() > 0.02, "by " + moved.z());
-    done(new Command.StopJog());
+    done(new ManualCommand.StopJog());
     rest();
     Pose frame = new Pose(5, 5, 5, 0, 0, Math.PI / 2);
     Pose there = arm().targetTcpInBase();
@@ -206,12 +209,12 @@ final class JoggingTest {
 
   @Test
   void theToolTurnsAboutAnAxisThroughTheTcpAtAtMostOneRadianASecond() {
-    done(new Command.SetTool(new ToolCentre(new Pose(0, 0, 0.1, 0, 0, 0), "gripper")));
+    done(new ManualCommand.SetTool(new ToolCentre(new Pose(0, 0, 0.1, 0, 0, 0), "gripper")));
     Pose start = arm().targetTcpInBase();
     JogMove turn = new JogMove.MoveTool(JogDirection.around(0, 0, 1), JogFrame.BASE);
     hold(turn, 1, 1);
     Pose before = arm().targetTcpInBase();
-    done(new Command.Jog(turn, 1));
+    done(new ManualCommand.Jog(turn, 1));
     Pose now = arm().targetTcpInBase();
     assertEquals(1, Poses.rotationAngle(before, now) / 0.002, 1e-6);
     assertEquals(0, Poses.pointDistance(start, now), 1e-9);
@@ -228,7 +231,7 @@ final class JoggingTest {
     assertTrue(said().stream().noneMatch(each -> each.contains("protective")), said().toString());
     assertEquals(SafetyMode.NORMAL, controller.state().safety().safetyMode());
     assertEquals(Optional.empty(), arm().fault());
-    done(new Command.StopJog());
+    done(new ManualCommand.StopJog());
     assertEquals(new Reply.Done(), hold(new JogMove.ToJoints(BoxSetup.START_RAD), 1, 0.5));
   }
 
@@ -266,7 +269,7 @@ final class JoggingTest {
     for (int held = 400; held < 1500; held += 50) {
       controller = new Controller(ControllerOptions.headless());
       hold(along(1, 0.2, 0.1, JogFrame.BASE), 1, held * 0.002);
-      done(new Command.StopJog());
+      done(new ManualCommand.StopJog());
       rest();
       frames(200);
       assertEquals(SafetyMode.NORMAL, controller.state().safety().safetyMode());
@@ -290,7 +293,7 @@ final class JoggingTest {
     double height = arm().actualTcpInBase().z();
     assertTrue(height > 0.3 && height < 0.33, "at " + height);
     assertEquals(SafetyMode.NORMAL, controller.state().safety().safetyMode());
-    done(new Command.StopJog());
+    done(new ManualCommand.StopJog());
     assertEquals(new Reply.Done(), hold(along(0, 0, 1, JogFrame.BASE), 1, 0.5), "back up");
   }
 
@@ -317,35 +320,36 @@ final class JoggingTest {
   void goalsThatCannotBeReachedAreRefusedWithTheCause() {
     assertEquals(
         "the goal is out of reach: farther than the stretched arm reaches",
-        refusal(new Command.Jog(new JogMove.ToPose(new Pose(2, 0, 0, 0, 0, 0)), 1)));
-    String joint = refusal(new Command.Jog(new JogMove.ToJoints(Joints.ZERO.with(2, 9)), 1));
+        refusal(new ManualCommand.Jog(new JogMove.ToPose(new Pose(2, 0, 0, 0, 0, 0)), 1)));
+    String joint = refusal(new ManualCommand.Jog(new JogMove.ToJoints(Joints.ZERO.with(2, 9)), 1));
     assertTrue(joint.startsWith("joint 2 would be at 9.0 rad, must be -"), joint);
     assertEquals(
-        "speed is 1.5, must be above 0 and at most 1", refusal(new Command.Jog(BASE_UP, 1.5)));
+        "speed is 1.5, must be above 0 and at most 1",
+        refusal(new ManualCommand.Jog(BASE_UP, 1.5)));
   }
 
   @Test
   void whileAProgramHasTheArmHandsAreOff() {
-    done(new Command.StartProgram(program("def p():\n sleep(1)\nend\n")));
+    done(new ProgramCommand.StartProgram(program("def p():\n sleep(1)\nend\n")));
     assertEquals(
         "program p runs, stop it before the arm is moved by hand",
-        refusal(new Command.Jog(BASE_UP, 1)));
+        refusal(new ManualCommand.Jog(BASE_UP, 1)));
     assertEquals(
         "program p runs, stop it before the TCP is changed",
-        refusal(new Command.SetTool(ToolCentre.FLANGE)));
-    done(new Command.PauseProgram());
+        refusal(new ManualCommand.SetTool(ToolCentre.FLANGE)));
+    done(new ProgramCommand.PauseProgram());
     assertEquals(
         "program p is paused, stop it before the arm is moved by hand",
-        refusal(new Command.Jog(BASE_UP, 1)));
-    done(new Command.StopProgram());
-    done(new Command.Jog(BASE_UP, 1));
+        refusal(new ManualCommand.Jog(BASE_UP, 1)));
+    done(new ProgramCommand.StopProgram());
+    done(new ManualCommand.Jog(BASE_UP, 1));
   }
 
   @Test
   void aProgramThatStartsTakesTheArmOver() {
     hold(BASE_UP, 1, 1);
     done(
-        new Command.StartProgram(
+        new ProgramCommand.StartProgram(
             program("def p():\n movej([0, -1.57, -1.57, -1.57, 1.57, 0])\nend\n")));
     assertTrue(controller.runUntil(() -> controller.state().program().ending().isPresent(), LONG));
     assertInstanceOf(Ending.Finished.class, controller.state().program().ending().orElseThrow());
@@ -356,7 +360,7 @@ final class JoggingTest {
   void whatHoldsForHandsDoesNotHoldForTheProgramThatFollows() {
     hold(along(0, 0, 1, JogFrame.BASE), 1, 0.5);
     done(
-        new Command.StartProgram(
+        new ProgramCommand.StartProgram(
             program("def p():\n movej([0, -1.57, 0.5, -1.57, 1.57, 0], a=3, v=2)\nend\n")));
     assertTrue(controller.runUntil(() -> controller.state().program().ending().isPresent(), LONG));
     assertEquals(0.5, arm().targetPositionRad().get(2), "beyond the elbow singularity");
@@ -366,7 +370,7 @@ final class JoggingTest {
   @Test
   void anEmergencyStopIsNotSoftenedByALimitAhead() {
     hold(along(1, 0, 0, JogFrame.BASE), 1, 1);
-    done(new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
+    done(new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
     assertTrue(
         controller.runUntil(() -> arm().targetSpeedRadPerS().equals(Joints.ZERO), 250),
         "rests within 0.5 s");
@@ -378,16 +382,16 @@ final class JoggingTest {
   void anArmThatIsOffOrStoppedStaysWhereItIs() {
     controller = new Controller(ControllerOptions.headless().withPower(false));
     controller.advance();
-    String off = refusal(new Command.Jog(BASE_UP, 1));
+    String off = refusal(new ManualCommand.Jog(BASE_UP, 1));
     assertTrue(off.contains("power it on"), off);
     controller = new Controller(ControllerOptions.headless());
     hold(BASE_UP, 1, 1);
-    done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     assertInstanceOf(Reply.Refused.class, hold(BASE_UP, 1, 0.5));
     assertEquals(Joints.ZERO, arm().targetSpeedRadPerS());
-    done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
+    done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
     frames(10);
-    done(new Command.StopJog());
+    done(new ManualCommand.StopJog());
     double before = arm().targetPositionRad().get(0);
     assertEquals(new Reply.Done(), hold(BASE_UP, 1, 0.5));
     assertTrue(arm().targetPositionRad().get(0) > before + 0.05, "moves again after the stop");
@@ -404,7 +408,7 @@ final class JoggingTest {
   @Test
   void theToolCentreAndThePayloadAreSetByHand() {
     ToolCentre tool = new ToolCentre(new Pose(0, 0, 0.12, 0, 0, 0), "gripper");
-    done(new Command.SetTool(tool));
+    done(new ManualCommand.SetTool(tool));
     assertEquals(tool, arm().tool());
     done(payload(1.5, 0, 0, 0.05));
     assertEquals(1.5, controller.state().readings().payload().massKg());
@@ -415,18 +419,19 @@ final class JoggingTest {
         refusal(payload(1, 0, 0, 50)));
     Vector3 middle = new Vector3(0, 0, 0);
     Inertia plate = new Inertia(0.01, 0.01, 0.02, 0, 0, 0);
-    done(new Command.DeclarePayload(2, middle, Optional.of(plate)));
+    done(new ManualCommand.DeclarePayload(2, middle, Optional.of(plate)));
     assertEquals(0.02, controller.state().readings().payload().izz());
     assertEquals(
         "the inertia is refused: the first three must not be negative",
         refusal(
-            new Command.DeclarePayload(2, middle, Optional.of(new Inertia(-1, 1, 1, 0, 0, 0)))));
+            new ManualCommand.DeclarePayload(
+                2, middle, Optional.of(new Inertia(-1, 1, 1, 0, 0, 0)))));
     assertEquals(
         "the TCP is at [0, 9, 0] m, each must be -4 to 4 m",
-        refusal(new Command.SetTool(new ToolCentre(new Pose(0, 9, 0, 0, 0, 0), ""))));
+        refusal(new ManualCommand.SetTool(new ToolCentre(new Pose(0, 9, 0, 0, 0, 0), ""))));
     hold(BASE_UP, 1, 0.3);
     assertEquals(
         "the arm is moving, must be at rest when the TCP is changed",
-        refusal(new Command.SetTool(ToolCentre.FLANGE)));
+        refusal(new ManualCommand.SetTool(ToolCentre.FLANGE)));
   }
 }

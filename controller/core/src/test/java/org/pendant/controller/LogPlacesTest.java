@@ -8,6 +8,8 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.LogEntry.Origin;
+import org.pendant.controller.message.MessageCommand;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.language.source.Source;
 import org.pendant.script.function.ScriptPlace;
@@ -27,7 +29,7 @@ final class LogPlacesTest {
   private void start(String program) {
     var _ =
         controller.submit(
-            new Command.StartProgram(
+            new ProgramCommand.StartProgram(
                 controller.load(Source.of("p.script", program)).program().orElseThrow()));
     controller.advance();
   }
@@ -100,7 +102,7 @@ final class LogPlacesTest {
   void aSafetyStopHasTheLineOfTheMainThread() {
     start("def p():\n  sleep(1)\n  sleep(9)\nend\n");
     controller.runUntil(() -> controller.state().timeS() > 2, LONG);
-    var _ = controller.submit(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    var _ = controller.submit(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     controller.advance();
     LogEntry stop = controller.logSince(0).getLast();
     assertEquals(Origin.SAFETY, stop.origin());
@@ -114,7 +116,7 @@ final class LogPlacesTest {
     start("def p():\n  sleep(9)\nend\n");
     var _ =
         controller.submit(
-            new Command.RunSecondary(
+            new ProgramCommand.RunSecondary(
                 controller
                     .load(
                         Source.of("s.script", "sec s():\n  textmsg(\"hi\")\n  x = sqrt(-1)\nend\n"))
@@ -128,7 +130,7 @@ final class LogPlacesTest {
 
   @Test
   void linesOfAProtocolAreMarkedAsSuch() {
-    var _ = controller.submit(new Command.WriteLog(Level.WARNING, "client gone"));
+    var _ = controller.submit(new MessageCommand.WriteLog(Level.WARNING, "client gone"));
     controller.advance();
     LogEntry entry = controller.logSince(0).getLast();
     assertEquals(Origin.PROTOCOL, entry.origin());

@@ -146,7 +146,7 @@ class LongOperationProgramTest {
         end
         """);
     program.advance(100);
-    program.done(new Command.StopProgram());
+    program.done(new ProgramCommand.StopProgram());
     program.start("def other():\n  textmsg(1 + 1)\nend\n");
     program.finish();
     assertEquals(List.of("2"), program.said());

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.message.LogEntry;
 
 /** A computer that cannot keep up with robot time. */
@@ -11,7 +12,7 @@ final class LostTimeTest {
   private final Controller controller = new Controller(ControllerOptions.headless());
 
   private void behind(double seconds) {
-    var _ = controller.submit(new Command.NoteLostTime(seconds));
+    var _ = controller.submit(new BoxCommand.NoteLostTime(seconds));
     controller.advance();
   }
 

@@ -303,7 +303,7 @@ class ModbusProgramTest {
     program.advance(1);
     assertSame(before, program.state().modbus());
     program.done(
-        new Command.RunSecondary(
+        new ProgramCommand.RunSecondary(
             program.program("sec s():\n modbus_set_output_register(\"s\", 7)\nend\n")));
     assertEquals(List.of(7), shown().values());
     assertFalse(shown().valid());
@@ -314,7 +314,7 @@ class ModbusProgramTest {
   void aSecondaryProgramMaySetSeveralOutputsAndResetWithoutWaiting() {
     start("  modbus_add_signal(\"d\", 1, 0, 1, \"s\")\n  sleep(1)\n");
     program.done(
-        new Command.RunSecondary(
+        new ProgramCommand.RunSecondary(
             program.program(
                 """
                 sec s():

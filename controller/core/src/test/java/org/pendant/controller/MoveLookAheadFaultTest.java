@@ -10,6 +10,7 @@ import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.language.signature.Type;
 import org.pendant.language.source.Source;
@@ -58,7 +59,8 @@ class MoveLookAheadFaultTest {
             end
             """);
     CompletableFuture<Reply> started =
-        controller.submit(new Command.StartProgram(controller.load(text).program().orElseThrow()));
+        controller.submit(
+            new ProgramCommand.StartProgram(controller.load(text).program().orElseThrow()));
     for (int i = 0; i < MAX_FRAMES; i++) {
       controller.advance();
       controller.state().newEntries().stream().map(LogEntry::text).forEach(reported::add);

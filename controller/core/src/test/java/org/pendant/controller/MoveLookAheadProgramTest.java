@@ -9,6 +9,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
@@ -243,7 +245,7 @@ final class MoveLookAheadProgramTest {
     while (running.said().isEmpty() || running.state().arm().targetTcpInBase().y() < 0.04) {
       running.advance(1);
     }
-    running.done(new Command.SetInput("digital_in[0]", true));
+    running.done(new IoCommand.SetInput("digital_in[0]", true));
     Joints before = running.state().arm().targetSpeedRadPerS();
     double hardest = 0;
     while (running.programState() == ProgramState.RUNNING) {
@@ -272,8 +274,8 @@ final class MoveLookAheadProgramTest {
             """
             + END;
     RunningProgram held = new RunningProgram();
-    held.done(new Command.Debug(debugger -> debugger.set(Breakpoint.at(6))));
-    held.done(new Command.Debug(debugger -> debugger.set(Breakpoint.at(8))));
+    held.done(new DebugCommand.Debug(debugger -> debugger.set(Breakpoint.at(6))));
+    held.done(new DebugCommand.Debug(debugger -> debugger.set(Breakpoint.at(8))));
     assertEquals(targets(new RunningProgram(), text), targets(held, text));
   }
 
@@ -284,7 +286,7 @@ final class MoveLookAheadProgramTest {
     while (running.programState() != ProgramState.STOPPED) {
       running.advance(1);
       while (running.state().debug().held()) {
-        running.ask(new Command.Debug(Debugger::resume));
+        running.ask(new DebugCommand.Debug(Debugger::resume));
       }
       targets.add(running.state().arm().targetPositionRad());
     }
@@ -301,7 +303,7 @@ final class MoveLookAheadProgramTest {
     while (free.programState() != ProgramState.STOPPED) {
       free.advance(1);
       beside.done(
-          new Command.RunSecondary(
+          new ProgramCommand.RunSecondary(
               beside.program("sec s():\n  set_standard_digital_out(1, True)\nend\n")));
       Joints expected = free.state().arm().targetPositionRad();
       assertEquals(expected, beside.state().arm().targetPositionRad());
@@ -321,7 +323,8 @@ final class MoveLookAheadProgramTest {
             "textmsg(\"between\")",
             "movel(p[0.45, 0.15, 0.45, 2.2214, -2.2214, 0])",
             "textmsg(\"end\")")) {
-      assertFalse(running.ask(new Command.Interpret(line)) instanceof Reply.Refused, line);
+      assertFalse(
+          running.ask(new InterpreterCommand.Interpret(line)) instanceof Reply.Refused, line);
     }
     int atRest = 0;
     while (!running.said().contains("end")) {
@@ -349,7 +352,8 @@ final class MoveLookAheadProgramTest {
     lines.add("textmsg(\"end\")");
     for (String line : lines) {
       assertFalse(
-          running.ask(new Command.Interpret(line)) instanceof Reply.Refused, "refused " + line);
+          running.ask(new InterpreterCommand.Interpret(line)) instanceof Reply.Refused,
+          "refused " + line);
     }
     double slowest = Double.POSITIVE_INFINITY;
     while (!running.said().contains("end")) {

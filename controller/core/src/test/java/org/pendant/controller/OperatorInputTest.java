@@ -12,8 +12,12 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.ArmChoice;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.message.Answer;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.MessageCommand;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.PreparedAnswer;
@@ -41,7 +45,8 @@ final class OperatorInputTest {
   private void start(String... lines) {
     LoadResult loadResult = load(String.join("\n", lines) + "\n");
     assertTrue(loadResult.program().isPresent(), () -> loadResult.diagnostics().toString());
-    assertEquals(new Reply.Done(), ask(new Command.StartProgram(loadResult.program().get())));
+    assertEquals(
+        new Reply.Done(), ask(new ProgramCommand.StartProgram(loadResult.program().get())));
   }
 
   private void prepared(String... answers) {
@@ -78,7 +83,8 @@ final class OperatorInputTest {
 
   private void answer(Answer answer) {
     assertEquals(
-        new Reply.Done(), ask(new Command.AnswerQuestion(open().getFirst().number(), answer)));
+        new Reply.Done(),
+        ask(new MessageCommand.AnswerQuestion(open().getFirst().number(), answer)));
     advance(2);
   }
 
@@ -137,7 +143,7 @@ final class OperatorInputTest {
     assertEquals(2, open().size());
     for (Question each : List.copyOf(open())) {
       Answer length = new Answer.Whole(each.text().length());
-      assertEquals(new Reply.Done(), ask(new Command.AnswerQuestion(each.number(), length)));
+      assertEquals(new Reply.Done(), ask(new MessageCommand.AnswerQuestion(each.number(), length)));
     }
     advance(2);
     assertEquals(List.of("main 4", "other 5"), said.stream().sorted().toList());
@@ -148,12 +154,14 @@ final class OperatorInputTest {
     start("textmsg(request_integer_from_primary_client(\"How many?\"))");
     long number = open().getFirst().number();
     assertEquals(
-        new Reply.Refused("answer is few, must be a whole number from -2147483648 to 2147483647"),
-        ask(new Command.AnswerQuestion(number, new Answer.Text("few"))));
+        new Reply.Refused(
+            Refusal.Code.INVALID,
+            "answer is few, must be a whole number from -2147483648 to 2147483647"),
+        ask(new MessageCommand.AnswerQuestion(number, new Answer.Text("few"))));
     assertEquals(1, open().size());
     assertEquals(
-        new Reply.Refused("question " + (number + 1) + " is not open"),
-        ask(new Command.AnswerQuestion(number + 1, new Answer.Whole(1))));
+        new Reply.Refused(Refusal.Code.INVALID, "question " + (number + 1) + " is not open"),
+        ask(new MessageCommand.AnswerQuestion(number + 1, new Answer.Whole(1))));
     answer(new Answer.Whole(3));
     assertEquals(List.of("3"), said);
   }
@@ -168,9 +176,12 @@ final class OperatorInputTest {
         "run other()",
         "request_string_from_primary_client(\"main\")");
     advance(2);
-    assertEquals(new Reply.Refused("question 99 is not open"), ask(new Command.CancelQuestion(99)));
+    assertEquals(
+        new Reply.Refused(Refusal.Code.INVALID, "question 99 is not open"),
+        ask(new MessageCommand.CancelQuestion(99)));
     assertEquals(ProgramState.RUNNING, programState());
-    assertEquals(new Reply.Done(), ask(new Command.CancelQuestion(open().getFirst().number())));
+    assertEquals(
+        new Reply.Done(), ask(new MessageCommand.CancelQuestion(open().getFirst().number())));
     assertInstanceOf(Ending.Stopped.class, ending());
     assertEquals(List.of(), open());
     assertEquals(List.of(), controller.state().openPopups());
@@ -196,12 +207,12 @@ final class OperatorInputTest {
   @Test
   void answerGivenDuringAPauseCountsWhenTheProgramGoesOn() {
     start("textmsg(request_boolean_from_primary_client(\"Go on?\"))");
-    ask(new Command.PauseProgram());
+    ask(new ProgramCommand.PauseProgram());
     advance(5);
     answer(new Answer.Bool(true));
     assertEquals(List.of(), open());
     assertEquals(List.of(), said);
-    ask(new Command.ResumeProgram());
+    ask(new ProgramCommand.ResumeProgram());
     advance(2);
     assertEquals(List.of("True"), said);
   }
@@ -280,7 +291,7 @@ final class OperatorInputTest {
     assertEquals(ProgramState.STOPPED, programState());
     assertEquals(List.of("done"), openPopups());
     start("sleep(1)");
-    ask(new Command.StopProgram());
+    ask(new ProgramCommand.StopProgram());
     assertEquals(List.of(), openPopups());
   }
 
@@ -289,7 +300,7 @@ final class OperatorInputTest {
     start("popup(\"old\")", "movej([1, -1.5, -1.5, -1.5, 1.5, 0])");
     advance(100);
     assertTrue(controller.state().arm().moving());
-    var _ = controller.submit(new Command.StopProgram());
+    var _ = controller.submit(new ProgramCommand.StopProgram());
     start("sleep(2)");
     assertEquals(List.of(), openPopups());
     advance(900);

@@ -64,7 +64,7 @@ final class OptimoveProgramTest {
     Source source = Source.of("goal.script", text.getBytes(StandardCharsets.ISO_8859_1));
     var _ =
         controller.submit(
-            new Command.StartProgram(controller.load(source).program().orElseThrow()));
+            new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
     controller.advance();
     for (int i = 0; controller.state().program().state() == ProgramState.RUNNING; i++) {
       assertTrue(i < 10_000, "still running");
@@ -184,10 +184,10 @@ final class OptimoveProgramTest {
         textmsg("there")
         """);
     running.advance(300);
-    running.done(new Command.PauseProgram());
+    running.done(new ProgramCommand.PauseProgram());
     running.advance(300);
     assertEquals(Joints.ZERO, running.state().arm().targetSpeedRadPerS());
-    running.done(new Command.ResumeProgram());
+    running.done(new ProgramCommand.ResumeProgram());
     running.finish();
     assertEquals(List.of("there"), running.said());
     assertTrue(running.reported().isEmpty(), () -> running.reported().toString());

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
@@ -307,13 +308,13 @@ final class PathOffsetProgramTest {
             """);
     until(running, "now");
     Pose path = tcp(running);
-    running.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    running.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     running.advance(300);
     Pose held = tcp(running);
     running.advance(100);
     assertEquals(held, tcp(running));
     assertTrue(Poses.pointDistance(path, held) < 0.01);
-    running.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
+    running.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
     until(running, "end");
     assertTrue(tcp(running).z() > held.z() + 0.005, () -> held + " then " + tcp(running));
   }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.dynamics.Payload;
 
 /** What programs notice of the payload that they declare and of the load that truly hangs there. */
@@ -18,7 +19,7 @@ final class PayloadProgramTest {
 
   /** Hangs a load on the flange and waits until the arm has come to rest again. */
   private void attach(double massKg) {
-    running.done(new Command.AttachLoad(Optional.of(Payload.of(massKg, 0.02, -0.01, 0.08))));
+    running.done(new WorldCommand.AttachLoad(Optional.of(Payload.of(massKg, 0.02, -0.01, 0.08))));
     running.advance(SETTLE_FRAMES);
   }
 

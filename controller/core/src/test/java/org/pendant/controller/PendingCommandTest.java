@@ -7,9 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 
 class PendingCommandTest {
-  private static final Command SLOWER = new Command.SetSpeedFraction("client", 0.5);
+  private static final Command SLOWER = new BoxCommand.SetSpeedFraction("client", 0.5);
 
   private final Controller controller = new Controller(ControllerOptions.headless());
 
@@ -39,7 +42,8 @@ class PendingCommandTest {
   void whatIsRefusedForWantOfAnAnswerIsNotCarriedOutLater() throws Exception {
     PendingCommand slower = controller.post(SLOWER);
     assertEquals(
-        new Reply.Refused("the controller does not answer"), slower.await(Duration.ofMillis(1)));
+        new Reply.Busy("the controller does not answer"),
+        slower.await(Deadline.orNever(Duration.ofMillis(1)), 0));
     controller.advance();
     assertEquals(1.0, speedFraction());
   }
@@ -59,6 +63,6 @@ class PendingCommandTest {
     for (int i = 0; i < CommandQueue.CAPACITY; i++) {
       controller.post(SLOWER);
     }
-    assertInstanceOf(Reply.Refused.class, controller.post(SLOWER).reply().getNow(null));
+    assertInstanceOf(Reply.Busy.class, controller.post(SLOWER).reply().getNow(null));
   }
 }

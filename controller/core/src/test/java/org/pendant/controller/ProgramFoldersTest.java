@@ -11,6 +11,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
 
 /** Each program reads files in the folder that it was started with. */
@@ -41,26 +42,27 @@ final class ProgramFoldersTest {
 
   @Test
   void aSecondaryProgramOfAnotherFolderLeavesTheRunningOneItsOwn() {
-    running.done(new Command.StartProgram(running.program(READS), own));
-    running.done(new Command.RunSecondary(running.program("sec s():\n  x = 1\nend\n"), empty));
+    running.done(new ProgramCommand.StartProgram(running.program(READS), own));
+    running.done(
+        new ProgramCommand.RunSecondary(running.program("sec s():\n  x = 1\nend\n"), empty));
     running.finish();
     assertEquals(List.of("read"), running.said());
   }
 
   @Test
   void aProgramThatIsRefusedLeavesTheRunningOneItsFolder() {
-    running.done(new Command.StartProgram(running.program(READS), own));
+    running.done(new ProgramCommand.StartProgram(running.program(READS), own));
     assertInstanceOf(
         Reply.Refused.class,
-        running.ask(new Command.StartProgram(running.program("textmsg(1)\n"), empty)));
+        running.ask(new ProgramCommand.StartProgram(running.program("textmsg(1)\n"), empty)));
     running.finish();
     assertEquals(List.of("read"), running.said());
   }
 
   @Test
   void theCommonFolderIsForProgramsThatStartLater() {
-    running.done(new Command.StartProgram(running.program(READS), own));
-    running.done(new Command.SetProgramsFolder(empty.get()));
+    running.done(new ProgramCommand.StartProgram(running.program(READS), own));
+    running.done(new ProgramCommand.SetProgramsFolder(empty.get()));
     running.finish();
     assertEquals(List.of("read"), running.said());
     running.start(READS);

@@ -105,7 +105,7 @@ class ProgramMemoryTest {
   @Test
   void secondaryProgramsHaveTheLimitToo() {
     program.ask(
-        new Command.RunSecondary(
+        new ProgramCommand.RunSecondary(
             program.program("sec s():\n  a = make_list(1000000, \"x\", 1000000)\nend\n")));
     program.advance(2);
     assertTrue(

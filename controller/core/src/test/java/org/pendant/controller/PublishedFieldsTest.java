@@ -5,16 +5,22 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.InstantSource;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.io.InputOwners;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.rtde.FieldType;
 import org.pendant.controller.rtde.OutputField;
 import org.pendant.controller.rtde.OutputFields;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
@@ -65,7 +71,7 @@ final class PublishedFieldsTest {
     assertEquals(253, jointMode(0));
     assertEquals(253, bits("tool_mode"));
     assertEquals(1, bits("robot_status_bits"));
-    robot.ask(new Command.PowerOff());
+    robot.ask(new SafetyCommand.PowerOff());
     robot.advance(2000);
     assertEquals(3, integer("robot_mode"));
     assertEquals(239, jointMode(5));
@@ -84,32 +90,32 @@ final class PublishedFieldsTest {
     assertEquals(3, bits("robot_status_bits"));
     assertEquals(2, bits("runtime_state"));
     assertEquals(2, bits("script_control_line"));
-    robot.done(new Command.PauseProgram());
+    robot.done(new ProgramCommand.PauseProgram());
     assertEquals(1, bits("robot_status_bits"));
     assertEquals(4, bits("runtime_state"));
   }
 
   @Test
   void aHandThatGuidesTheArmIsATeachButton() {
-    robot.done(new Command.StartFreedrive(FreeAxes.ALL, FreedriveFrame.BASE));
+    robot.done(new ManualCommand.StartFreedrive(FreeAxes.ALL, FreedriveFrame.BASE));
     assertEquals(5, bits("robot_status_bits"));
   }
 
   @Test
   void safetyBitsTellTheKindOfStop() {
     assertEquals(1, bits("safety_status_bits"));
-    robot.ask(new Command.SetSafetyInput(SafetyInput.AUTOMATIC_MODE_SAFEGUARD_STOP, true));
+    robot.ask(new SafetyCommand.SetSafetyInput(SafetyInput.AUTOMATIC_MODE_SAFEGUARD_STOP, true));
     assertEquals(1 << 4 | 1 << 10, bits("safety_status_bits"));
     assertEquals(5, integer("safety_mode"));
     assertEquals(12, integer("safety_status"));
-    robot.ask(new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
+    robot.ask(new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
     assertEquals(1 << 6 | 1 << 7 | 1 << 10, bits("safety_status_bits"));
     assertEquals(7, integer("safety_mode"));
   }
 
   @Test
   void reducedLimitsAreAMode() {
-    robot.ask(new Command.SetSafetyInput(SafetyInput.REDUCED_MODE, true));
+    robot.ask(new SafetyCommand.SetSafetyInput(SafetyInput.REDUCED_MODE, true));
     robot.advance(2);
     assertEquals(2, bits("safety_status_bits"));
     assertEquals(2, integer("safety_mode"));
@@ -126,16 +132,16 @@ final class PublishedFieldsTest {
   @Test
   void digitalSignalsStandTogetherInOneField() {
     robot.done(
-        new Command.WriteSignals(
+        new IoCommand.WriteSignals(
             new SignalWrite.Digital(new Signal(SignalBank.STANDARD_OUT, 2), true)));
     robot.done(
-        new Command.WriteSignals(
+        new IoCommand.WriteSignals(
             new SignalWrite.Digital(new Signal(SignalBank.CONFIGURABLE_OUT, 0), true)));
     robot.done(
-        new Command.WriteSignals(
+        new IoCommand.WriteSignals(
             new SignalWrite.Digital(new Signal(SignalBank.TOOL_OUT, 1), true)));
-    robot.done(new Command.SetInput("tool_in[0]", true));
-    robot.done(new Command.SetInput("configurable_in[7]", true));
+    robot.done(new IoCommand.SetInput("tool_in[0]", true));
+    robot.done(new IoCommand.SetInput("configurable_in[7]", true));
     assertEquals(1 << 2 | 1 << 8 | 1 << 17, longBits("actual_digital_output_bits"));
     assertEquals(1 << 15 | 1 << 16, longBits("actual_digital_input_bits"));
     assertEquals(1 << 7, longBits("actual_configurable_digital_input_bits"));
@@ -184,7 +190,7 @@ final class PublishedFieldsTest {
     robot.run(STRETCHED + "set_payload(2, [0, 0, 0.1])\n");
     robot.advance(1000);
     double rawBefore = element("ft_raw_wrench", 2);
-    robot.done(new Command.PushTool(new Wrench(0, 0, -20, 0, 0, 0)));
+    robot.done(new WorldCommand.PushTool(new Wrench(0, 0, -20, 0, 0, 0)));
     robot.advance(500);
     assertEquals(-20, element("actual_TCP_force", 2), 0.1);
     assertEquals(20, number("tcp_force_scalar"), 0.1);
@@ -263,13 +269,13 @@ final class PublishedFieldsTest {
 
   @Test
   void timeIsScaledByPausesAndNotByTheSlider() {
-    robot.done(new Command.SetSpeedFraction(0.5));
+    robot.done(new BoxCommand.SetSpeedFraction(0.5));
     robot.start("movej([1, -1, -1, -1, 1, 1])\n");
     robot.advance(200);
     assertEquals(0.5, number("speed_scaling"));
     assertEquals(0.5, number("target_speed_fraction"));
     assertEquals(0, integer("time_scale_source"));
-    robot.done(new Command.PauseProgram());
+    robot.done(new ProgramCommand.PauseProgram());
     robot.advance(100);
     assertEquals(0, number("speed_scaling"));
     assertEquals(1, integer("time_scale_source"));
@@ -277,7 +283,7 @@ final class PublishedFieldsTest {
 
   @Test
   void encodersCount() {
-    robot.done(new Command.RunEncoder(1, 1000));
+    robot.done(new WorldCommand.RunEncoder(1, 1000));
     robot.advance(500);
     assertEquals(0, integer("encoder0_raw"));
     assertEquals(1000, integer("encoder1_raw"), 5);
@@ -295,15 +301,15 @@ final class PublishedFieldsTest {
 
   @Test
   void theSpeedSliderIsItsOwnersAlone() {
-    robot.done(new Command.ClaimSignal("RTDE client", InputOwners.SPEED_SLIDER));
+    robot.done(new IoCommand.ClaimSignal("RTDE client", InputOwners.SPEED_SLIDER));
     assertEquals(
-        new Reply.Refused("speed_slider is in use by RTDE client"),
-        robot.ask(new Command.SetSpeedFraction(0.5)));
+        new Reply.Refused(Refusal.Code.IN_USE, "speed_slider is in use by RTDE client"),
+        robot.ask(new BoxCommand.SetSpeedFraction(0.5)));
     assertEquals(1, number("target_speed_fraction"));
-    robot.done(new Command.SetSpeedFraction("RTDE client", 0.25));
+    robot.done(new BoxCommand.SetSpeedFraction("RTDE client", 0.25));
     assertEquals(0.25, number("target_speed_fraction"));
-    robot.done(new Command.ReleaseSignals("RTDE client"));
-    robot.done(new Command.SetSpeedFraction(0.5));
+    robot.done(new IoCommand.ReleaseSignals("RTDE client"));
+    robot.done(new BoxCommand.SetSpeedFraction(0.5));
     assertEquals(0.5, number("target_speed_fraction"));
   }
 }

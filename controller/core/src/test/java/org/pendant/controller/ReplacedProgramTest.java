@@ -10,6 +10,9 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.RuntimeState;
 import org.pendant.models.arm.Joints;
@@ -26,7 +29,7 @@ final class ReplacedProgramTest {
   private final RunningProgram robot = new RunningProgram();
 
   private void upload(String text) {
-    robot.done(new Command.ReplaceProgram(robot.program(text)));
+    robot.done(new ProgramCommand.ReplaceProgram(robot.program(text)));
   }
 
   private double fastest() {
@@ -57,7 +60,7 @@ final class ReplacedProgramTest {
   @Test
   void replacesAPausedProgramAsWell() {
     robot.start("def old():\n  sleep(100)\nend\n");
-    robot.done(new Command.PauseProgram());
+    robot.done(new ProgramCommand.PauseProgram());
     upload("textmsg(1)\n");
     robot.finish();
     assertEquals(List.of("1"), robot.said());
@@ -67,7 +70,7 @@ final class ReplacedProgramTest {
   @Test
   void replacesAProgramThatADebuggerHolds() {
     robot.start("def old():\n  while True:\n    sync()\n  end\nend\n");
-    robot.done(new Command.Debug(Debugger::pause));
+    robot.done(new DebugCommand.Debug(Debugger::pause));
     long frame = robot.state().frame();
     robot.advance(3);
     assertEquals(frame, robot.state().frame());
@@ -182,7 +185,7 @@ final class ReplacedProgramTest {
   void withoutPowerStatementsRunUpToTheFirstMotion() {
     RunningProgram off = new RunningProgram(ControllerOptions.headless().withPower(false));
     off.done(
-        new Command.ReplaceProgram(
+        new ProgramCommand.ReplaceProgram(
             off.program(
                 "set_digital_out(1, True)\ntextmsg(1)\nmovej([0,0,0,0,0,0])\ntextmsg(2)\n")));
     off.finish();
@@ -211,7 +214,7 @@ final class ReplacedProgramTest {
       })
   void everyMotionNeedsPower(String motion) {
     RunningProgram off = new RunningProgram(ControllerOptions.headless().withPower(false));
-    off.done(new Command.ReplaceProgram(off.program(motion + "\ntextmsg(\"moved\")\n")));
+    off.done(new ProgramCommand.ReplaceProgram(off.program(motion + "\ntextmsg(\"moved\")\n")));
     off.finish();
     assertEquals(List.of(), off.said());
     Ending.Failed failed =
@@ -222,7 +225,7 @@ final class ReplacedProgramTest {
   @Test
   void aStopHasNothingToStopWithoutPower() {
     RunningProgram off = new RunningProgram(ControllerOptions.headless().withPower(false));
-    off.done(new Command.ReplaceProgram(off.program("stopj(2)\nstopl(1)\ntextmsg(1)\n")));
+    off.done(new ProgramCommand.ReplaceProgram(off.program("stopj(2)\nstopl(1)\ntextmsg(1)\n")));
     off.finish();
     assertEquals(List.of("1"), off.said());
   }
@@ -232,22 +235,26 @@ final class ReplacedProgramTest {
     RunningProgram off = new RunningProgram(ControllerOptions.headless().withPower(false));
     assertEquals(
         new Reply.Refused(
+            Refusal.Code.ARM_POWER,
             "the arm is POWER_OFF, must be RUNNING: power it on and release its brakes first"),
-        off.ask(new Command.StartProgram(off.program("textmsg(1)\n"))));
-    off.done(new Command.RunSecondary(off.program("sec s():\n  set_digital_out(0, True)\nend\n")));
+        off.ask(new ProgramCommand.StartProgram(off.program("textmsg(1)\n"))));
+    off.done(
+        new ProgramCommand.RunSecondary(
+            off.program("sec s():\n  set_digital_out(0, True)\nend\n")));
     assertEquals(1, off.state().io().standardOut());
   }
 
   @Test
   void nothingIsTakenDuringAStopAndThePausedProgramStays() {
     robot.start("def old():\n  sleep(100)\nend\n");
-    robot.ask(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    robot.ask(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     assertEquals(ProgramState.PAUSED, robot.programState());
     assertInstanceOf(
-        Reply.Refused.class, robot.ask(new Command.ReplaceProgram(robot.program("textmsg(1)\n"))));
+        Reply.Refused.class,
+        robot.ask(new ProgramCommand.ReplaceProgram(robot.program("textmsg(1)\n"))));
     assertInstanceOf(
         Reply.Refused.class,
-        robot.ask(new Command.RunSecondary(robot.program("sec s():\n  textmsg(2)\nend\n"))));
+        robot.ask(new ProgramCommand.RunSecondary(robot.program("sec s():\n  textmsg(2)\nend\n"))));
     assertEquals("old", robot.state().program().name());
     assertEquals(ProgramState.PAUSED, robot.programState());
     assertEquals(List.of(), robot.said());

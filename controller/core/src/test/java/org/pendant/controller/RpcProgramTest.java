@@ -109,7 +109,7 @@ class RpcProgramTest {
     connected("  h.slow()\n");
     program.advance(1);
     assertFalse(server.cancelled());
-    program.done(new Command.StopProgram());
+    program.done(new ProgramCommand.StopProgram());
     assertTrue(server.cancelled());
     assertEquals("close", server.calls().getLast());
   }

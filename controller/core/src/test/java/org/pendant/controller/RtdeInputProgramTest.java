@@ -9,8 +9,13 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.rtde.InputFields;
 import org.pendant.controller.rtde.InputRecipe;
+import org.pendant.controller.rtde.RtdeCommand;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
@@ -36,14 +41,14 @@ final class RtdeInputProgramTest {
   }
 
   private static Command integer(int value) {
-    return new Command.WriteInputs(
+    return new RtdeCommand.WriteInputs(
         CLIENT, REGISTER.decode(ByteBuffer.allocate(4).putInt(value).flip()));
   }
 
   private static Command wrench(double... values6) {
     ByteBuffer bytes = ByteBuffer.allocate(48);
     Arrays.stream(values6).forEach(bytes::putDouble);
-    return new Command.WriteInputs(CLIENT, SENSOR.decode(bytes.flip()));
+    return new RtdeCommand.WriteInputs(CLIENT, SENSOR.decode(bytes.flip()));
   }
 
   /** Sends a reading every frame; says how far the TCP went along z of the base, m. */
@@ -63,38 +68,38 @@ final class RtdeInputProgramTest {
 
   @Test
   void aPackageWithAnInputOfSomebodyElseIsRefusedAsAWhole() {
-    robot.done(new Command.ClaimSignal("PLC", "input_integer_register[24]"));
+    robot.done(new IoCommand.ClaimSignal("PLC", "input_integer_register[24]"));
     InputRecipe both = recipe("input_int_register_25", "input_int_register_24");
     assertEquals(
-        new Reply.Refused("input_integer_register[24] is in use by PLC"),
+        new Reply.Refused(Refusal.Code.IN_USE, "input_integer_register[24] is in use by PLC"),
         robot.ask(
-            new Command.WriteInputs(
+            new RtdeCommand.WriteInputs(
                 CLIENT, both.decode(ByteBuffer.allocate(8).putInt(1).putInt(2).flip()))));
     assertEquals(0, robot.state().signals().inputs().integer(25));
   }
 
   @Test
   void inputsAreTakenTogetherOrNotAtAll() {
-    robot.done(new Command.ClaimSignal("PLC", "input_integer_register[24]"));
+    robot.done(new IoCommand.ClaimSignal("PLC", "input_integer_register[24]"));
     List<Set<String>> answers = new ArrayList<>();
     InputRecipe both = recipe("input_int_register_25", "input_int_register_24");
-    robot.done(new Command.ClaimInputs(CLIENT, both, answers::add));
-    robot.done(new Command.ClaimInputs("other", recipe("input_int_register_25"), answers::add));
-    robot.done(new Command.ReleaseSignals("PLC"));
-    robot.done(new Command.ReleaseSignals("other"));
-    robot.done(new Command.ClaimInputs(CLIENT, both, answers::add));
-    robot.done(new Command.ClaimInputs(CLIENT, both, answers::add));
+    robot.done(new RtdeCommand.ClaimInputs(CLIENT, both, answers::add));
+    robot.done(new RtdeCommand.ClaimInputs("other", recipe("input_int_register_25"), answers::add));
+    robot.done(new IoCommand.ReleaseSignals("PLC"));
+    robot.done(new IoCommand.ReleaseSignals("other"));
+    robot.done(new RtdeCommand.ClaimInputs(CLIENT, both, answers::add));
+    robot.done(new RtdeCommand.ClaimInputs(CLIENT, both, answers::add));
     assertEquals(List.of(Set.of("input_int_register_24"), Set.of(), Set.of(), Set.of()), answers);
     assertEquals(
-        new Reply.Refused("input_integer_register[25] is in use by " + CLIENT),
-        robot.ask(new Command.ClaimSignal("PLC", "input_integer_register[25]")));
+        new Reply.Refused(Refusal.Code.IN_USE, "input_integer_register[25] is in use by " + CLIENT),
+        robot.ask(new IoCommand.ClaimSignal("PLC", "input_integer_register[25]")));
   }
 
   @Test
   void theSpeedSliderMoves() {
     InputRecipe slider = recipe("speed_slider_mask", "speed_slider_fraction");
     ByteBuffer values = ByteBuffer.allocate(12).putInt(1).putDouble(0.25).flip();
-    robot.done(new Command.WriteInputs(CLIENT, slider.decode(values)));
+    robot.done(new RtdeCommand.WriteInputs(CLIENT, slider.decode(values)));
     assertEquals(0.25, robot.state().arm().speedFraction());
   }
 
@@ -121,7 +126,7 @@ final class RtdeInputProgramTest {
     robot.advance(60);
     assertEquals(ProgramState.PAUSED, robot.programState());
     robot.advance(500);
-    robot.done(new Command.ResumeProgram());
+    robot.done(new ProgramCommand.ResumeProgram());
     robot.advance(45);
     assertEquals(ProgramState.RUNNING, robot.programState());
     robot.advance(10);
@@ -149,7 +154,7 @@ final class RtdeInputProgramTest {
     robot.start("ft_rtde_input_enable(True)\nsleep(10)\n");
     robot.advance(60);
     assertEquals(ProgramState.PAUSED, robot.programState());
-    robot.done(new Command.StopProgram());
+    robot.done(new ProgramCommand.StopProgram());
     robot.run("ft_rtde_input_enable(True)\nft_rtde_input_enable(False)\nsleep(1)\n");
   }
 
@@ -169,7 +174,7 @@ final class RtdeInputProgramTest {
     pressing.start("ft_rtde_input_enable(True)\n" + YIELD_Z);
     // the flange looks down: its z is -z of the base
     assertTrue(travelZ(200, 0, 0, -10, 0, 0, 0) > 0.005);
-    robot.done(new Command.StopProgram());
+    robot.done(new ProgramCommand.StopProgram());
     robot.advance(500);
     pressing.start("ft_rtde_input_enable(True)\nft_rtde_input_enable(False)\n" + YIELD_Z);
     assertEquals(0, travelZ(200, 0, 0, -10, 0, 0, 0), 1e-4);

@@ -3,9 +3,11 @@ package org.pendant.controller;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalWrite;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.script.vm.ProgramState;
@@ -49,7 +51,7 @@ class RunStateTest {
   private void setAll(boolean level) {
     for (int i = 0; i < 8; i++) {
       robot.done(
-          new Command.WriteSignals(
+          new IoCommand.WriteSignals(
               new SignalWrite.Digital(new Signal(SignalBank.STANDARD_OUT, i), level)));
     }
   }
@@ -79,16 +81,16 @@ class RunStateTest {
   @Test
   void aPausedProgramDoesNotRun() {
     robot.start(CHOOSE);
-    robot.done(new Command.PauseProgram());
+    robot.done(new ProgramCommand.PauseProgram());
     outputsAre(0b0110_0100);
-    robot.done(new Command.ResumeProgram());
+    robot.done(new ProgramCommand.ResumeProgram());
     outputsAre(0b0110_1100);
   }
 
   @Test
   void stoppingByHandIsAPlannedEnd() {
     robot.start(CHOOSE);
-    robot.done(new Command.StopProgram());
+    robot.done(new ProgramCommand.StopProgram());
     outputsAre(0b0110_0100);
   }
 
@@ -111,8 +113,8 @@ class RunStateTest {
     assertEquals(SafetyMode.PROTECTIVE_STOP, robot.state().safety().safetyMode());
     assertEquals("11000101", binary(robot.state().io().standardOut()));
     robot.advance(3000);
-    robot.done(new Command.UnlockProtectiveStop(false));
-    robot.done(new Command.ResumeProgram());
+    robot.done(new SafetyCommand.UnlockProtectiveStop(false));
+    robot.done(new ProgramCommand.ResumeProgram());
     assertEquals("11101101", binary(robot.state().io().standardOut()));
   }
 
@@ -131,7 +133,7 @@ class RunStateTest {
     robot.run(CHOOSE);
     setAll(true);
     robot.start(WAIT);
-    robot.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    robot.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     robot.finish();
     assertEquals("11110101", binary(robot.state().io().standardOut()));
   }
@@ -139,10 +141,10 @@ class RunStateTest {
   @Test
   void outputsFollowThePowerOfTheArm() {
     robot.run(CHOOSE);
-    robot.done(new Command.PowerOff());
+    robot.done(new SafetyCommand.PowerOff());
     robot.advance(1);
     outputsAre(0b1010_0100);
-    robot.done(new Command.PowerOn());
+    robot.done(new SafetyCommand.PowerOn());
     robot.advance(1);
     outputsAre(0b0110_0100);
   }

@@ -45,7 +45,7 @@ final class RuntimeStateTest {
   void aStoppedProgramIsStoppingUntilTheArmRests() {
     robot.start(MOVE);
     advance(250);
-    robot.done(new Command.StopProgram());
+    robot.done(new ProgramCommand.StopProgram());
     assertEquals(RuntimeState.STOPPING, now());
     advance(300);
     assertEquals(
@@ -62,11 +62,11 @@ final class RuntimeStateTest {
     robot.start(MOVE);
     advance(250);
     double scaling = robot.state().arm().speedScaling();
-    robot.done(new Command.PauseProgram());
+    robot.done(new ProgramCommand.PauseProgram());
     assertEquals(RuntimeState.PAUSING, now());
     advance(300);
     assertEquals(RuntimeState.PAUSED, now());
-    robot.done(new Command.ResumeProgram());
+    robot.done(new ProgramCommand.ResumeProgram());
     assertEquals(RuntimeState.RESUMING, now());
     while (now() == RuntimeState.RESUMING) {
       advance(1);
@@ -86,9 +86,9 @@ final class RuntimeStateTest {
   @Test
   void aProgramWithoutMotionIsPausedAtOnce() {
     robot.start("sleep(1)\n");
-    robot.done(new Command.PauseProgram());
+    robot.done(new ProgramCommand.PauseProgram());
     assertEquals(RuntimeState.PAUSED, now());
-    robot.done(new Command.ResumeProgram());
+    robot.done(new ProgramCommand.ResumeProgram());
     assertEquals(RuntimeState.RESUMING, now());
     robot.advance(1);
     assertEquals(RuntimeState.PLAYING, now());
@@ -96,7 +96,7 @@ final class RuntimeStateTest {
 
   @Test
   void anArmThatIsJoggedStopsNoProgram() {
-    robot.done(new Command.Jog(new JogMove.TurnJoint(0, 1), 0.5));
+    robot.done(new ManualCommand.Jog(new JogMove.TurnJoint(0, 1), 0.5));
     advance(50);
     assertEquals(List.of(RuntimeState.STOPPED), seen);
   }

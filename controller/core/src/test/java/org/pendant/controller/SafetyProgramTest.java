@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.safety.RobotMode;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.models.arm.Joints;
 import org.pendant.script.vm.Ending;
@@ -26,8 +27,8 @@ final class SafetyProgramTest {
 
   private void resume() {
     running.advance(UNLOCK_FRAMES);
-    running.done(new Command.UnlockProtectiveStop(false));
-    running.done(new Command.ResumeProgram());
+    running.done(new SafetyCommand.UnlockProtectiveStop(false));
+    running.done(new ProgramCommand.ResumeProgram());
   }
 
   private boolean moving() {
@@ -93,7 +94,7 @@ final class SafetyProgramTest {
     assertInstanceOf(Ending.Stopped.class, running.state().program().ending().orElseThrow());
     assertEquals(SafetyMode.PROTECTIVE_STOP, running.state().safety().safetyMode());
     running.advance(UNLOCK_FRAMES);
-    running.done(new Command.UnlockProtectiveStop(false));
+    running.done(new SafetyCommand.UnlockProtectiveStop(false));
     assertEquals(List.of("before"), running.said());
     running.run(MOVE);
   }
@@ -158,7 +159,7 @@ final class SafetyProgramTest {
     running.start(MOVE);
     running.advance(200);
     running.done(
-        new Command.RunSecondary(
+        new ProgramCommand.RunSecondary(
             running.program(
                 """
                 sec stop():

@@ -105,7 +105,7 @@ final class ScriptFilesTest {
   }
 
   private static void compareRun(ScriptCase script, Controller controller, Program program) {
-    var _ = controller.submit(new Command.StartProgram(program));
+    var _ = controller.submit(new ProgramCommand.StartProgram(program));
     List<String> messages = new ArrayList<>();
     for (int frame = 0; frame < MAX_FRAMES; frame++) {
       controller.advance();

@@ -8,7 +8,10 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
 import org.pendant.controller.safety.RobotMode;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ArmState;
@@ -124,12 +127,12 @@ final class ServoProgramTest {
   @EnumSource
   void aPauseHoldsTheArmAndItGoesOnAfterwards(Steering steering) {
     start(steering);
-    ask(new Command.PauseProgram());
+    ask(new ProgramCommand.PauseProgram());
     untilRest();
     assertEquals(ProgramState.PAUSED, running.programState());
     frames(500);
     assertEquals(0, fastest(arm()));
-    ask(new Command.ResumeProgram());
+    ask(new ProgramCommand.ResumeProgram());
     frames(500);
     assertTrue(fastest(arm()) > 0.05, "does not go on");
     assertTrue(hardest <= HARDEST_RAD_PER_S2 || steering == Steering.TORQUE, "by " + hardest);
@@ -141,11 +144,11 @@ final class ServoProgramTest {
   void aSafeguardStopHoldsTheArmAndItGoesOnAfterwards(Steering steering) {
     start(steering);
     double speed = fastest(arm());
-    ask(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    ask(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     int frames = untilRest();
     assertTrue(frames <= speed / 15 / FRAME_S + 4, frames + " frames from " + speed + " rad/s");
     assertEquals(SafetyMode.SAFEGUARD_STOP, running.state().safety().safetyMode());
-    ask(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
+    ask(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
     frames(500);
     assertEquals(ProgramState.RUNNING, running.programState());
     assertTrue(fastest(arm()) > 0.05, "does not go on");
@@ -156,7 +159,7 @@ final class ServoProgramTest {
   @EnumSource
   void anEndedProgramLeavesTheArmAtRest(Steering steering) {
     start(steering);
-    ask(new Command.StopProgram());
+    ask(new ProgramCommand.StopProgram());
     untilRest();
     assertFalse(arm().moving());
     assertTrue(hardest <= HARDEST_RAD_PER_S2 || steering == Steering.TORQUE, "by " + hardest);
@@ -168,7 +171,7 @@ final class ServoProgramTest {
   @EnumSource
   void anEmergencyStopLeavesTheArmAtRestWithoutPower(Steering steering) {
     start(steering);
-    ask(new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
+    ask(new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
     untilRest();
     assertEquals(RobotMode.POWER_OFF, running.state().safety().robotMode());
     assertEquals(ProgramState.STOPPED, running.programState());
@@ -179,7 +182,7 @@ final class ServoProgramTest {
   @EnumSource
   void withoutPowerTheArmIsStoppedByItsBrakes(Steering steering) {
     start(steering);
-    ask(new Command.PowerOff());
+    ask(new SafetyCommand.PowerOff());
     running.advance(100);
     assertEquals(RobotMode.POWER_OFF, running.state().safety().robotMode());
     assertEquals(Joints.ZERO, arm().actualSpeedRadPerS());
@@ -191,7 +194,9 @@ final class ServoProgramTest {
   @EnumSource
   void aProtectiveStopHoldsTheArm(Steering steering) {
     start(steering);
-    ask(new Command.RunSecondary(running.program("sec stop():\n  protective_stop()\nend\n")));
+    ask(
+        new ProgramCommand.RunSecondary(
+            running.program("sec stop():\n  protective_stop()\nend\n")));
     untilRest();
     assertEquals(SafetyMode.PROTECTIVE_STOP, running.state().safety().safetyMode());
     assertFalse(running.programState() == ProgramState.RUNNING);
@@ -200,7 +205,7 @@ final class ServoProgramTest {
   @ParameterizedTest
   @EnumSource
   void atHalfSpeedItIsHalfAsFast(Steering steering) {
-    ask(new Command.SetSpeedFraction(0.5));
+    ask(new BoxCommand.SetSpeedFraction(0.5));
     start(steering);
     frames(500);
     double half = fastest(arm());
@@ -219,7 +224,7 @@ final class ServoProgramTest {
   @ParameterizedTest
   @ValueSource(doubles = {1, 0.99, 0.7, 0.25})
   void aStreamOfSpeedsLeadsToTheSamePlaceAtEverySliderPosition(double slider) {
-    ask(new Command.SetSpeedFraction(slider));
+    ask(new BoxCommand.SetSpeedFraction(slider));
     running.run(
         """
         begin = get_target_joint_positions()

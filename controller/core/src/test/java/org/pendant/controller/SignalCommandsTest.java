@@ -5,8 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
@@ -24,15 +27,19 @@ class SignalCommandsTest {
   }
 
   private Reply refused(String reason) {
-    return new Reply.Refused(reason);
+    return refused(Refusal.Code.IN_USE, reason);
+  }
+
+  private Reply refused(Refusal.Code code, String reason) {
+    return new Reply.Refused(code, reason);
   }
 
   @Test
   void programsReadWhatIsConnected() {
     robot.done(
-        new Command.WriteSignals(
+        new IoCommand.WriteSignals(
             new SignalWrite.AnalogInput(AnalogBank.STANDARD_IN, 0, 2.5, AnalogDomain.VOLTAGE)));
-    robot.done(new Command.WriteSignals(integer(3, 42)));
+    robot.done(new IoCommand.WriteSignals(integer(3, 42)));
     robot.run("textmsg(get_standard_analog_in(0))\ntextmsg(read_input_integer_register(3))\n");
     assertEquals(List.of("2.5", "42"), robot.said());
   }
@@ -61,32 +68,35 @@ class SignalCommandsTest {
 
   @Test
   void outputsAreSetByHandOnlyWhileNoProgramRuns() {
-    robot.done(new Command.WriteSignals(OUTPUT));
+    robot.done(new IoCommand.WriteSignals(OUTPUT));
     assertEquals(4, robot.state().io().standardOut());
     robot.start("def busy():\n  sleep(1)\nend\n");
     String refusal =
         "digital_out[2] belongs to program busy: outputs are set by hand only while none runs";
-    assertEquals(refused(refusal), robot.ask(new Command.WriteSignals(OUTPUT)));
-    robot.done(new Command.PauseProgram());
-    assertEquals(refused(refusal), robot.ask(new Command.WriteSignals(OUTPUT)));
-    robot.done(new Command.WriteSignals(integer(0, 1)));
-    robot.done(new Command.WriteSignals("RTDE client", List.of(OUTPUT)));
+    assertEquals(
+        refused(Refusal.Code.PROGRAM, refusal), robot.ask(new IoCommand.WriteSignals(OUTPUT)));
+    robot.done(new ProgramCommand.PauseProgram());
+    assertEquals(
+        refused(Refusal.Code.PROGRAM, refusal), robot.ask(new IoCommand.WriteSignals(OUTPUT)));
+    robot.done(new IoCommand.WriteSignals(integer(0, 1)));
+    robot.done(new IoCommand.WriteSignals("RTDE client", List.of(OUTPUT)));
   }
 
   @Test
   void aSignalThatIsTakenIsWrittenByItsOwnerOnly() {
-    robot.done(new Command.ClaimSignal("PLC", "input_integer_register[0]"));
+    robot.done(new IoCommand.ClaimSignal("PLC", "input_integer_register[0]"));
     assertEquals(
         refused("input_integer_register[0] is in use by PLC"),
-        robot.ask(new Command.ClaimSignal("RTDE client", "input_integer_register[0]")));
+        robot.ask(new IoCommand.ClaimSignal("RTDE client", "input_integer_register[0]")));
     assertEquals(
         refused("input_integer_register[0] is in use by PLC"),
-        robot.ask(new Command.WriteSignals("RTDE client", List.of(integer(1, 5), integer(0, 5)))));
+        robot.ask(
+            new IoCommand.WriteSignals("RTDE client", List.of(integer(1, 5), integer(0, 5)))));
     assertEquals(0, robot.state().signals().inputs().integer(1));
-    robot.done(new Command.WriteSignals("PLC", List.of(integer(1, 5), integer(0, 5))));
+    robot.done(new IoCommand.WriteSignals("PLC", List.of(integer(1, 5), integer(0, 5))));
     assertEquals(5, robot.state().signals().inputs().integer(0));
-    robot.done(new Command.ReleaseSignals("PLC"));
-    robot.done(new Command.WriteSignals(integer(0, 6)));
+    robot.done(new IoCommand.ReleaseSignals("PLC"));
+    robot.done(new IoCommand.WriteSignals(integer(0, 6)));
     assertEquals(6, robot.state().signals().inputs().integer(0));
   }
 

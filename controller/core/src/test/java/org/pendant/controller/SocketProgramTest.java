@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.external.ExternalSocket;
 import org.pendant.controller.external.FakeSocket;
@@ -184,7 +185,7 @@ class SocketProgramTest {
     connected("  socket_read_string(timeout=0)\n");
     program.advance(5000);
     assertEquals(ProgramState.RUNNING, program.programState());
-    program.done(new Command.StopProgram());
+    program.done(new ProgramCommand.StopProgram());
     assertEquals(ProgramState.STOPPED, program.programState());
     assertEquals(ExternalSocket.Stage.CLOSED, sockets.getFirst().stage());
   }
@@ -358,9 +359,9 @@ class SocketProgramTest {
   void pausesOutlastTimeouts() {
     FakeSocket peer = connected("  textmsg(socket_read_byte_list(1, timeout=0.1))\n");
     program.advance(10);
-    program.done(new Command.PauseProgram());
+    program.done(new ProgramCommand.PauseProgram());
     program.advance(500);
-    program.done(new Command.ResumeProgram());
+    program.done(new ProgramCommand.ResumeProgram());
     program.advance(5);
     peer.say("a");
     program.finish();
@@ -379,7 +380,7 @@ class SocketProgramTest {
                 "t.script",
                 "def f():\n  sleep(0.01)\n  socket_open(\"peer\", 1)\n  sleep(1)\nend\n"
                     .getBytes(StandardCharsets.ISO_8859_1)));
-    var _ = controller.submit(new Command.StartProgram(loadResult.program().orElseThrow()));
+    var _ = controller.submit(new ProgramCommand.StartProgram(loadResult.program().orElseThrow()));
     controller.advance();
     assertFalse(controller.waitsForOutside());
     assertTrue(controller.runUntil(controller::waitsForOutside, 20));
@@ -392,16 +393,18 @@ class SocketProgramTest {
   void aSecondaryProgramMaySendOnce() {
     FakeSocket peer = connected("  sleep(1)\n");
     program.done(
-        new Command.RunSecondary(program.program("sec s():\n socket_send_byte(65)\nend\n")));
+        new ProgramCommand.RunSecondary(program.program("sec s():\n socket_send_byte(65)\nend\n")));
     assertEquals("A", peer.heard());
     Reply.Failed failed =
         assertInstanceOf(
             Reply.Failed.class,
             program.ask(
-                new Command.RunSecondary(
+                new ProgramCommand.RunSecondary(
                     program.program(
                         "sec s():\n socket_send_byte(66)\n socket_send_byte(67)\nend\n"))));
-    assertTrue(failed.reason().contains("Runtime is too much behind"), failed.reason());
+    assertTrue(
+        failed.failure().message().contains("Runtime is too much behind"),
+        failed.failure().message());
     assertEquals("AB", peer.heard());
     assertEquals(ProgramState.RUNNING, program.programState());
   }

@@ -27,7 +27,7 @@ final class SteerableClockTest {
 
   private static void await(SteerableClock clock, int frames) throws InterruptedException {
     for (int i = 0; i < frames; i++) {
-      clock.awaitFrame();
+      clock.awaitDue();
     }
   }
 
@@ -80,14 +80,14 @@ final class SteerableClockTest {
   void whileSomebodyOutsideIsWaitedForTimeGoesNoFasterThanReal() throws InterruptedException {
     SteerableClock clock = clock(new Pace.Unlimited());
     for (int i = 0; i < 11; i++) {
-      clock.awaitFrame(() -> true);
+      clock.awaitDue(() -> true);
     }
     assertEquals(1_000 + 10 * FRAME_NS, nowNs);
     await(clock, 100);
     assertEquals(1_000 + 10 * FRAME_NS, nowNs);
     clock.setPace(new Pace.Times(0.5));
     for (int i = 0; i < 11; i++) {
-      clock.awaitFrame(() -> true);
+      clock.awaitDue(() -> true);
     }
     assertEquals(1_000 + 30 * FRAME_NS, nowNs);
   }
@@ -101,14 +101,22 @@ final class SteerableClockTest {
   }
 
   @Test
-  void whilePausedACommandLetsOneFramePass() throws InterruptedException {
+  void whilePausedCommandsAreDueWithoutAFrame() throws InterruptedException {
     SteerableClock clock = clock(new Pace.Paused());
     clock.commandArrived();
-    clock.awaitFrame();
+    assertEquals(Clock.Due.COMMANDS, clock.awaitDue());
     assertEquals(0, parks);
     whileParked = clock::commandArrived;
-    clock.awaitFrame();
+    assertEquals(Clock.Due.COMMANDS, clock.awaitDue());
     assertEquals(1, parks);
+  }
+
+  @Test
+  void aGrantedFrameTakesTheCommandsWithIt() throws InterruptedException {
+    SteerableClock clock = clock(new Pace.Paused());
+    clock.commandArrived();
+    clock.grant(1);
+    assertEquals(Clock.Due.FRAME, clock.awaitDue());
   }
 
   @Test
@@ -117,7 +125,7 @@ final class SteerableClockTest {
     clock.grant(5);
     clock.setPace(new Pace.Paused());
     whileParked = () -> clock.setPace(Pace.REAL_TIME);
-    clock.awaitFrame();
+    clock.awaitDue();
     assertEquals(1, parks);
   }
 
@@ -128,7 +136,7 @@ final class SteerableClockTest {
     clock.setPace(new Pace.Paused());
     nowNs += 150_000_000;
     clock.grant(1);
-    clock.awaitFrame();
+    clock.awaitDue();
     clock.setPace(Pace.REAL_TIME);
     await(clock, 2);
     assertEquals(0, clock.lateness().lateFrames());
@@ -138,9 +146,9 @@ final class SteerableClockTest {
   void anInterruptEndsTheWait() {
     SteerableClock clock = clock(new Pace.Paused());
     whileParked = () -> Thread.currentThread().interrupt();
-    assertThrows(InterruptedException.class, clock::awaitFrame);
+    assertThrows(InterruptedException.class, clock::awaitDue);
     Thread.currentThread().interrupt();
-    assertThrows(InterruptedException.class, clock(new Pace.Unlimited())::awaitFrame);
+    assertThrows(InterruptedException.class, clock(new Pace.Unlimited())::awaitDue);
   }
 
   @Test

@@ -13,7 +13,10 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.BaseLight;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.safety.RobotMode;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyStop;
@@ -23,6 +26,7 @@ import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
@@ -56,7 +60,7 @@ final class StopsTest {
   }
 
   private String refusal(Command command) {
-    return assertInstanceOf(Reply.Refused.class, ask(command)).reason();
+    return assertInstanceOf(Reply.Refused.class, ask(command)).refusal().text();
   }
 
   private void start(String text) {
@@ -65,7 +69,7 @@ final class StopsTest {
             .load(Source.of("test.script", text.getBytes(StandardCharsets.ISO_8859_1)))
             .program()
             .orElseThrow();
-    done(new Command.StartProgram(program));
+    done(new ProgramCommand.StartProgram(program));
   }
 
   private void until(BooleanSupplier condition) {
@@ -105,13 +109,13 @@ final class StopsTest {
     assertEquals(RobotMode.POWER_OFF, safety().robotMode());
     String refused =
         refusal(
-            new Command.StartProgram(
+            new ProgramCommand.StartProgram(
                 controller
                     .load(Source.of("t", TURN.getBytes(StandardCharsets.ISO_8859_1)))
                     .program()
                     .orElseThrow()));
     assertTrue(refused.contains("power"), refused);
-    done(new Command.PowerOn());
+    done(new SafetyCommand.PowerOn());
     List<RobotMode> seen = new ArrayList<>();
     until(
         () -> {
@@ -121,11 +125,11 @@ final class StopsTest {
           return safety().robotMode() == RobotMode.IDLE;
         });
     assertEquals(List.of(RobotMode.BOOTING, RobotMode.POWER_ON, RobotMode.IDLE), seen);
-    done(new Command.ReleaseBrakes());
+    done(new SafetyCommand.ReleaseBrakes());
     until(() -> safety().robotMode() == RobotMode.RUNNING);
     start(TURN);
     until(() -> state().program().ending().isPresent());
-    done(new Command.PowerOff());
+    done(new SafetyCommand.PowerOff());
     assertEquals(RobotMode.POWER_OFF, safety().robotMode());
     assertEquals(Joints.ZERO, state().readings().currentA());
   }
@@ -149,13 +153,13 @@ final class StopsTest {
     assertEquals(ProgramState.PAUSED, state().program().state());
     double where = state().arm().targetPositionRad().get(0);
     assertTrue(where > 0.4 && where < 0.7, "rests on its way at " + where);
-    assertTrue(refusal(new Command.ResumeProgram()).contains("protective stop"));
-    assertTrue(refusal(new Command.UnlockProtectiveStop(false)).contains(" s"));
+    assertTrue(refusal(new ProgramCommand.ResumeProgram()).contains("protective stop"));
+    assertTrue(refusal(new SafetyCommand.UnlockProtectiveStop(false)).contains(" s"));
     frames(UNLOCK_FRAMES);
-    done(new Command.UnlockProtectiveStop(false));
+    done(new SafetyCommand.UnlockProtectiveStop(false));
     assertEquals(SafetyMode.NORMAL, safety().safetyMode());
     assertEquals(ProgramState.PAUSED, state().program().state());
-    done(new Command.ResumeProgram());
+    done(new ProgramCommand.ResumeProgram());
     until(() -> state().program().ending().isPresent());
     assertInstanceOf(Ending.Finished.class, state().program().ending().get());
     assertTrue(said().contains("there"));
@@ -166,13 +170,13 @@ final class StopsTest {
   void aSafeguardStopHoldsTheProgramAsLongAsItsInput() {
     start(TURN);
     until(this::fullSpeed);
-    done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     assertEquals(SafetyMode.SAFEGUARD_STOP, safety().safetyMode());
     until(this::resting);
     frames(500);
     assertEquals(ProgramState.PAUSED, state().program().state());
     assertEquals(RobotMode.RUNNING, safety().robotMode());
-    done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
+    done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
     until(() -> state().program().ending().isPresent());
     assertTrue(said().contains("there"));
   }
@@ -181,7 +185,7 @@ final class StopsTest {
   void anEmergencyStopBringsTheArmToRestOnItsPathAndTakesThePower() {
     start(TURN);
     until(this::fullSpeed);
-    done(new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
+    done(new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
     assertEquals(SafetyMode.ROBOT_EMERGENCY_STOP, safety().safetyMode());
     assertEquals(RobotMode.RUNNING, safety().robotMode(), "still stopping under power");
     double begin = state().arm().targetPositionRad().get(0);
@@ -192,9 +196,9 @@ final class StopsTest {
     Joints resting = state().arm().actualPositionRad();
     frames(100);
     assertEquals(resting, state().arm().actualPositionRad());
-    assertTrue(refusal(new Command.PowerOn()).contains("emergency"));
-    done(new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, false));
-    done(new Command.PowerOn());
+    assertTrue(refusal(new SafetyCommand.PowerOn()).contains("emergency"));
+    done(new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, false));
+    done(new SafetyCommand.PowerOn());
   }
 
   @Test
@@ -234,11 +238,11 @@ final class StopsTest {
 
   @Test
   void aPushAtTheToolShowsAsForceAndEndsWithIt() {
-    done(new Command.PushTool(new Wrench(0, 0, -30, 0, 0, 0)));
+    done(new WorldCommand.PushTool(new Wrench(0, 0, -30, 0, 0, 0)));
     frames(500);
     assertEquals(-30, state().readings().flangeWrenchInBase().fz(), 0.5);
     assertEquals(0, state().readings().flangeWrenchInBase().fx(), 0.5);
-    done(new Command.PushTool(Wrench.ZERO));
+    done(new WorldCommand.PushTool(Wrench.ZERO));
     frames(500);
     assertEquals(0, state().readings().flangeWrenchInBase().fz(), 0.1);
     assertEquals(
@@ -249,20 +253,20 @@ final class StopsTest {
 
   @Test
   void aLoadThatNobodyDeclaredHangsOnTheForceSensor() {
-    done(new Command.AttachLoad(Optional.of(Payload.of(2, 0, 0, 0.05))));
+    done(new WorldCommand.AttachLoad(Optional.of(Payload.of(2, 0, 0, 0.05))));
     frames(1000);
     assertEquals(-2 * 9.82, state().readings().flangeWrenchInBase().fz(), 0.01 * 2 * 9.82);
     start("def p():\n set_target_payload(2, [0, 0, 0.05])\nend\n");
     frames(500);
     assertEquals(0, state().readings().flangeWrenchInBase().fz(), 0.1);
-    done(new Command.AttachLoad(Optional.empty()));
+    done(new WorldCommand.AttachLoad(Optional.empty()));
     frames(1000);
     assertEquals(0, state().readings().flangeWrenchInBase().fz(), 0.1);
   }
 
   @Test
   void inReducedModeTheToolKeepsToTheReducedSpeed() {
-    done(new Command.SetSafetyInput(SafetyInput.REDUCED_MODE, true));
+    done(new SafetyCommand.SetSafetyInput(SafetyInput.REDUCED_MODE, true));
     frames(400);
     assertEquals(SafetyMode.REDUCED, safety().safetyMode());
     start("def p():\n movej([1.5, -1.57, -1.57, -1.57, 1.57, 0], a=3, v=3)\nend\n");
@@ -292,18 +296,18 @@ final class StopsTest {
   void aBackdrivenArmFollowsTheHandAndProgramsWait() {
     controller = new Controller(ControllerOptions.headless().withPower(false));
     controller.advance();
-    done(new Command.PowerOn());
+    done(new SafetyCommand.PowerOn());
     until(() -> safety().robotMode() == RobotMode.IDLE);
-    done(new Command.StartBackdrive());
+    done(new SafetyCommand.StartBackdrive());
     until(() -> safety().robotMode() == RobotMode.BACKDRIVE);
     Joints before = state().arm().actualPositionRad();
     frames(500);
     assertEquals(0, before.maxAbsDifference(state().arm().actualPositionRad()), 1e-3, "holds");
-    done(new Command.PushTool(new Wrench(0, 40, 0, 0, 0, 0)));
+    done(new WorldCommand.PushTool(new Wrench(0, 40, 0, 0, 0, 0)));
     frames(500);
     assertTrue(before.maxAbsDifference(state().arm().actualPositionRad()) > 0.01, "moves");
-    done(new Command.PushTool(Wrench.ZERO));
-    done(new Command.EndBackdrive());
+    done(new WorldCommand.PushTool(Wrench.ZERO));
+    done(new SafetyCommand.EndBackdrive());
     until(() -> safety().robotMode() == RobotMode.IDLE);
   }
 

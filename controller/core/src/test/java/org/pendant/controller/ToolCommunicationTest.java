@@ -111,7 +111,7 @@ class ToolCommunicationTest {
   void aSecondaryProgramDoesNotWait() {
     line.ready = false;
     program.done(
-        new Command.RunSecondary(
+        new ProgramCommand.RunSecondary(
             program.program(
                 "sec f():\n  set_tool_communication(True, 115200, 1, 2, 1.0, 3.5)\nend\n")));
     assertEquals(List.of(), program.reported());

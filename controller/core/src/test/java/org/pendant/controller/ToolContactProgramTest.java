@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.world.Material;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
 
@@ -132,7 +133,7 @@ final class ToolContactProgramTest {
   @Test
   void aWrongPayloadThatHangsStillIsNoContact() {
     PressingArm arm = new PressingArm();
-    arm.running.done(new Command.AttachLoad(Optional.of(Payload.of(2, 0, 0, 0.05))));
+    arm.running.done(new WorldCommand.AttachLoad(Optional.of(Payload.of(2, 0, 0, 0.05))));
     arm.frames(10_000);
     arm.start("sleep(0.1)\ntextmsg(tool_contact())\n");
     arm.running.finish();
@@ -151,7 +152,7 @@ final class ToolContactProgramTest {
         textmsg(tool_contact())
         """);
     arm.frames(100);
-    arm.running.done(new Command.PushTool(new Wrench(0, 0, 20, 0, 0, 0)));
+    arm.running.done(new WorldCommand.PushTool(new Wrench(0, 0, 20, 0, 0, 0)));
     arm.running.finish();
     assertEquals(List.of("True", "0"), arm.running.said());
   }

@@ -15,6 +15,7 @@ import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Origin;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
@@ -66,7 +67,7 @@ final class ToolpathProgramTest {
     LoadResult loadResult =
         controller.load(Source.of("t.script", text.getBytes(StandardCharsets.ISO_8859_1)));
     assertTrue(loadResult.program().isPresent(), () -> loadResult.diagnostics().toString());
-    var _ = controller.submit(new Command.StartProgram(loadResult.program().get()));
+    var _ = controller.submit(new ProgramCommand.StartProgram(loadResult.program().get()));
     advance();
   }
 
@@ -234,12 +235,12 @@ final class ToolpathProgramTest {
       for (int i = 0; i < at; i++) {
         advance();
       }
-      var _ = controller.submit(new Command.PauseProgram());
+      var _ = controller.submit(new ProgramCommand.PauseProgram());
       for (int i = 0; i < 100; i++) {
         advance();
       }
       assertEquals(Joints.ZERO, controller.state().arm().targetSpeedRadPerS());
-      var _ = controller.submit(new Command.ResumeProgram());
+      var _ = controller.submit(new ProgramCommand.ResumeProgram());
       for (int i = 0; i < MAX_FRAMES && (i == 0 || running()); i++) {
         advance();
       }
@@ -291,7 +292,7 @@ final class ToolpathProgramTest {
     assertTrue(running());
     for (int i = 0; i < 1000 && running(); i++) {
       double twistNm = 0.02 * i;
-      var _ = controller.submit(new Command.PushTool(new Wrench(0, 0, 0, 0, 0, twistNm)));
+      var _ = controller.submit(new WorldCommand.PushTool(new Wrench(0, 0, 0, 0, 0, twistNm)));
       advance();
     }
     assertTrue(

@@ -11,6 +11,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.models.arm.Joints;
@@ -51,27 +53,27 @@ final class UndisturbedPathTest {
     void happen(RunningProgram running, SplittableRandom random, List<Joints> points) {
       switch (this) {
         case PAUSE -> {
-          running.ask(new Command.PauseProgram());
+          running.ask(new ProgramCommand.PauseProgram());
           follow(running, random.nextInt(1, 400), points);
-          running.ask(new Command.ResumeProgram());
+          running.ask(new ProgramCommand.ResumeProgram());
         }
         case SLIDER -> {
-          running.done(new Command.SetSpeedFraction(random.nextDouble(0, 1)));
+          running.done(new BoxCommand.SetSpeedFraction(random.nextDouble(0, 1)));
           follow(running, random.nextInt(1, 300), points);
-          running.done(new Command.SetSpeedFraction(random.nextDouble(0.1, 1)));
+          running.done(new BoxCommand.SetSpeedFraction(random.nextDouble(0.1, 1)));
         }
         case SAFEGUARD_STOP -> {
-          running.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+          running.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
           follow(running, random.nextInt(1, 400), points);
-          running.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
+          running.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
         }
         case PROTECTIVE_STOP -> {
           String stop = "sec stop():\n  protective_stop()\nend\n";
-          running.done(new Command.RunSecondary(running.program(stop)));
+          running.done(new ProgramCommand.RunSecondary(running.program(stop)));
           follow(running, UNLOCK_FRAMES, points);
           assertEquals(SafetyMode.PROTECTIVE_STOP, running.state().safety().safetyMode());
-          running.done(new Command.UnlockProtectiveStop(false));
-          running.done(new Command.ResumeProgram());
+          running.done(new SafetyCommand.UnlockProtectiveStop(false));
+          running.done(new ProgramCommand.ResumeProgram());
         }
       }
     }
@@ -146,7 +148,7 @@ final class UndisturbedPathTest {
     List<Joints> path = targets(started(version));
     for (int slower = 2; slower <= 4; slower *= 2) {
       RunningProgram slowed = new RunningProgram();
-      slowed.done(new Command.SetSpeedFraction(1.0 / slower));
+      slowed.done(new BoxCommand.SetSpeedFraction(1.0 / slower));
       slowed.start(CHAIN.formatted(version));
       List<Joints> points = targets(slowed);
       assertFollows(path, points, "1 / " + slower);

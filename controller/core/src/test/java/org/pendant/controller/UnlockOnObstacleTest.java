@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.script.vm.ProgramState;
 
@@ -32,7 +33,7 @@ final class UnlockOnObstacleTest {
     arm.frames(UNLOCK_FRAMES);
     double stoppedM = heightM();
     assertTrue(stoppedM > arm.target().z() + 2e-4, () -> stoppedM + " m, not held up");
-    arm.running.done(new Command.UnlockProtectiveStop(false));
+    arm.running.done(new SafetyCommand.UnlockProtectiveStop(false));
     return stoppedM;
   }
 

@@ -21,7 +21,7 @@ final class VirtualClockTest {
   void framesAreDueAtOnce() throws InterruptedException {
     VirtualClock clock = new VirtualClock(this::look);
     for (int i = 0; i < 100; i++) {
-      clock.awaitFrame();
+      clock.awaitDue();
     }
     assertEquals(0, nowNs);
   }
@@ -30,19 +30,19 @@ final class VirtualClockTest {
   void whileSomebodyOutsideIsWaitedForTheyComeNoFasterThanInRealTime() throws InterruptedException {
     VirtualClock clock = new VirtualClock(this::look);
     for (int i = 0; i < 11; i++) {
-      clock.awaitFrame(() -> true);
+      clock.awaitDue(() -> true);
     }
     assertTrue(nowNs >= 10 * FRAME_NS, () -> "at " + nowNs);
     long afterwardsNs = nowNs;
-    clock.awaitFrame();
+    clock.awaitDue();
     assertEquals(afterwardsNs, nowNs);
   }
 
   @Test
   void anInterruptEndsIt() {
     Thread.currentThread().interrupt();
-    assertThrows(InterruptedException.class, () -> new VirtualClock().awaitFrame());
+    assertThrows(InterruptedException.class, () -> new VirtualClock().awaitDue());
     Thread.currentThread().interrupt();
-    assertThrows(InterruptedException.class, () -> new VirtualClock().awaitFrame(() -> true));
+    assertThrows(InterruptedException.class, () -> new VirtualClock().awaitDue(() -> true));
   }
 }

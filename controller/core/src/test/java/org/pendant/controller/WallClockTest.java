@@ -11,13 +11,13 @@ final class WallClockTest {
   @Test
   void lateFramesAreCountedAndCaughtUp() throws InterruptedException {
     WallClock clock = new WallClock(1, () -> nowNs);
-    clock.awaitFrame();
+    clock.awaitDue();
     nowNs += 7_000_000;
-    clock.awaitFrame(); // was due at 2 ms
+    clock.awaitDue(); // was due at 2 ms
     nowNs += 1_000_000;
-    clock.awaitFrame(); // was due at 4 ms
+    clock.awaitDue(); // was due at 4 ms
     nowNs += 1_000_000;
-    clock.awaitFrame(); // was due at 6 ms
+    clock.awaitDue(); // was due at 6 ms
     assertEquals(new WallClock.Lateness(4, 3, 5_000_000), clock.lateness());
     assertEquals(0, clock.lostNs());
   }
@@ -25,11 +25,11 @@ final class WallClockTest {
   @Test
   void aLongDelayIsDropped() throws InterruptedException {
     WallClock clock = new WallClock(1, () -> nowNs);
-    clock.awaitFrame();
+    clock.awaitDue();
     nowNs += 5_000_000_000L;
-    clock.awaitFrame();
+    clock.awaitDue();
     nowNs += 2_000_000;
-    clock.awaitFrame(); // on time again
+    clock.awaitDue(); // on time again
     assertEquals(new WallClock.Lateness(3, 1, 4_998_000_000L), clock.lateness());
     assertEquals(4_998_000_000L, clock.lostNs());
   }
@@ -37,28 +37,28 @@ final class WallClockTest {
   @Test
   void aFactorShortensTheFrames() throws InterruptedException {
     WallClock clock = new WallClock(4, () -> nowNs);
-    clock.awaitFrame();
+    clock.awaitDue();
     nowNs += 3_500_000;
-    clock.awaitFrame(); // was due at 0.5 ms
+    clock.awaitDue(); // was due at 0.5 ms
     assertEquals(3_000_000, clock.lateness().worstNs());
   }
 
   @Test
   void whileSomebodyOutsideIsWaitedForAFactorShortensNothing() throws InterruptedException {
     WallClock clock = new WallClock(4, () -> nowNs);
-    clock.awaitFrame(() -> true);
+    clock.awaitDue(() -> true);
     nowNs += 3_500_000;
-    clock.awaitFrame(); // was due at 2 ms
+    clock.awaitDue(); // was due at 2 ms
     assertEquals(1_500_000, clock.lateness().worstNs());
   }
 
   @Test
   void anInterruptEndsALateFrameToo() throws InterruptedException {
     WallClock clock = new WallClock(1, () -> nowNs);
-    clock.awaitFrame();
+    clock.awaitDue();
     nowNs += 7_000_000;
     Thread.currentThread().interrupt();
-    assertThrows(InterruptedException.class, clock::awaitFrame);
+    assertThrows(InterruptedException.class, clock::awaitDue);
   }
 
   @Test

@@ -101,7 +101,10 @@ public final class Recording {
     return atFrame(frameAt(timeS));
   }
 
-  /** What the controller published in a frame: the last of it, where a debugger held the frame. */
+  /**
+   * What the controller published in a frame: the last of it, where a debugger held the frame or
+   * commands came into force after it while robot time stood.
+   */
   public ControllerState atFrame(long frame) {
     long wanted = inside(frame);
     int index = stretchOf(wanted);

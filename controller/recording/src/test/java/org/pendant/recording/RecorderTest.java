@@ -7,10 +7,10 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Reply;
 import org.pendant.language.source.Source;
 import org.pendant.script.vm.Program;
 
@@ -46,7 +46,7 @@ class RecorderTest {
   private static String record(String text) throws IOException {
     Controller controller = new Controller(ControllerOptions.headless());
     Program program = controller.load(Source.of("test.script", text)).program().orElseThrow();
-    CompletableFuture<Reply> started = controller.submit(new Command.StartProgram(program));
+    CompletableFuture<Reply> started = controller.submit(new ProgramCommand.StartProgram(program));
     StringWriter out = new StringWriter();
     try (Recorder recorder = new Recorder(out)) {
       do {

@@ -13,9 +13,10 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.DebugCommand;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.message.LogLines;
 import org.pendant.controller.state.ArmReadings;
 import org.pendant.controller.state.ControllerState;
@@ -56,7 +57,7 @@ final class RecordingRingTest {
   private List<ControllerState> run(String text, int frames) {
     var _ =
         controller.submit(
-            new Command.StartProgram(
+            new ProgramCommand.StartProgram(
                 controller.load(Source.of("busy.script", text)).program().orElseThrow()));
     List<ControllerState> states = new ArrayList<>();
     for (int i = 0; i < frames; i++) {
@@ -267,14 +268,14 @@ final class RecordingRingTest {
             .load(Source.of("held.script", "a = 1\na = 2\nsleep(1)\n"))
             .program()
             .orElseThrow();
-    var _ = controller.submit(new Command.StartProgram(program));
-    var _ = controller.submit(new Command.Debug(debugger -> debugger.set(Breakpoint.at(2))));
+    var _ = controller.submit(new ProgramCommand.StartProgram(program));
+    var _ = controller.submit(new DebugCommand.Debug(debugger -> debugger.set(Breakpoint.at(2))));
     advance(ring, 20);
     long heldFrame = controller.state().frame();
     assertTrue(controller.state().debug().held(), "nothing is held");
     assertEquals(controller.state().debug(), ring.recording().atFrame(heldFrame).debug());
 
-    var _ = controller.submit(new Command.Debug(Debugger::resume));
+    var _ = controller.submit(new DebugCommand.Debug(Debugger::resume));
     advance(ring, 20);
     assertFalse(ring.recording().atFrame(heldFrame).debug().held());
     assertEquals(3, ring.recording().atFrame(heldFrame).program().line());

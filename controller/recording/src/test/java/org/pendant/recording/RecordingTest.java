@@ -7,9 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.message.LogEntry;
@@ -28,7 +28,7 @@ final class RecordingTest {
   private void start(String text) {
     var _ =
         controller.submit(
-            new Command.StartProgram(
+            new ProgramCommand.StartProgram(
                 controller.load(Source.of("test.script", text)).program().orElseThrow()));
   }
 
@@ -105,7 +105,7 @@ final class RecordingTest {
   void marksTellFailuresAndStops() {
     start("sleep(0.1)\nprotective_stop()\nsleep(1)\n");
     run(200);
-    var _ = controller.submit(new Command.StopProgram());
+    var _ = controller.submit(new ProgramCommand.StopProgram());
     run(2);
     start("a = [1]\nb = a[2]\n");
     Recording recording = run(100);

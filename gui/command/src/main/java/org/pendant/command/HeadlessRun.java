@@ -4,10 +4,12 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.pendant.controller.Clock;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.VirtualClock;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
@@ -71,11 +73,12 @@ final class HeadlessRun {
     controller.state().newEntries().forEach(this::print);
     Optional<ProgramsFolder> folder = Optional.of(ProgramsFolder.of(file.file()));
     if (program.secondary()) {
-      return runSecondary(new Command.RunSecondary(program, folder));
+      return runSecondary(new ProgramCommand.RunSecondary(program, folder));
     }
     double endS = options.timeoutS().orElse(Double.POSITIVE_INFINITY);
-    if (ask(new Command.StartProgram(program, folder)) instanceof Reply.Refused refused) {
-      console.complain(Report.error(source, refused.reason()));
+    Optional<String> refusal = ask(new ProgramCommand.StartProgram(program, folder)).complaint();
+    if (refusal.isPresent()) {
+      console.complain(Report.error(source, refusal.get()));
       return ExitCode.PROGRAM_FAILED;
     }
     Optional<String> timedOut = Optional.empty();
@@ -106,18 +109,19 @@ final class HeadlessRun {
         : Optional.empty();
   }
 
-  private ExitCode runSecondary(Command.RunSecondary program) {
+  private ExitCode runSecondary(ProgramCommand.RunSecondary program) {
     Reply reply = ask(program);
-    if (reply instanceof Reply.Refused refused) {
-      console.complain(Report.error(source, refused.reason()));
-    }
     // why it failed is in the log, which is printed with everything else
+    if (!(reply instanceof Reply.Failed)) {
+      reply.complaint().ifPresent(why -> console.complain(Report.error(source, why)));
+    }
     return reply instanceof Reply.Done ? ExitCode.DONE : ExitCode.PROGRAM_FAILED;
   }
 
   private void stop() {
-    if (ask(new Command.StopProgram()) instanceof Reply.Refused refused) {
-      throw new IllegalStateException("a running program cannot be stopped: " + refused.reason());
+    Optional<String> refusal = ask(new ProgramCommand.StopProgram()).complaint();
+    if (refusal.isPresent()) {
+      throw new IllegalStateException("a running program cannot be stopped: " + refusal.get());
     }
   }
 
@@ -142,8 +146,9 @@ final class HeadlessRun {
             "paused in line "
                 + controller.state().program().line()
                 + "; continues at once, as nobody is here to resume it"));
-    if (ask(new Command.ResumeProgram()) instanceof Reply.Refused refused) {
-      throw new IllegalStateException("a paused program cannot be resumed: " + refused.reason());
+    Optional<String> refusal = ask(new ProgramCommand.ResumeProgram()).complaint();
+    if (refusal.isPresent()) {
+      throw new IllegalStateException("a paused program cannot be resumed: " + refusal.get());
     }
   }
 
@@ -216,7 +221,7 @@ final class HeadlessRun {
   /** One frame, and what it brought to print and record. */
   private void advance() {
     try {
-      clock.awaitFrame(controller::waitsForOutside);
+      clock.awaitDue(controller::waitsForOutside);
     } catch (InterruptedException e) {
       throw new IllegalStateException("nobody interrupts the thread that runs the frames", e);
     }
@@ -228,7 +233,7 @@ final class HeadlessRun {
   private void tellLost() {
     if (clock.lostNs() != toldLostNs) {
       toldLostNs = clock.lostNs();
-      var _ = controller.submit(new Command.NoteLostTime(toldLostNs * 1e-9));
+      var _ = controller.submit(new BoxCommand.NoteLostTime(toldLostNs * 1e-9));
     }
   }
 

@@ -3,7 +3,7 @@ package org.pendant.command;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.Command;
+import org.pendant.controller.DebugCommand;
 import org.pendant.language.check.Nearest;
 import org.pendant.script.variables.VariablePath;
 import org.pendant.script.variables.VariableTracer;
@@ -87,7 +87,7 @@ record RecordColumns(List<VariablePath> variables) {
   }
 
   /** Has the controller read them in every frame. */
-  Command.TraceVariables command() {
-    return new Command.TraceVariables(OWNER, variables);
+  DebugCommand.TraceVariables command() {
+    return new DebugCommand.TraceVariables(OWNER, variables);
   }
 }

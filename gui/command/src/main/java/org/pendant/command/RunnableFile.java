@@ -151,7 +151,8 @@ record RunnableFile(
     TreeFile waiting = tree.orElseThrow();
     try {
       TreeFile whole =
-          waiting.with(drivers.ask(waiting.installation(), waiting.waitingNodes()).await());
+          waiting.with(
+              drivers.request(waiting.installation(), waiting.waitingNodes()).begin().await());
       Source generated = Source.of(whole.scriptName(), whole.script().text());
       return new RunnableFile(
           file, Optional.of(generated), Optional.of(whole), installation, robot, notes, problems);

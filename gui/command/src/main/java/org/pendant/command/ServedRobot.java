@@ -7,9 +7,9 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.FrameLoop;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.WallClock;
 import org.pendant.protocols.BoxPorts;
 import org.pendant.protocols.ScriptConnectors;
@@ -154,7 +154,7 @@ final class ServedRobot implements AutoCloseable {
 
   /** Asks its program to end. */
   Future<?> stop() {
-    return controller.submit(new Command.StopProgram());
+    return controller.submit(new ProgramCommand.StopProgram());
   }
 
   /**

@@ -1,7 +1,7 @@
 package org.pendant.command;
 
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
+import org.pendant.controller.message.MessageCommand;
 import org.pendant.protocols.net.PeerLog;
 
 /** The controller's log as servers write it. */
@@ -13,7 +13,7 @@ final class ServerLog {
     return new PeerLog(
         (level, text) -> {
           // a line that finds no place among 1024 commands of one frame is lost
-          var _ = controller.submit(new Command.WriteLog(level, text));
+          var _ = controller.submit(new MessageCommand.WriteLog(level, text));
         });
   }
 }

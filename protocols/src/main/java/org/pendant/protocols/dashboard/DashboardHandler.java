@@ -4,8 +4,11 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.pendant.controller.Command;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.SoftwareVersion;
@@ -47,7 +50,7 @@ final class DashboardHandler {
       case PAUSE ->
           done("pause", remotePendant.pause()) ? "Pausing program" : "Failed to execute: pause";
       case QUIT -> "Disconnected";
-      case SHUTDOWN -> always("shutdown", new Command.ShutDown(), "Shutting down");
+      case SHUTDOWN -> always("shutdown", new BoxCommand.ShutDown(), "Shutting down");
       case RUNNING -> "Program running: " + (program() == ProgramState.RUNNING);
       case ROBOT_MODE -> "Robotmode: " + state().safety().robotMode();
       case GET_LOADED_PROGRAM ->
@@ -73,9 +76,10 @@ final class DashboardHandler {
       case SET_OPERATIONAL_MODE -> setOperationalMode(argument);
       case GET_OPERATIONAL_MODE -> remotePendant.operationalMode().name();
       case CLEAR_OPERATIONAL_MODE -> clearOperationalMode();
-      case POWER_ON -> always("power on", new Command.PowerOn(), "Powering on");
-      case POWER_OFF -> always("power off", new Command.PowerOff(), "Powering off");
-      case BRAKE_RELEASE -> always("brake release", new Command.ReleaseBrakes(), "Brake releasing");
+      case POWER_ON -> always("power on", new SafetyCommand.PowerOn(), "Powering on");
+      case POWER_OFF -> always("power off", new SafetyCommand.PowerOff(), "Powering off");
+      case BRAKE_RELEASE ->
+          always("brake release", new SafetyCommand.ReleaseBrakes(), "Brake releasing");
       case SAFETY_STATUS ->
           "Safetystatus: " + SafetyModeNames.status(state().safety().safetyMode());
       case SAFETY_MODE -> "Safetymode: " + SafetyModeNames.mode(state().safety().safetyMode());
@@ -107,14 +111,15 @@ final class DashboardHandler {
   }
 
   /** Whether there is no refusal; one is logged. */
-  private boolean done(String what, Optional<String> refusal) {
-    refusal.ifPresent(why -> log.write(Level.WARNING, "dashboard: " + what + ": " + why));
-    return refusal.isEmpty();
+  private boolean done(String what, Reply reply) {
+    Optional<String> complaint = reply.complaint();
+    complaint.ifPresent(why -> log.write(Level.WARNING, "dashboard: " + what + ": " + why));
+    return complaint.isEmpty();
   }
 
   /** The one answer there is, whatever comes of it; a refusal is logged. */
-  private String told(String what, Optional<String> refusal, String answer) {
-    var _ = done(what, refusal);
+  private String told(String what, Reply reply, String answer) {
+    var _ = done(what, reply);
     return answer;
   }
 
@@ -177,7 +182,9 @@ final class DashboardHandler {
   private String unlockProtectiveStop() {
     boolean stopped = state().safety().safetyMode() == SafetyMode.PROTECTIVE_STOP;
     boolean unlocked =
-        done("unlock protective stop", remotePendant.ask(new Command.UnlockProtectiveStop(false)));
+        done(
+            "unlock protective stop",
+            remotePendant.ask(new SafetyCommand.UnlockProtectiveStop(false)));
     return unlocked || !stopped
         ? "Protective stop releasing"
         : "Cannot unlock protective stop until 5s after occurrence."
@@ -186,8 +193,8 @@ final class DashboardHandler {
 
   /** The arm is off afterwards, whether there was something to end or not. */
   private String restartSafety() {
-    if (remotePendant.ask(new Command.RestartSafety()).isPresent()) {
-      return always("restart safety", new Command.PowerOff(), "Restarting safety");
+    if (remotePendant.ask(new SafetyCommand.RestartSafety()).complaint().isPresent()) {
+      return always("restart safety", new SafetyCommand.PowerOff(), "Restarting safety");
     }
     return "Restarting safety";
   }

@@ -1,32 +1,37 @@
 package org.pendant.protocols.eip;
 
 import java.nio.ByteBuffer;
+import java.time.Duration;
 import java.util.Map;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
-import org.pendant.controller.Command;
-import org.pendant.controller.Controller;
+import org.pendant.controller.Deadline;
+import org.pendant.controller.InstallationCommand;
 import org.pendant.controller.PendingCommand;
-import org.pendant.controller.Reply;
+import org.pendant.controller.Robot;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.eip.AssemblyCommand;
 import org.pendant.controller.eip.AssemblyData;
 import org.pendant.controller.eip.AssemblyImage;
 import org.pendant.controller.eip.AssemblyPair;
-import org.pendant.protocols.server.RetriedCommands;
+import org.pendant.controller.io.IoCommand;
+import org.pendant.controller.rtde.RtdeCommand;
 
 /** Assembly handler: the controller's assemblies, built in and configured. Any thread. */
 final class AssemblyHandler {
-  private final Controller controller;
-  private final RetriedCommands commands;
+  private static final Duration PATIENCE = Duration.ofSeconds(5);
+
+  private final Robot robot;
   private final StateAssembly state = new StateAssembly();
 
   /** What each scanner has written last, as long as no frame has taken it. */
   private final Map<String, PendingCommand> newest = new ConcurrentHashMap<>();
 
-  AssemblyHandler(Controller controller) {
-    this.controller = controller;
-    commands = new RetriedCommands(controller);
+  AssemblyHandler(Robot robot) {
+    this.robot = robot;
   }
 
   /** The size of an assembly that the scanner writes. */
@@ -52,13 +57,13 @@ final class AssemblyHandler {
   /** What the robot writes now; no bytes when there is no such assembly. */
   ByteBuffer toScanner(int instance) {
     return instance == AssemblyPair.BUILT_IN_TO_PLC
-        ? state.of(controller.state())
+        ? state.of(robot.state())
         : ByteBuffer.wrap(image().toPlc(instance).map(AssemblyData::toArray).orElse(new byte[0]));
   }
 
   /** What was configured. */
   AssemblyImage image() {
-    return controller.state().assemblies();
+    return robot.state().assemblies();
   }
 
   /**
@@ -70,8 +75,8 @@ final class AssemblyHandler {
   void write(String owner, int instance, ByteBuffer data) {
     Command command =
         instance == AssemblyPair.BUILT_IN_FROM_PLC
-            ? new Command.WriteInputs(owner, ControlAssembly.decode(data))
-            : new Command.ReceiveAssembly(instance, AssemblyData.of(data));
+            ? new RtdeCommand.WriteInputs(owner, ControlAssembly.decode(data))
+            : new AssemblyCommand.ReceiveAssembly(instance, AssemblyData.of(data));
     // nobody waits: data that find no place among the commands of a frame are followed by others
     newest.compute(
         owner,
@@ -79,7 +84,7 @@ final class AssemblyHandler {
           if (before != null) {
             before.withdraw();
           }
-          return controller.post(command);
+          return robot.post(command);
         });
   }
 
@@ -90,25 +95,25 @@ final class AssemblyHandler {
     }
     CompletableFuture<Set<String>> inUse = new CompletableFuture<>();
     // a box that does not answer gives nothing away, now or later
-    return commands.inTimeOrNever(
-            new Command.ClaimInputs(owner, ControlAssembly.RECIPE, inUse::complete))
+    Command claim = new RtdeCommand.ClaimInputs(owner, ControlAssembly.RECIPE, inUse::complete);
+    return robot.ask(claim, Deadline.orNever(PATIENCE)) instanceof Reply.Done
         && inUse.getNow(ControlAssembly.RECIPE.names()).isEmpty();
   }
 
   /** Gives back what an owner has taken. */
   void release(String owner) throws InterruptedException {
     newest.remove(owner);
-    commands.eventually(new Command.ReleaseSignals(owner));
+    var _ = robot.ask(new IoCommand.ReleaseSignals(owner), Deadline.orLater(PATIENCE));
   }
 
   /** The scanner that writes an assembly has gone; what follows is up to the installation. */
   void lost(String owner) {
-    var _ = controller.submit(new Command.ScannerLost(owner));
+    var _ = robot.submit(new InstallationCommand.ScannerLost(owner));
   }
 
   /** Makes a pair of assemblies; answers whether they are there. */
   boolean configure(AssemblyPair pair) throws InterruptedException {
-    return controller.post(new Command.ConfigureAssemblies(pair)).await(RetriedCommands.PATIENCE)
+    return robot.ask(new AssemblyCommand.ConfigureAssemblies(pair), Deadline.orNever(PATIENCE))
         instanceof Reply.Done;
   }
 }

@@ -71,7 +71,7 @@ public final class EipServer implements Server {
         UdpPort.open(
             numbers.listening("EtherNet/IP I/O", ConnectionHandler.STANDARD_IO_PORT),
             serverContext.log());
-    AssemblyHandler assemblyHandler = new AssemblyHandler(serverContext.controller());
+    AssemblyHandler assemblyHandler = new AssemblyHandler(serverContext.robot());
     Connections connections = new Connections(assemblyHandler, io, serverContext.log());
     Listening listening = numbers.listening("EtherNet/IP", STANDARD_PORT);
     Supplier<ByteBuffer> identity =
@@ -119,7 +119,7 @@ public final class EipServer implements Server {
       TcpPort messages,
       Supplier<ByteBuffer> identity)
       throws IOException {
-    AssemblyHandler assemblyHandler = new AssemblyHandler(serverContext.controller());
+    AssemblyHandler assemblyHandler = new AssemblyHandler(serverContext.robot());
     UdpPort discovery =
         UdpPort.open(
             new Listening("EtherNet/IP discovery", numbers.host(), messages.number()),

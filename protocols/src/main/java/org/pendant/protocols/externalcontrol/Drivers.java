@@ -28,12 +28,13 @@ public record Drivers(HostPolicy hostPolicy, Optional<ControlHost> chosen) {
   }
 
   /**
-   * Begins to ask for a script; does not wait.
+   * A request for a script, for whoever may have to {@link ScriptRequest#cancel cancel} it before
+   * it begins.
    *
    * @param nodes how often {@link ControlScript#loop} will stand in the program, at least 1
    */
-  public ScriptRequest ask(Installation installation, int nodes) {
-    return ScriptRequest.begin(
+  public ScriptRequest request(Installation installation, int nodes) {
+    return new ScriptRequest(
         hostPolicy, of(installation), ScriptRequest.largestBytes(nodes), Patience.STANDARD);
   }
 }

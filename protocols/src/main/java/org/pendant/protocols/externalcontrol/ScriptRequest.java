@@ -40,19 +40,20 @@ public final class ScriptRequest {
   private final Patience patience;
   private final FutureTask<ControlScript> task = new FutureTask<>(this::ask);
 
-  private ScriptRequest(
-      HostPolicy hostPolicy, ControlHost host, int largestBytes, Patience patience) {
+  ScriptRequest(HostPolicy hostPolicy, ControlHost host, int largestBytes, Patience patience) {
     this.hostPolicy = hostPolicy;
     this.host = host;
     this.largestBytes = largestBytes;
     this.patience = patience;
   }
 
-  static ScriptRequest begin(
-      HostPolicy hostPolicy, ControlHost host, int largestBytes, Patience patience) {
-    ScriptRequest request = new ScriptRequest(hostPolicy, host, largestBytes, patience);
-    Thread.ofVirtual().name("script of " + host.text()).start(request.task);
-    return request;
+  /**
+   * Begins to ask, once; does not wait, and answers this request. Nobody is asked after {@link
+   * #cancel}: whoever may be told to stop makes the request known first.
+   */
+  public ScriptRequest begin() {
+    Thread.ofVirtual().name("script of " + host.text()).start(task);
+    return this;
   }
 
   /** How large a script may be that stands in a program {@code nodes} times. */

@@ -23,7 +23,7 @@ final class InterpreterLog implements AutoCloseable {
 
   private InterpreterLog(ServerContext serverContext, Path folder) {
     this.serverContext = serverContext;
-    journal = serverContext.controller().interpreterJournal();
+    journal = serverContext.robot().interpreterJournal();
     files = new LogFiles(folder);
     written = journal.newest();
     thread = Thread.ofVirtual().name("interpreter log").unstarted(this::run);

@@ -34,7 +34,7 @@ public final class InterpreterServer implements Server {
             numbers.listening("Interpreter", STANDARD_PORT),
             connection ->
                 new InterpreterSession(
-                    connection, serverContext.controller(), serverContext.remote().mayControl()),
+                    connection, serverContext.robot(), serverContext.remote().mayControl()),
             serverContext.log());
     return new InterpreterServer(port, InterpreterLog.start(serverContext, logs));
   }

@@ -4,9 +4,11 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import java.util.concurrent.Semaphore;
-import org.pendant.controller.Command;
-import org.pendant.controller.Controller;
-import org.pendant.controller.Reply;
+import org.pendant.controller.InterpreterCommand;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.Robot;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.net.LineCutter;
 import org.pendant.protocols.net.ProtocolException;
@@ -28,7 +30,7 @@ final class InterpreterSession implements Session {
   private static final String NOT_REMOTE = "the robot is not in remote control";
 
   private final Connection connection;
-  private final Controller controller;
+  private final Robot robot;
   private final boolean mayControl;
   private final LineCutter lines = new LineCutter(MAX_LINE);
   private final LineQueue statements;
@@ -39,11 +41,11 @@ final class InterpreterSession implements Session {
    *
    * @param mayControl whether it may do more than ask, as long as it stays connected
    */
-  InterpreterSession(Connection connection, Controller controller, boolean mayControl) {
+  InterpreterSession(Connection connection, Robot robot, boolean mayControl) {
     this.connection = connection;
-    this.controller = controller;
+    this.robot = robot;
     this.mayControl = mayControl;
-    statements = new LineQueue(controller, (line, reply) -> send(answer(reply, line.text())));
+    statements = new LineQueue(robot, (line, reply) -> send(answer(reply, line.text())));
   }
 
   @Override
@@ -64,11 +66,12 @@ final class InterpreterSession implements Session {
   private void obey(ControlLine line) {
     String word = line.word();
     switch (line) {
-      case ABORT -> act(new Command.AbortMove(), word);
-      case SKIPBUFFER -> act(new Command.SkipInterpreted(), word);
+      case ABORT -> act(new ProgramCommand.AbortMove(), word);
+      case SKIPBUFFER -> act(new InterpreterCommand.SkipInterpreted(), word);
       case STATELASTEXECUTED, STATELASTINTERPRETED, STATELASTCLEARED, STATEUNEXECUTED ->
           submit(
-              new Command.AskInterpreter(), reply -> "state: " + value(line, reply) + ": " + word);
+              new InterpreterCommand.AskInterpreter(),
+              reply -> "state: " + value(line, reply) + ": " + word);
     }
   }
 
@@ -112,8 +115,9 @@ final class InterpreterSession implements Session {
           "ack: " + acknowledged.id() + ": " + line;
       case Reply.Interpreted(Interpreter.Response.Discarded discarded) ->
           discard(discarded.reason(), line);
-      case Reply.Refused refused -> discard(refused.reason(), line);
-      case Reply.Done _, Reply.Failed _, Reply.InterpreterState _ ->
+      case Reply.Refused _, Reply.Failed _, Reply.Busy _ ->
+          discard(reply.complaint().orElseThrow(), line);
+      case Reply.Done _, Reply.InterpreterState _ ->
           throw new IllegalStateException("not an answer to a line: " + reply);
     };
   }
@@ -137,7 +141,7 @@ final class InterpreterSession implements Session {
     }
     // in the frame loop: this puts a short line into the connection's outbox and returns
     var _ =
-        controller
+        robot
             .submit(command)
             .thenAccept(
                 reply -> {

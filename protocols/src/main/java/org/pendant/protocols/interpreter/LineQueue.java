@@ -5,9 +5,9 @@ import java.util.Queue;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BiConsumer;
-import org.pendant.controller.Command;
-import org.pendant.controller.Controller;
-import org.pendant.controller.Reply;
+import org.pendant.controller.InterpreterCommand;
+import org.pendant.controller.Robot;
+import org.pendant.controller.command.Reply;
 import org.pendant.script.vm.InterpretedLine;
 
 /** The statements of one client on their way to the controller, a few at a time. */
@@ -18,7 +18,7 @@ final class LineQueue {
   /** Beyond this the client has to wait with what it sends. */
   private static final int MAX_WAITING_BYTES = 1 << 20;
 
-  private final Controller controller;
+  private final Robot robot;
   private final BiConsumer<InterpretedLine, Reply> answer;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition room = lock.newCondition();
@@ -32,8 +32,8 @@ final class LineQueue {
    *
    * @param answer gets every line with its reply, in order; called in the frame loop, so short
    */
-  LineQueue(Controller controller, BiConsumer<InterpretedLine, Reply> answer) {
-    this.controller = controller;
+  LineQueue(Robot robot, BiConsumer<InterpretedLine, Reply> answer) {
+    this.robot = robot;
     this.answer = answer;
   }
 
@@ -59,7 +59,9 @@ final class LineQueue {
       waitingBytes -= next.text().length();
       underWay++;
       var _ =
-          controller.submit(new Command.Interpret(next)).thenAccept(reply -> answered(next, reply));
+          robot
+              .submit(new InterpreterCommand.Interpret(next))
+              .thenAccept(reply -> answered(next, reply));
     }
     pumping = false;
     room.signalAll();

@@ -49,7 +49,7 @@ public final class ModbusServer implements Server {
             listening.with(IdleLimits.peerBegins()),
             connection -> {
               SignalHandler signalHandler =
-                  new SignalHandler(serverContext.controller(), connection.name());
+                  new SignalHandler(serverContext.robot(), connection.name());
               return new ModbusSession(
                   connection, new Answers(signalHandler, changing), serverContext.log());
             },

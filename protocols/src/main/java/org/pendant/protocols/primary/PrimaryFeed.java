@@ -4,7 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.Controller;
+import org.pendant.controller.Robot;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.protocols.net.Connection;
@@ -24,7 +24,7 @@ final class PrimaryFeed {
 
   private static final byte[] NO_SIGNALS = {0, 0, 0, 9, 5, 0, 0, 0, 0};
 
-  private final Controller controller;
+  private final Robot robot;
   private final RobotStateCodec states;
   private final List<Connection> primary = new ArrayList<>();
   private final List<Connection> secondary = new ArrayList<>();
@@ -39,9 +39,9 @@ final class PrimaryFeed {
   private int lastLine;
   private int frames;
 
-  PrimaryFeed(Controller controller) {
-    this.controller = controller;
-    last = controller.state();
+  PrimaryFeed(Robot robot) {
+    this.robot = robot;
+    last = robot.state();
     lastEntry = last.newestEntry();
     states = new RobotStateCodec(last.arm().description());
     lastFull = last;
@@ -145,7 +145,7 @@ final class PrimaryFeed {
     if (state.newestEntry() <= lastEntry) {
       return List.of();
     }
-    List<LogEntry> entries = new ArrayList<>(controller.logSince(lastEntry));
+    List<LogEntry> entries = new ArrayList<>(robot.logSince(lastEntry));
     long missed = entries.getFirst().number() - lastEntry - 1;
     if (missed > 0) {
       String text = missed + " lines of the log were not sent in time";

@@ -46,7 +46,7 @@ public final class PrimaryServer implements Server {
    */
   public static PrimaryServer open(
       ServerContext serverContext, PortNumbers numbers, ScriptHandler scriptHandler) {
-    PrimaryFeed feed = new PrimaryFeed(serverContext.controller());
+    PrimaryFeed feed = new PrimaryFeed(serverContext.robot());
     PrimaryServer server = new PrimaryServer(serverContext, feed);
     server.take(numbers, "Primary", PRIMARY, feed::addPrimary, scriptHandler);
     server.take(numbers, "Secondary", SECONDARY, feed::addSecondary, scriptHandler);

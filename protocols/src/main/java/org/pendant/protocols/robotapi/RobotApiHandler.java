@@ -11,8 +11,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
-import org.pendant.controller.Command;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.safety.RobotMode;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.SafetyStatus;
@@ -150,21 +152,21 @@ final class RobotApiHandler {
       case "POWER_ON" ->
           changed(
               "power on",
-              remotePendant.ask(new Command.PowerOn()),
+              remotePendant.ask(new SafetyCommand.PowerOn()),
               now ->
                   now.safety().robotMode() == RobotMode.IDLE
                       || now.safety().robotMode() == RobotMode.RUNNING);
       case "POWER_OFF" ->
-          changed("power off", remotePendant.ask(new Command.PowerOff()), this::off);
+          changed("power off", remotePendant.ask(new SafetyCommand.PowerOff()), this::off);
       case "BRAKE_RELEASE" ->
           changed(
               "brake release",
-              remotePendant.ask(new Command.ReleaseBrakes()),
+              remotePendant.ask(new SafetyCommand.ReleaseBrakes()),
               now -> now.safety().robotMode() == RobotMode.RUNNING);
       case "UNLOCK_PROTECTIVE_STOP" ->
           changed(
               "unlock protective stop",
-              remotePendant.ask(new Command.UnlockProtectiveStop(true)),
+              remotePendant.ask(new SafetyCommand.UnlockProtectiveStop(true)),
               now -> now.safety().safetyMode() != SafetyMode.PROTECTIVE_STOP);
       case "RESTART_SAFETY" -> changed("restart safety", restartSafety(), this::off);
       default ->
@@ -179,18 +181,17 @@ final class RobotApiHandler {
   }
 
   /** The arm is off afterwards, whether there was something to end or not. */
-  private Optional<String> restartSafety() {
-    return remotePendant.ask(new Command.RestartSafety()).isPresent()
-        ? remotePendant.ask(new Command.PowerOff())
-        : Optional.empty();
+  private Reply restartSafety() {
+    Reply reply = remotePendant.ask(new SafetyCommand.RestartSafety());
+    return reply.complaint().isPresent() ? remotePendant.ask(new SafetyCommand.PowerOff()) : reply;
   }
 
   /** Answers when an action has come about. */
-  private HttpReply changed(
-      String action, Optional<String> refusal, Predicate<ControllerState> wanted)
+  private HttpReply changed(String action, Reply reply, Predicate<ControllerState> wanted)
       throws InterruptedException {
-    if (refusal.isPresent()) {
-      return conflict(action, refusal.get());
+    Optional<String> complaint = reply.complaint();
+    if (complaint.isPresent()) {
+      return conflict(action, complaint.get());
     }
     long begunNs = System.nanoTime();
     while (!wanted.test(state())) {
@@ -217,15 +218,17 @@ final class RobotApiHandler {
               action,
               state().program().state() == ProgramState.PAUSED
                   ? remotePendant.play()
-                  : Optional.of("the program is " + playState() + ", must be PAUSED"));
+                  : new Reply.Refused(
+                      Refusal.Code.PROGRAM, "the program is " + playState() + ", must be PAUSED"));
       case "stop" -> moved(action, remotePendant.stop());
       default -> unknown(action, "play, pause, resume or stop");
     };
   }
 
-  private HttpReply moved(String action, Optional<String> refusal) {
-    return refusal.isPresent()
-        ? conflict(action, refusal.get())
+  private HttpReply moved(String action, Reply reply) {
+    Optional<String> complaint = reply.complaint();
+    return complaint.isPresent()
+        ? conflict(action, complaint.get())
         : ApiReply.of(program(action + " is done"));
   }
 

@@ -10,11 +10,13 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
-import org.pendant.controller.Command;
-import org.pendant.controller.Controller;
+import org.pendant.controller.Deadline;
+import org.pendant.controller.Robot;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.rtde.InputRecipe;
 import org.pendant.controller.rtde.InputUpdate;
-import org.pendant.protocols.server.RetriedCommands;
+import org.pendant.controller.rtde.RtdeCommand;
 
 /**
  * Input handler: the RTDE inputs that one client writes. For the client's own thread, which may
@@ -38,10 +40,12 @@ final class InputHandler {
   /** When to ask again meanwhile, ms. */
   private static final long AGAIN_MS = 4;
 
-  private final Controller controller;
+  /** A frame takes 2 ms: who gets no answer for this long speaks to a box that has stopped. */
+  private static final Duration PATIENCE = Duration.ofSeconds(5);
+
+  private final Robot robot;
   private final String client;
   private final List<InputRecipe> recipes = new ArrayList<>();
-  private final RetriedCommands commands;
   private final long openedNs = System.nanoTime();
   private final Semaphore roomOfAll;
   private final Semaphore room = new Semaphore(MAX_IN_A_FRAME);
@@ -54,11 +58,10 @@ final class InputHandler {
    *
    * @param roomOfAll what all clients share, {@link #MAX_OF_ALL} at first
    */
-  InputHandler(Controller controller, String client, Semaphore roomOfAll) {
-    this.controller = controller;
+  InputHandler(Robot robot, String client, Semaphore roomOfAll) {
+    this.robot = robot;
     this.client = client;
     this.roomOfAll = roomOfAll;
-    commands = new RetriedCommands(controller);
   }
 
   /** Whether there may be another recipe. */
@@ -88,10 +91,12 @@ final class InputHandler {
 
   private Set<String> claimNow(InputRecipe recipe) throws InterruptedException {
     CompletableFuture<Set<String>> inUse = new CompletableFuture<>();
-    boolean asked =
-        commands.inTimeOrNever(new Command.ClaimInputs(client, recipe, inUse::complete));
+    Reply reply =
+        robot.ask(
+            new RtdeCommand.ClaimInputs(client, recipe, inUse::complete),
+            Deadline.orNever(PATIENCE));
     // a box that does not answer gives nothing away, now or later
-    return asked ? inUse.getNow(recipe.names()) : recipe.names();
+    return reply instanceof Reply.Done ? inUse.getNow(recipe.names()) : recipe.names();
   }
 
   /**
@@ -141,8 +146,8 @@ final class InputHandler {
       return false;
     }
     var _ =
-        controller
-            .submit(new Command.WriteInputs(client, update))
+        robot
+            .submit(new RtdeCommand.WriteInputs(client, update))
             .whenComplete(
                 (answer, failure) -> {
                   room.release();
@@ -152,11 +157,11 @@ final class InputHandler {
   }
 
   private static boolean taken(Semaphore place) throws InterruptedException {
-    return place.tryAcquire(RetriedCommands.PATIENCE.toNanos(), TimeUnit.NANOSECONDS);
+    return place.tryAcquire(PATIENCE.toNanos(), TimeUnit.NANOSECONDS);
   }
 
   /** Gives all inputs back; their values stay. */
   void release() throws InterruptedException {
-    commands.eventually(new Command.ReleaseSignals(client));
+    var _ = robot.ask(new IoCommand.ReleaseSignals(client), Deadline.orLater(PATIENCE));
   }
 }

@@ -48,7 +48,7 @@ final class RtdeSession implements Session {
     this.connection = connection;
     log = serverContext.log();
     flow = new DataFlow(connection::stream);
-    inputs = new InputHandler(serverContext.controller(), connection.name(), inputRoom);
+    inputs = new InputHandler(serverContext.robot(), connection.name(), inputRoom);
     Consumer<ControllerState> frames = flow::frame;
     serverContext.frames().add(frames);
     leave = () -> serverContext.frames().remove(frames);

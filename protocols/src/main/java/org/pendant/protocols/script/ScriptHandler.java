@@ -3,16 +3,20 @@ package org.pendant.protocols.script;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.pendant.controller.Command;
-import org.pendant.controller.Controller;
-import org.pendant.controller.Reply;
+import org.pendant.controller.Deadline;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.Robot;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.message.MessageCommand;
 import org.pendant.controller.message.Question;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
@@ -39,7 +43,7 @@ public final class ScriptHandler {
   private static final Pattern SYNTAX_LINE = Pattern.compile("syntax_error_on_line:(\\d{1,9}):");
 
   private final ServerContext serverContext;
-  private final Controller controller;
+  private final Robot robot;
   private final PeerLog log;
   private final CompileLanes compiler;
   private final TextBudget budget = new TextBudget();
@@ -48,9 +52,9 @@ public final class ScriptHandler {
   /** For all clients of one controller. */
   public ScriptHandler(ServerContext serverContext) {
     this.serverContext = serverContext;
-    controller = serverContext.controller();
+    robot = serverContext.robot();
     log = serverContext.log();
-    compiler = new CompileLanes(controller::load);
+    compiler = new CompileLanes(robot::load);
   }
 
   /**
@@ -125,29 +129,26 @@ public final class ScriptHandler {
       return;
     }
     Program program = loadResult.program().get();
-    Reply reply = await(controller.submit(start(program)));
     // that a secondary program has failed comes with the events of the frame
-    if (reply instanceof Reply.Refused refused) {
-      log.write(
-          Level.WARNING,
-          "program "
-              + program.name()
-              + " of "
-              + client
-              + " was not started: "
-              + ByteText.asBytes(refused.reason()));
-      tell(new ScriptTrouble.NotStarted(ByteText.asBytes(refused.reason())));
-    }
+    refusal(robot.ask(start(program), Deadline.NONE))
+        .ifPresent(why -> notStarted(program, client, ByteText.asBytes(why)));
+  }
+
+  private void notStarted(Program program, String client, String why) {
+    log.write(
+        Level.WARNING, "program " + program.name() + " of " + client + " was not started: " + why);
+    tell(new ScriptTrouble.NotStarted(why));
+  }
+
+  /** Why a command was not carried out; what has failed stands in the log already. */
+  private static Optional<String> refusal(Reply reply) {
+    return reply instanceof Reply.Failed ? Optional.empty() : reply.complaint();
   }
 
   private static Command start(Program program) {
     return program.secondary()
-        ? new Command.RunSecondary(program)
-        : new Command.ReplaceProgram(program);
-  }
-
-  private static Reply await(CompletableFuture<Reply> reply) {
-    return reply.join();
+        ? new ProgramCommand.RunSecondary(program)
+        : new ProgramCommand.ReplaceProgram(program);
   }
 
   private void reportErrors(Source source, LoadResult loadResult, String client) {
@@ -191,20 +192,22 @@ public final class ScriptHandler {
 
   private void carryOut(RawCommand command, String client) {
     switch (command) {
-      case RawCommand.PowerOn on -> submit(new Command.PowerOn(), "power on", client);
-      case RawCommand.PowerOff off -> submit(new Command.PowerOff(), "power off", client);
+      case RawCommand.PowerOn on -> submit(new SafetyCommand.PowerOn(), "power on", client);
+      case RawCommand.PowerOff off -> submit(new SafetyCommand.PowerOff(), "power off", client);
       case RawCommand.Run run -> {
-        if (controller.state().program().name().equals(FREEDRIVE_NAME)) {
-          submit(new Command.StopProgram(), "stop program", client);
+        if (robot.state().program().name().equals(FREEDRIVE_NAME)) {
+          submit(new ProgramCommand.StopProgram(), "stop program", client);
         }
-        submit(new Command.ReleaseBrakes(), "set robotmode run", client);
+        submit(new SafetyCommand.ReleaseBrakes(), "set robotmode run", client);
       }
       case RawCommand.Freedrive freedrive -> run(source(FREEDRIVE), client);
       case RawCommand.UnlockProtectiveStop unlock ->
-          submit(new Command.UnlockProtectiveStop(true), "set unlock protective stop", client);
-      case RawCommand.StopProgram stop -> submit(new Command.StopProgram(), "stop program", client);
+          submit(
+              new SafetyCommand.UnlockProtectiveStop(true), "set unlock protective stop", client);
+      case RawCommand.StopProgram stop ->
+          submit(new ProgramCommand.StopProgram(), "stop program", client);
       case RawCommand.SetSpeed speed ->
-          submit(new Command.SetSpeedFraction(client, speed.fraction()), "set speed", client);
+          submit(new BoxCommand.SetSpeedFraction(client, speed.fraction()), "set speed", client);
       case RawCommand.ChooseArm choice ->
           log.write(
               Level.INFO,
@@ -217,25 +220,27 @@ public final class ScriptHandler {
   }
 
   private void submit(Command command, String name, String client) {
-    if (await(controller.submit(command)) instanceof Reply.Refused refused) {
-      log.write(
-          Level.WARNING,
-          name + " of " + client + " was refused: " + ByteText.asBytes(refused.reason()));
-    }
+    refusal(robot.ask(command, Deadline.NONE))
+        .ifPresent(
+            why ->
+                log.write(
+                    Level.WARNING,
+                    name + " of " + client + " was refused: " + ByteText.asBytes(why)));
   }
 
   private void answer(RawCommand.AnswerRequest answer, String client) {
     Optional<Question> question =
-        controller.state().openQuestions().stream()
+        robot.state().openQuestions().stream()
             .filter(each -> each.number() == answer.number())
             .findFirst();
     if (question.isEmpty()) {
-      submit(new Command.AnswerPopup(answer.number()), "request_value", client);
+      submit(new MessageCommand.AnswerPopup(answer.number()), "request_value", client);
       return;
     }
     try {
       submit(
-          new Command.AnswerQuestion(answer.number(), question.get().kind().read(answer.value())),
+          new MessageCommand.AnswerQuestion(
+              answer.number(), question.get().kind().read(answer.value())),
           "request_value",
           client);
     } catch (IllegalArgumentException e) {

@@ -13,7 +13,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.stream.Stream;
-import org.pendant.controller.Controller;
+import org.pendant.controller.Robot;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.Installation;
 import org.pendant.language.source.ByteText;
@@ -40,11 +40,11 @@ final class ProgramRepository {
   static final int MAX_LISTED = 1000;
 
   private final ProgramsFolder folder;
-  private final Controller controller;
+  private final Robot robot;
 
-  ProgramRepository(ProgramsFolder folder, Controller controller) {
+  ProgramRepository(ProgramsFolder folder, Robot robot) {
     this.folder = folder;
-    this.controller = controller;
+    this.robot = robot;
   }
 
   /**
@@ -114,7 +114,7 @@ final class ProgramRepository {
     }
     String wanted = bare.tree().installation();
     Optional<Installation> own = installationOf(name, wanted);
-    TreeFile tree = bare.in(own.orElse(controller.installation()));
+    TreeFile tree = bare.in(own.orElse(robot.installation()));
     Optional<byte[]> saved = tree.hasGaps() ? scriptBeside(name) : Optional.empty();
     if (saved.isPresent()) {
       Program program = compiled(Source.of(lastPart(name) + SCRIPT, saved.get()));
@@ -157,7 +157,7 @@ final class ProgramRepository {
     if (program.tree().isEmpty()) {
       return program;
     }
-    TreeFile tree = program.tree().get().in(controller.installation());
+    TreeFile tree = program.tree().get().in(robot.installation());
     return new LoadedProgram(
         program.name(),
         program.path(),
@@ -220,7 +220,7 @@ final class ProgramRepository {
    * @param before what is said of a line before what is wrong with it
    */
   private Program compiled(Source source, IntFunction<String> before) throws LoadTrouble {
-    LoadResult loadResult = controller.load(source);
+    LoadResult loadResult = robot.load(source);
     if (loadResult.program().isEmpty()) {
       String why =
           loadResult.diagnostics().stream()

@@ -4,17 +4,21 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.ReentrantLock;
-import org.pendant.controller.Command;
-import org.pendant.controller.Controller;
-import org.pendant.controller.PendingCommand;
-import org.pendant.controller.Reply;
+import org.pendant.controller.Deadline;
+import org.pendant.controller.InstallationCommand;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.Robot;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.message.MessageCommand;
 import org.pendant.controller.message.Popup;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
 import org.pendant.language.source.ByteText;
@@ -22,6 +26,7 @@ import org.pendant.project.installation.file.LoadedInstallation;
 import org.pendant.project.program.file.TreeFile;
 import org.pendant.protocols.externalcontrol.NoScript;
 import org.pendant.protocols.externalcontrol.ScriptRequest;
+import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramState;
 
 /**
@@ -41,7 +46,7 @@ public final class RemotePendant {
 
   private static final String POPUP_TITLE = "Popup";
 
-  private final Controller controller;
+  private final Robot robot;
   private final PendantSetup setup;
   private final Identity identity;
   private final ProgramRepository programRepository;
@@ -50,6 +55,12 @@ public final class RemotePendant {
 
   /** One change of the program at a time. */
   private final ReentrantLock changing = new ReentrantLock();
+
+  /** A start and a stop one after the other, so that the stop is never before what it stops. */
+  private final ReentrantLock beginning = new ReentrantLock();
+
+  /** Somebody has asked for a stop since {@link #play} began. */
+  private volatile boolean stopped;
 
   private volatile Optional<LoadedProgram> loaded = Optional.empty();
   private volatile String installation = "default";
@@ -66,13 +77,13 @@ public final class RemotePendant {
   private volatile OperationalMode mode = OperationalMode.NONE;
 
   /** A pendant without a loaded program. */
-  public RemotePendant(Controller controller, PendantSetup setup) {
-    this.controller = controller;
+  public RemotePendant(Robot robot, PendantSetup setup) {
+    this.robot = robot;
     this.setup = setup;
     identity = Identity.of(setup.robotId());
-    programRepository = new ProgramRepository(setup.programs(), controller);
+    programRepository = new ProgramRepository(setup.programs(), robot);
     store = new ProgramStore(setup.programs(), programRepository);
-    reports = new Reports(controller, setup, this::loaded);
+    reports = new Reports(robot, setup, this::loaded);
   }
 
   /** What stands on the type plate. */
@@ -87,7 +98,7 @@ public final class RemotePendant {
 
   /** The newest snapshot of the controller. */
   public ControllerState state() {
-    return controller.state();
+    return robot.state();
   }
 
   /** Files with what there is to know about the box. */
@@ -117,12 +128,12 @@ public final class RemotePendant {
     try {
       LoadedProgram found = programRepository.load(name);
       if (running()) {
-        var _ = ask(new Command.StopProgram());
+        var _ = ask(new ProgramCommand.StopProgram());
       }
       loaded = Optional.of(found);
       installation = found.installation().isEmpty() ? installation : found.installation();
       setUp(found);
-      madeFor = controller.installation();
+      madeFor = robot.installation();
       return found;
     } finally {
       changing.unlock();
@@ -167,10 +178,11 @@ public final class RemotePendant {
   }
 
   private void setUp(LoadedProgram program) {
-    if (program.setup().isEmpty() || program.setup().get().equals(controller.installation())) {
+    if (program.setup().isEmpty() || program.setup().get().equals(robot.installation())) {
       return;
     }
-    ask(new Command.ApplyInstallation(program.setup().get()))
+    ask(new InstallationCommand.ApplyInstallation(program.setup().get()))
+        .complaint()
         .ifPresent(
             why ->
                 log(
@@ -188,7 +200,8 @@ public final class RemotePendant {
     changing.lock();
     try {
       LoadedInstallation found = programRepository.installation(name);
-      Optional<String> refusal = ask(new Command.ApplyInstallation(found.installation()));
+      Optional<String> refusal =
+          ask(new InstallationCommand.ApplyInstallation(found.installation())).complaint();
       if (refusal.isPresent()) {
         throw new LoadTrouble(false, name + ": " + refusal.get());
       }
@@ -206,7 +219,7 @@ public final class RemotePendant {
    * be loaded is told in the log.
    */
   public void loadAtStart() {
-    String program = controller.installation().startUp().program();
+    String program = robot.installation().startUp().program();
     if (program.isEmpty()) {
       return;
     }
@@ -221,14 +234,14 @@ public final class RemotePendant {
    * Starts the loaded program, or goes on with one that is paused. One with External Control nodes
    * waits for the driver, for 10 s at most.
    */
-  public Optional<String> play() {
+  public Reply play() {
     changing.lock();
     try {
+      stopped = false;
       return switch (state().program().state()) {
-        case RUNNING -> Optional.of("program " + state().program().name() + " runs already");
-        case PAUSED -> ask(new Command.ResumeProgram());
-        case STOPPED ->
-            loaded.isPresent() ? start(loaded.get()) : Optional.of("no program is loaded");
+        case RUNNING -> refused("program " + state().program().name() + " runs already");
+        case PAUSED -> ask(new ProgramCommand.ResumeProgram());
+        case STOPPED -> loaded.isPresent() ? start(loaded.get()) : refused("no program is loaded");
       };
     } finally {
       changing.unlock();
@@ -236,37 +249,53 @@ public final class RemotePendant {
   }
 
   /** A program tree begins with what programs have left in the installation's variables. */
-  private Optional<String> start(LoadedProgram program) {
-    Installation now = controller.installation();
+  private Reply start(LoadedProgram program) {
+    Installation now = robot.installation();
     if (!now.equals(madeFor)) {
       try {
         loaded = Optional.of(programRepository.renewed(program));
         madeFor = now;
       } catch (LoadTrouble e) {
-        return Optional.of(e.getMessage());
+        return refused(e.getMessage());
       }
     }
     LoadedProgram ready = loaded.orElseThrow();
-    return ready.program().isPresent()
-        ? ask(new Command.StartProgram(ready.program().get()))
-        : startWithDriver(ready);
+    return ready.program().isPresent() ? begin(ready.program().get()) : startWithDriver(ready);
   }
 
-  private Optional<String> startWithDriver(LoadedProgram program) {
+  /** Starts a program, unless somebody has asked for a stop meanwhile. */
+  private Reply begin(Program program) {
+    beginning.lock();
+    try {
+      return stopped
+          ? refused("stopped before it began")
+          : ask(new ProgramCommand.StartProgram(program));
+    } finally {
+      beginning.unlock();
+    }
+  }
+
+  private static Reply refused(String text) {
+    return new Reply.Refused(Refusal.Code.PROGRAM, text);
+  }
+
+  private Reply startWithDriver(LoadedProgram program) {
     TreeFile tree = program.tree().orElseThrow();
-    ScriptRequest request = setup.drivers().ask(tree.installation(), tree.waitingNodes());
+    ScriptRequest request = setup.drivers().request(tree.installation(), tree.waitingNodes());
+    // known before anybody is asked: a stop may come at once
     asked = Optional.of(request);
     try {
-      DrivenProgram whole = programRepository.driven(program, request.await());
+      if (stopped) {
+        request.cancel();
+      }
+      DrivenProgram whole = programRepository.driven(program, request.begin().await());
       driven = Optional.of(whole);
-      return asked.isPresent()
-          ? ask(new Command.StartProgram(whole.program()))
-          : Optional.of("stopped before it began");
+      return begin(whole.program());
     } catch (NoScript | LoadTrouble e) {
-      return Optional.of(e.getMessage());
+      return refused(e.getMessage());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return Optional.of("interrupted");
+      return new Reply.Busy("interrupted");
     } finally {
       asked = Optional.empty();
     }
@@ -283,24 +312,24 @@ public final class RemotePendant {
 
   /** A start that waits for a driver comes to nothing. */
   private void cancelStart() {
+    stopped = true;
     asked.ifPresent(ScriptRequest::cancel);
-    asked = Optional.empty();
   }
 
   /** Pauses the program and waits until it stands. */
-  public Optional<String> pause() {
-    try (StateStream.Subscription frames = controller.feed().follow()) {
-      Optional<String> refusal = ask(new Command.PauseProgram());
+  public Reply pause() {
+    try (StateStream.Subscription frames = robot.feed().follow()) {
+      Reply reply = ask(new ProgramCommand.PauseProgram());
       long begunNs = System.nanoTime();
-      while (refusal.isEmpty()
+      while (reply.complaint().isEmpty()
           && state().program().state() == ProgramState.RUNNING
           && System.nanoTime() - begunNs < PAUSE_NS) {
         var _ = frames.take();
       }
-      return refusal;
+      return reply;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return Optional.of("interrupted");
+      return new Reply.Busy("interrupted");
     }
   }
 
@@ -309,11 +338,16 @@ public final class RemotePendant {
    * is loaded. One that has just ended by itself is no refusal: some clients end their program and
    * then make sure of it.
    */
-  public Optional<String> stop() {
+  public Reply stop() {
     cancelStart();
-    return running() || loaded.isPresent() || state().program().ending().isPresent()
-        ? ask(new Command.StopProgram())
-        : Optional.of("no program is loaded or runs");
+    beginning.lock();
+    try {
+      return running() || loaded.isPresent() || state().program().ending().isPresent()
+          ? ask(new ProgramCommand.StopProgram())
+          : refused("no program is loaded or runs");
+    } finally {
+      beginning.unlock();
+    }
   }
 
   private boolean running() {
@@ -328,7 +362,7 @@ public final class RemotePendant {
   /** Chooses an operational mode; NONE leaves the choice to nobody, as AUTOMATIC for the robot. */
   public void setOperationalMode(OperationalMode chosen) {
     mode = chosen;
-    var _ = ask(new Command.SetManualMode(chosen == OperationalMode.MANUAL));
+    var _ = ask(new SafetyCommand.SetManualMode(chosen == OperationalMode.MANUAL));
     log(Level.INFO, "operational mode: " + chosen);
   }
 
@@ -337,56 +371,36 @@ public final class RemotePendant {
    *
    * @param text bytes, one {@code char} a byte
    */
-  public Optional<String> showPopup(String text) {
-    return ask(new Command.ShowPopup(POPUP_TITLE, text));
+  public Reply showPopup(String text) {
+    return ask(new MessageCommand.ShowPopup(POPUP_TITLE, text));
   }
 
   /** Closes the newest popup, whoever has shown it; a program that waits for it goes on. */
-  public Optional<String> closePopup() {
+  public Reply closePopup() {
     List<Popup> open = state().openPopups();
     return open.isEmpty()
-        ? Optional.of("no popup is open")
-        : ask(new Command.AnswerPopup(open.getLast().number()));
+        ? new Reply.Refused(Refusal.Code.UNKNOWN, "no popup is open")
+        : ask(new MessageCommand.AnswerPopup(open.getLast().number()));
   }
 
   /** Writes a line to the log of the controller; does not wait. */
   public void log(Level level, String text) {
-    var _ = controller.submit(new Command.WriteLog(level, text));
+    var _ = robot.submit(new MessageCommand.WriteLog(level, text));
   }
 
   /**
    * Has the controller carry out a command, and waits until it has. What it does not come to in
    * time is taken back, unless it ends something: a late stop is better than none.
    */
-  public Optional<String> ask(Command command) {
-    PendingCommand pending = controller.post(command);
-    try {
-      Reply reply = ends(command) ? awaitEnd(pending) : pending.await(PATIENCE);
-      return switch (reply) {
-        case Reply.Refused refused -> Optional.of(refused.reason());
-        case Reply.Failed failed -> Optional.of(failed.reason());
-        case Reply.Done _, Reply.Interpreted _, Reply.InterpreterState _ -> Optional.empty();
-      };
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return Optional.of("interrupted");
-    }
+  public Reply ask(Command command) {
+    return robot.ask(
+        command, ends(command) ? Deadline.orLater(PATIENCE) : Deadline.orNever(PATIENCE));
   }
 
   private static boolean ends(Command command) {
-    return command instanceof Command.StopProgram
-        || command instanceof Command.PauseProgram
-        || command instanceof Command.PowerOff
-        || command instanceof Command.ShutDown;
-  }
-
-  private static Reply awaitEnd(PendingCommand pending) throws InterruptedException {
-    try {
-      return pending.reply().get(PATIENCE.toNanos(), TimeUnit.NANOSECONDS);
-    } catch (TimeoutException e) {
-      return new Reply.Refused("the controller does not answer");
-    } catch (ExecutionException e) {
-      return new Reply.Refused("the controller has failed: " + e.getCause());
-    }
+    return command instanceof ProgramCommand.StopProgram
+        || command instanceof ProgramCommand.PauseProgram
+        || command instanceof SafetyCommand.PowerOff
+        || command instanceof BoxCommand.ShutDown;
   }
 }

@@ -17,7 +17,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
-import org.pendant.controller.Controller;
+import org.pendant.controller.Robot;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.LogEntry;
@@ -39,12 +39,12 @@ public final class Reports {
   private static final String SUPPORT = "supportfile-";
   private static final String ZIP = ".zip";
 
-  private final Controller controller;
+  private final Robot robot;
   private final PendantSetup setup;
   private final Supplier<Optional<LoadedProgram>> loaded;
 
-  Reports(Controller controller, PendantSetup setup, Supplier<Optional<LoadedProgram>> loaded) {
-    this.controller = controller;
+  Reports(Robot robot, PendantSetup setup, Supplier<Optional<LoadedProgram>> loaded) {
+    this.robot = robot;
     this.setup = setup;
     this.loaded = loaded;
   }
@@ -132,7 +132,7 @@ public final class Reports {
     try (ZipOutputStream zip = new ZipOutputStream(out)) {
       put(zip, "version.txt", SoftwareVersion.REPORTED.text().getBytes(StandardCharsets.UTF_8));
       put(zip, "log_history.txt", log());
-      put(zip, "state.txt", controller.state().toString().getBytes(StandardCharsets.UTF_8));
+      put(zip, "state.txt", robot.state().toString().getBytes(StandardCharsets.UTF_8));
       Optional<LoadedProgram> program = loaded.get();
       if (program.isPresent()) {
         put(zip, "program/" + program.get().name(), text(program.get()));
@@ -170,7 +170,7 @@ public final class Reports {
 
   private byte[] log() {
     StringBuilder text = new StringBuilder();
-    for (LogEntry each : controller.logSince(0)) {
+    for (LogEntry each : robot.logSince(0)) {
       text.append(String.format(Locale.ROOT, "%.3f", each.timeS()))
           .append(' ')
           .append(each.level())

@@ -1,14 +1,14 @@
 package org.pendant.protocols.teachpendant;
 
 import java.util.concurrent.atomic.AtomicInteger;
-import org.pendant.controller.Controller;
+import org.pendant.controller.Robot;
 import org.pendant.controller.installation.StartEdge;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.state.ControllerState;
 
 /** Plays the loaded program when the input asks for it that the installation names. */
 public final class StartWatch {
-  private final Controller controller;
+  private final Robot robot;
   private final RemotePendant remotePendant;
   private final StartEdge edge = new StartEdge();
 
@@ -20,15 +20,14 @@ public final class StartWatch {
    *
    * @param remotePendant has the loaded program
    */
-  public StartWatch(Controller controller, RemotePendant remotePendant) {
-    this.controller = controller;
+  public StartWatch(Robot robot, RemotePendant remotePendant) {
+    this.robot = robot;
     this.remotePendant = remotePendant;
   }
 
   /** Looks at a frame; does not wait. One thread hands over all of them, in order. */
   public void look(ControllerState state) {
-    if (edge.look(controller.installation().startUp(), state.io())
-        && asked.getAndIncrement() == 0) {
+    if (edge.look(robot.installation().startUp(), state.io()) && asked.getAndIncrement() == 0) {
       Thread.ofVirtual().name("start by input").start(this::play);
     }
   }
@@ -46,6 +45,7 @@ public final class StartWatch {
     try {
       remotePendant
           .play()
+          .complaint()
           .ifPresent(why -> remotePendant.log(Level.WARNING, "start by an input: " + why));
     } catch (RuntimeException e) {
       remotePendant.log(Level.ERROR, "start by an input: internal error: " + e);

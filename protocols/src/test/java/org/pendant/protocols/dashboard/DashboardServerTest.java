@@ -21,13 +21,16 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.message.MessageCommand;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.PowerTimes;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
@@ -113,7 +116,7 @@ class DashboardServerTest {
   private void upload(String text) {
     Program program =
         box.controller().load(Source.of("upload.script", text)).program().orElseThrow();
-    box.controller().submit(new Command.StartProgram(program)).join();
+    box.controller().submit(new ProgramCommand.StartProgram(program)).join();
   }
 
   @Test
@@ -304,7 +307,7 @@ class DashboardServerTest {
     assertAnswers("Safetystatus: NORMAL", "safetystatus");
     running();
     box.controller()
-        .submit(new Command.SetSafetyInput(SafetyInput.AUTOMATIC_MODE_SAFEGUARD_STOP, true))
+        .submit(new SafetyCommand.SetSafetyInput(SafetyInput.AUTOMATIC_MODE_SAFEGUARD_STOP, true))
         .join();
     client.askUntil("safetystatus", "Safetystatus: AUTOMATIC_MODE_SAFEGUARD_STOP");
     assertAnswers("Safetymode: SAFEGUARD_STOP", "safetymode");
@@ -314,7 +317,7 @@ class DashboardServerTest {
   void inManualModeTheSafeguardOfAutomaticModeDoesNotCount() throws IOException {
     running();
     box.controller()
-        .submit(new Command.SetSafetyInput(SafetyInput.AUTOMATIC_MODE_SAFEGUARD_STOP, true))
+        .submit(new SafetyCommand.SetSafetyInput(SafetyInput.AUTOMATIC_MODE_SAFEGUARD_STOP, true))
         .join();
     client.askUntil("safetymode", "Safetymode: SAFEGUARD_STOP");
     client.ask("set operational mode manual");
@@ -409,7 +412,7 @@ class DashboardServerTest {
 
   @Test
   void theSavedLogCannotActOnATerminal() throws Exception {
-    Command line = new Command.WriteLog(Level.INFO, "\u001b]0;owned\u0007\rfake");
+    Command line = new MessageCommand.WriteLog(Level.INFO, "\u001b]0;owned\u0007\rfake");
     var _ = box.controller().submit(line).get(RunningBox.GIVE_UP_MS, TimeUnit.MILLISECONDS);
     assertAnswers("Log saved to disk", "saveLog");
     String log = Files.readString(folder.resolve("logs/log_history.txt"));

@@ -6,10 +6,10 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.eip.AssemblyPair;
 
 class AssemblyHandlerTest {
@@ -24,7 +24,7 @@ class AssemblyHandlerTest {
           AssemblyPair.BUILT_IN_FROM_PLC,
           ByteBuffer.allocate(ControlAssembly.BYTES).order(ByteOrder.LITTLE_ENDIAN));
     }
-    CompletableFuture<Reply> byHand = controller.submit(new Command.StopProgram());
+    CompletableFuture<Reply> byHand = controller.submit(new ProgramCommand.StopProgram());
     controller.advance();
     assertEquals(new Reply.Done(), byHand.join());
   }

@@ -11,14 +11,17 @@ import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.io.AnalogBank;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.rtde.InputUpdate;
+import org.pendant.controller.rtde.RtdeCommand;
 import org.pendant.controller.state.ControllerState;
 
 class BuiltInAssembliesTest {
@@ -32,13 +35,13 @@ class BuiltInAssembliesTest {
   private void done(Command command) {
     CompletableFuture<Reply> reply = controller.submit(command);
     controller.advance();
-    assertEquals(new Reply.Done(), reply.getNow(new Reply.Refused("no reply")));
+    assertEquals(new Reply.Done(), reply.getNow(new Reply.Busy("no reply")));
   }
 
   @Test
   void theStateHasEveryFieldInItsPlace() {
     done(
-        new Command.WriteSignals(
+        new IoCommand.WriteSignals(
             "test",
             List.of(
                 new SignalWrite.BooleanRegister(RegisterDirection.OUTPUT, 63, true),
@@ -46,7 +49,7 @@ class BuiltInAssembliesTest {
                 new SignalWrite.IntegerRegister(RegisterDirection.OUTPUT, 23, 23),
                 new SignalWrite.FloatRegister(RegisterDirection.OUTPUT, 0, 0.5),
                 new SignalWrite.FloatRegister(RegisterDirection.OUTPUT, 23, 2.5))));
-    done(new Command.SetSpeedFraction(0.25));
+    done(new BoxCommand.SetSpeedFraction(0.25));
     ControllerState state = controller.state();
     ByteBuffer data = new StateAssembly().of(state);
     assertEquals(480, data.remaining());
@@ -83,7 +86,7 @@ class BuiltInAssembliesTest {
     data.putInt(124, 2).putInt(128, 12).putInt(172, 23).putFloat(220, 23.5f);
     InputUpdate update = ControlAssembly.decode(data);
     assertEquals(OptionalDouble.of(0.5), update.speedFraction());
-    done(new Command.WriteInputs("scanner", update));
+    done(new RtdeCommand.WriteInputs("scanner", update));
     ControllerState state = controller.state();
     assertEquals(0.5, state.arm().speedFraction());
     assertEquals(0x01, state.io().standardOut());
@@ -108,7 +111,7 @@ class BuiltInAssembliesTest {
       byte[] noise = new byte[ControlAssembly.BYTES];
       random.nextBytes(noise);
       InputUpdate update = ControlAssembly.decode(ByteBuffer.wrap(noise));
-      done(new Command.WriteInputs("scanner", update));
+      done(new RtdeCommand.WriteInputs("scanner", update));
     }
   }
 }

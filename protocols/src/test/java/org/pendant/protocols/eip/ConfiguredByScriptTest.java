@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.egress.AllowedHosts;
@@ -75,7 +75,7 @@ class ConfiguredByScriptTest {
         box.controller()
             .load(Source.of("cnc.script", program.getBytes(StandardCharsets.ISO_8859_1)));
     box.controller()
-        .submit(new Command.StartProgram(loadResult.program().orElseThrow()))
+        .submit(new ProgramCommand.StartProgram(loadResult.program().orElseThrow()))
         .get(RunningBox.GIVE_UP_MS, TimeUnit.MILLISECONDS);
   }
 }

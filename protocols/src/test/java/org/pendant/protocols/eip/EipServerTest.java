@@ -19,10 +19,14 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.InstallationCommand;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.eip.AssemblyCommand;
 import org.pendant.controller.eip.AssemblyPair;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.state.StateStream;
@@ -172,7 +176,7 @@ class EipServerTest {
     assertInstanceOf(
         Reply.Done.class,
         ask(
-            new Command.ApplyInstallation(
+            new InstallationCommand.ApplyInstallation(
                 InstallationText.read("pendant installation 1\nethernet-ip on-loss=stop\n")
                     .installation())));
     Program waits =
@@ -180,7 +184,7 @@ class EipServerTest {
             .load(Source.of("waits.script", "def waits():\n  sleep(1e9)\nend\n"))
             .program()
             .orElseThrow();
-    assertInstanceOf(Reply.Done.class, ask(new Command.StartProgram(waits)));
+    assertInstanceOf(Reply.Done.class, ask(new ProgramCommand.StartProgram(waits)));
     try (EipClient client = EipClient.registered(port);
         Scanner scanner = new Scanner(client, 1);
         StateStream.Subscription frames = box.controller().feed().follow()) {
@@ -224,7 +228,7 @@ class EipServerTest {
   @Test
   void theStateCanBeReadByMessages() throws Exception {
     ask(
-        new Command.WriteSignals(
+        new IoCommand.WriteSignals(
             "test",
             List.of(new SignalWrite.IntegerRegister(RegisterDirection.OUTPUT, 1, 0x01020304))));
     try (EipClient client = EipClient.registered(port)) {
@@ -310,14 +314,14 @@ class EipServerTest {
       Reply.Refused refused =
           assertInstanceOf(
               Reply.Refused.class,
-              ask(new Command.ClaimSignal("RTDE client", "input_integer_register[0]")));
+              ask(new IoCommand.ClaimSignal("RTDE client", "input_integer_register[0]")));
       assertTrue(refused.toString().contains("EtherNet/IP scanner 127.0.0.1"), refused::toString);
       assertEquals(0, first.forwardClose());
       assertEquals(
           new Reply.Done(),
-          ask(new Command.ClaimSignal("RTDE client", "input_integer_register[0]")));
+          ask(new IoCommand.ClaimSignal("RTDE client", "input_integer_register[0]")));
       assertEquals(refused(ConnectionFault.OWNERSHIP), second.open(builtIn(second)));
-      ask(new Command.ReleaseSignals("RTDE client"));
+      ask(new IoCommand.ReleaseSignals("RTDE client"));
       assertEquals(0, second.open(builtIn(second)));
     }
   }
@@ -391,7 +395,7 @@ class EipServerTest {
 
   @Test
   void configuredAssembliesAreExchanged() throws Exception {
-    ask(new Command.ConfigureAssemblies(new AssemblyPair(101, 8, 111, 4)));
+    ask(new AssemblyCommand.ConfigureAssemblies(new AssemblyPair(101, 8, 111, 4)));
     try (EipClient client = EipClient.registered(port);
         Scanner scanner = new Scanner(client, 1)) {
       assertEquals(0, scanner.open(scanner.request(RPI_US, 111, 4, 101, 8)));

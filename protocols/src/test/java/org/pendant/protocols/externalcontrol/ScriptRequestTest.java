@@ -33,7 +33,7 @@ class ScriptRequestTest {
   private static final HostPolicy ANYWHERE = new HostPolicy(AllowedHosts.ANY);
 
   private static ScriptRequest ask(ControlHost host, Patience patience) {
-    return ScriptRequest.begin(ANYWHERE, host, 1000, patience);
+    return new ScriptRequest(ANYWHERE, host, 1000, patience).begin();
   }
 
   private static String refusal(ScriptRequest request) {
@@ -50,7 +50,7 @@ class ScriptRequestTest {
       Drivers drivers = new Drivers(AllowedHosts.ANY, Optional.empty());
       Installation installation =
           Installation.NONE.with(parts -> parts.controlHost = driver.host());
-      ControlScript script = drivers.ask(installation, 1).await();
+      ControlScript script = drivers.request(installation, 1).begin().await();
       assertEquals(List.of("request_program"), driver.questions());
       assertEquals(driver.host(), script.from());
       assertEquals(
@@ -63,7 +63,7 @@ class ScriptRequestTest {
   void whoeverIsChosenIsAskedInPlaceOfTheInstallationsHost() throws Exception {
     try (FakeDriver driver = new FakeDriver(SCRIPT)) {
       Drivers drivers = new Drivers(AllowedHosts.ANY, Optional.of(driver.host()));
-      assertEquals(driver.host(), drivers.ask(Installation.NONE, 1).await().from());
+      assertEquals(driver.host(), drivers.request(Installation.NONE, 1).begin().await().from());
     }
   }
 
@@ -207,13 +207,14 @@ class ScriptRequestTest {
     try (FakeDriver driver = new FakeDriver(SCRIPT)) {
       assertEquals(
           "External Control: " + driver.host().text() + " is not among the allowed hosts",
-          refusal(ScriptRequest.begin(hostPolicy, driver.host(), 1000, LONG)));
+          refusal(new ScriptRequest(hostPolicy, driver.host(), 1000, LONG).begin()));
       assertEquals(List.of(), driver.questions());
       assertEquals(
           "External Control: driver.example.invalid:50002 is not among the allowed hosts",
           refusal(
-              ScriptRequest.begin(
-                  hostPolicy, new ControlHost("driver.example.invalid", 50002), 1000, LONG)));
+              new ScriptRequest(
+                      hostPolicy, new ControlHost("driver.example.invalid", 50002), 1000, LONG)
+                  .begin()));
     }
   }
 
@@ -226,11 +227,12 @@ class ScriptRequestTest {
     assertEquals(
         "External Control: there is no host pc.local, which should send the script",
         refusal(
-            ScriptRequest.begin(
-                new HostPolicy(AllowedHosts.ANY, nobody),
-                new ControlHost("pc.local", 50002),
-                1,
-                LONG)));
+            new ScriptRequest(
+                    new HostPolicy(AllowedHosts.ANY, nobody),
+                    new ControlHost("pc.local", 50002),
+                    1,
+                    LONG)
+                .begin()));
   }
 
   @Test
@@ -248,11 +250,12 @@ class ScriptRequestTest {
     Patience patience = new Patience(50_000, 50_000, 50_000, 50);
     String said =
         refusal(
-            ScriptRequest.begin(
-                new HostPolicy(AllowedHosts.ANY, slow),
-                new ControlHost("pc.local", 50002),
-                1,
-                patience));
+            new ScriptRequest(
+                    new HostPolicy(AllowedHosts.ANY, slow),
+                    new ControlHost("pc.local", 50002),
+                    1,
+                    patience)
+                .begin());
     over.countDown();
     assertTrue(said.endsWith("has not sent all of its script within 0.05 s"), said);
   }

@@ -26,15 +26,17 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.FrameLoop;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.WallClock;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.quantity.PortImage;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.protocols.BoxPorts;
@@ -179,14 +181,14 @@ class HostilePeersTest {
 
   private void assertAProgramRuns() throws Exception {
     // whatever the peers have switched off
-    ask(new Command.StopProgram());
+    ask(new ProgramCommand.StopProgram());
     for (SafetyInput each : SafetyInput.values()) {
-      ask(new Command.SetSafetyInput(each, false));
+      ask(new SafetyCommand.SetSafetyInput(each, false));
     }
-    ask(new Command.RestartSafety());
-    ask(new Command.UnlockProtectiveStop(false));
-    ask(new Command.PowerOn());
-    ask(new Command.ReleaseBrakes());
+    ask(new SafetyCommand.RestartSafety());
+    ask(new SafetyCommand.UnlockProtectiveStop(false));
+    ask(new SafetyCommand.PowerOn());
+    ask(new SafetyCommand.ReleaseBrakes());
     try (Socket socket =
         new Socket(
             InetAddress.getLoopbackAddress(),

@@ -17,8 +17,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.StateStream;
 import org.pendant.language.source.Source;
@@ -65,7 +65,7 @@ class InterpreterServerTest {
             .load(Source.of("im.script", String.join("\n", lines)))
             .program()
             .orElseThrow();
-    box.controller().submit(new Command.StartProgram(program)).join();
+    box.controller().submit(new ProgramCommand.StartProgram(program)).join();
   }
 
   private void interpreting() throws Exception {
@@ -137,7 +137,7 @@ class InterpreterServerTest {
   void countsOnFromOneForEveryProgram() throws Exception {
     interpreting();
     ask("textmsg(1)");
-    box.controller().submit(new Command.StopProgram()).join();
+    box.controller().submit(new ProgramCommand.StopProgram()).join();
     interpreting();
     assertAnswers("ack: 1: textmsg(2)", "textmsg(2)");
   }

@@ -13,10 +13,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.protocols.modbus.RefusedRequest.Reason;
@@ -38,7 +39,8 @@ class AnswersTest {
 
     @Override
     public void write(List<SignalWrite> writes) throws RefusedRequest {
-      if (!(carryOut(controller, new Command.WriteSignals(CLIENT, writes)) instanceof Reply.Done)) {
+      if (!(carryOut(controller, new IoCommand.WriteSignals(CLIENT, writes))
+          instanceof Reply.Done)) {
         throw new RefusedRequest(Reason.FAILURE);
       }
     }
@@ -276,7 +278,8 @@ class AnswersTest {
     assertEquals(
         new Reply.Done(),
         carryOut(
-            controller, new Command.ClaimSignal("RTDE client 127.0.0.1:50000", "digital_out[0]")));
+            controller,
+            new IoCommand.ClaimSignal("RTDE client 127.0.0.1:50000", "digital_out[0]")));
     assertAnswer("01 85 04", "01 05 0010 FF00");
     // the first of both would be free
     assertAnswer("01 8F 04", "01 0F 0010 0002 01 03");

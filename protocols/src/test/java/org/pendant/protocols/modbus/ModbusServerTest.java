@@ -13,10 +13,10 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.FrameLoop;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.WallClock;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.net.PeerLog;
@@ -136,7 +136,7 @@ class ModbusServerTest {
       Source script =
           Source.of("add.script", "write_port_register(129, read_port_register(128) + 1)");
       controller
-          .submit(new Command.StartProgram(controller.load(script).program().orElseThrow()))
+          .submit(new ProgramCommand.StartProgram(controller.load(script).program().orElseThrow()))
           .get(GIVE_UP_MS, TimeUnit.MILLISECONDS);
       for (String read = ""; !read.equals("8002"); ) {
         socket.getOutputStream().write(Hex.bytes("0002 0000 0006 01 03 0081 0001"));

@@ -9,9 +9,9 @@ import java.nio.ByteOrder;
 import java.util.HexFormat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.quantity.StateQuantities;
@@ -32,7 +32,7 @@ class PacketLayoutTest {
   }
 
   private void write(SignalWrite... writes) {
-    var _ = controller.submit(new Command.WriteSignals("test", List.of(writes)));
+    var _ = controller.submit(new IoCommand.WriteSignals("test", List.of(writes)));
     controller.advance();
   }
 

@@ -7,10 +7,10 @@ import java.io.IOException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ManualCommand;
 import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.models.pose.Pose;
@@ -372,7 +372,8 @@ class PrimaryServerTest {
     try (PrimaryClient client = client(SECONDARY)) {
       client.next(each -> each.bytes().capacity() == 1386);
       ToolCentre gripper = new ToolCentre(new Pose(0, 0, 0.1, 0, 0, 0), "gripper");
-      assertEquals(new Reply.Done(), box.controller().submit(new Command.SetTool(gripper)).join());
+      assertEquals(
+          new Reply.Done(), box.controller().submit(new ManualCommand.SetTool(gripper)).join());
       client.next(each -> each.bytes().capacity() == 1386);
       assertEquals(716, client.next().bytes().capacity());
     }

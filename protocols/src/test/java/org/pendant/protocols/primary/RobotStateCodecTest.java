@@ -10,10 +10,13 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmLibrary;
 
@@ -85,7 +88,7 @@ class RobotStateCodecTest {
 
   @Test
   void modesAndSpeed() {
-    carryOut(new Command.SetSpeedFraction(0.97));
+    carryOut(new BoxCommand.SetSpeedFraction(0.97));
     for (int i = 0; i < 49; i++) {
       controller.advance();
     }
@@ -118,9 +121,9 @@ class RobotStateCodecTest {
 
   @Test
   void signalsOfTheMasterboard() {
-    carryOut(new Command.SetInput("digital_in[0]", true));
-    carryOut(new Command.SetInput("configurable_in[1]", true));
-    carryOut(new Command.SetInput("tool_in[0]", true));
+    carryOut(new IoCommand.SetInput("digital_in[0]", true));
+    carryOut(new IoCommand.SetInput("configurable_in[1]", true));
+    carryOut(new IoCommand.SetInput("tool_in[0]", true));
     ByteBuffer board = part(3).bytes();
     assertEquals(1 | 1 << 9 | 1 << 16, board.getInt(5));
     assertEquals(0, board.getInt(9));
@@ -183,7 +186,7 @@ class RobotStateCodecTest {
   void toolCommunicationAsAProgramSetItUp() {
     String text = "set_tool_communication(True, 9600, 2, 2, 40, 0)\n";
     Source source = Source.of("t.script", text.getBytes(StandardCharsets.ISO_8859_1));
-    carryOut(new Command.StartProgram(controller.load(source).program().orElseThrow()));
+    carryOut(new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
     assertEquals(
         RobotMessageCodecTest.hex("0000001A 0B 01 00002580 00000002 00000002 42200000 00000000"),
         part(11).hex());

@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Reply;
 import org.pendant.language.source.Source;
 import org.pendant.script.value.Value;
 import org.pendant.script.variables.VariableSample;
@@ -30,7 +30,7 @@ class VariablePackagesTest {
             .load(Source.of("p", "def p():\n" + statements + "end\n"))
             .program()
             .orElseThrow();
-    CompletableFuture<Reply> reply = controller.submit(new Command.StartProgram(program));
+    CompletableFuture<Reply> reply = controller.submit(new ProgramCommand.StartProgram(program));
     controller.advance();
     assertEquals(new Reply.Done(), reply.join());
     assertTrue(

@@ -6,10 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.ByteBuffer;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.state.ControllerState;
 
 class RealtimeCodecTest {
@@ -34,9 +36,9 @@ class RealtimeCodecTest {
 
   @Test
   void everyFieldIsAtItsPlace() {
-    carryOut(new Command.SetInput("digital_in[0]", true));
-    carryOut(new Command.SetInput("digital_in[2]", true));
-    carryOut(new Command.SetSpeedFraction(0.5));
+    carryOut(new IoCommand.SetInput("digital_in[0]", true));
+    carryOut(new IoCommand.SetInput("digital_in[2]", true));
+    carryOut(new BoxCommand.SetSpeedFraction(0.5));
     for (int i = 0; i < 97; i++) {
       controller.advance();
     }

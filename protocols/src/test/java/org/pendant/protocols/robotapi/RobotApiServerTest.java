@@ -19,11 +19,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.PowerTimes;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.script.RunningBox;
@@ -130,7 +131,7 @@ class RobotApiServerTest {
   private void run(String text) throws Exception {
     byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
     Program program = box.controller().load(Source.of("uploaded", bytes)).program().orElseThrow();
-    box.controller().submit(new Command.ReplaceProgram(program)).get();
+    box.controller().submit(new ProgramCommand.ReplaceProgram(program)).get();
   }
 
   @Test
@@ -180,13 +181,17 @@ class RobotApiServerTest {
   @Test
   void safetyModesHaveTheWordsOfTheApi() throws Exception {
     robot("BRAKE_RELEASE");
-    box.controller().submit(new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true)).get();
+    box.controller()
+        .submit(new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true))
+        .get();
     while (!get("/robotstate/v1/safetymode").contains("\"EMERGENCY_STOP\"")) {
       // the next frame looks at the input
     }
     String refused = put("/robotstate/v1/state", "{\"action\":\"POWER_ON\"}");
     assertTrue(refused.startsWith("409 {\"message\":\"power on is not possible now\""), refused);
-    box.controller().submit(new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, false)).get();
+    box.controller()
+        .submit(new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, false))
+        .get();
     robot("RESTART_SAFETY");
     assertMode("POWER_OFF", "/robotstate/v1/robotmode");
   }

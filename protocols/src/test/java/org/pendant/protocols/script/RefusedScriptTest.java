@@ -9,9 +9,12 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.DebugCommand;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.StateBroadcaster;
@@ -46,7 +49,7 @@ class RefusedScriptTest {
 
   @Test
   void byABoxThatIsShutDown() throws Exception {
-    ask(new Command.ShutDown());
+    ask(new BoxCommand.ShutDown());
     assertEquals("the controller has been shut down", refusal(box.serverContext()));
     assertEquals(
         "program beside of client was not started: the controller has been shut down",
@@ -55,9 +58,9 @@ class RefusedScriptTest {
 
   @Test
   void whileADebuggerHoldsTheFrame() throws Exception {
-    ask(new Command.Debug(debugger -> debugger.set(Breakpoint.at(2))));
+    ask(new DebugCommand.Debug(debugger -> debugger.set(Breakpoint.at(2))));
     Source source = Source.of("p", "def p():\n  x = 1\n  sleep(9)\nend\n");
-    ask(new Command.ReplaceProgram(box.controller().load(source).program().orElseThrow()));
+    ask(new ProgramCommand.ReplaceProgram(box.controller().load(source).program().orElseThrow()));
     assertEquals("a debugger holds program p", refusal(box.serverContext()));
     assertTrue(box.nextLogged().endsWith("a debugger holds program p"));
   }
@@ -68,7 +71,7 @@ class RefusedScriptTest {
     List<String> logged = new ArrayList<>();
     PeerLog log = new PeerLog((level, text) -> logged.add(text));
     for (int i = 0; i < 1024; i++) {
-      still.post(new Command.StopProgram());
+      still.post(new ProgramCommand.StopProgram());
     }
     try (StateBroadcaster frames = new StateBroadcaster(still.feed(), log)) {
       assertTrue(

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.message.LogEntry;
@@ -101,7 +102,7 @@ class RemotePendantExternalControlTest {
       remotePendant.load("drive.urp");
       assertEquals(List.of(), driver.questions());
       for (int run = 0; run < 2; run++) {
-        assertEquals(Optional.empty(), remotePendant.play());
+        assertEquals(Reply.done(), remotePendant.play());
         awaitEnd();
       }
       assertEquals(List.of("hello", "hello"), said());
@@ -123,7 +124,7 @@ class RemotePendantExternalControlTest {
     try (FakeDriver driver = new FakeDriver(SCRIPT)) {
       RemotePendant remotePendant = panel(Optional.of(driver.host()));
       remotePendant.load("drive.urp");
-      assertEquals(Optional.empty(), remotePendant.play());
+      assertEquals(Reply.done(), remotePendant.play());
       awaitEnd();
       assertEquals(List.of("hello", "hello", "hello"), said());
       assertEquals(List.of("request_program"), driver.questions());
@@ -142,7 +143,7 @@ class RemotePendantExternalControlTest {
       RemotePendant remotePendant = panel(Optional.empty());
       remotePendant.load("drive.urp");
       remotePendant.loadInstallation("cell.pinst");
-      assertEquals(Optional.empty(), remotePendant.play());
+      assertEquals(Reply.done(), remotePendant.play());
       awaitEnd();
       assertEquals(List.of("hello"), said());
     }
@@ -154,7 +155,7 @@ class RemotePendantExternalControlTest {
     try (FakeDriver driver = new FakeDriver(SCRIPT)) {
       RemotePendant remotePendant = panel(Optional.of(driver.host()));
       remotePendant.load("drive.urp");
-      assertEquals(Optional.empty(), remotePendant.play());
+      assertEquals(Reply.done(), remotePendant.play());
       awaitEnd();
       assertEquals(List.of(), driver.questions());
     }
@@ -204,7 +205,7 @@ class RemotePendantExternalControlTest {
     try (FakeDriver driver = new FakeDriver(broken)) {
       RemotePendant remotePendant = panel(Optional.of(driver.host()));
       remotePendant.load("drive.urp");
-      String why = remotePendant.play().orElseThrow();
+      String why = remotePendant.play().complaint().orElseThrow();
       String place = "line 4 of the script from " + driver.host().text() + ": drive.urp.script:";
       assertTrue(why.startsWith(place), why);
       assertEquals(ProgramState.STOPPED, remotePendant.state().program().state());
@@ -218,7 +219,7 @@ class RemotePendantExternalControlTest {
     try (FakeDriver driver = new FakeDriver(fails)) {
       RemotePendant remotePendant = panel(Optional.of(driver.host()));
       remotePendant.load("drive.urp");
-      assertEquals(Optional.empty(), remotePendant.play());
+      assertEquals(Reply.done(), remotePendant.play());
       awaitEnd();
       ScriptPlace place =
           box.controller().logSince(0).stream()
@@ -231,6 +232,27 @@ class RemotePendantExternalControlTest {
           remotePendant.receivedAt(place.source(), place.line()));
       assertEquals(Optional.empty(), remotePendant.receivedAt(place.source(), 1));
       assertEquals(Optional.empty(), remotePendant.receivedAt("other.script", place.line()));
+    }
+  }
+
+  @Test
+  void aStopInTheMomentInWhichADriverIsAskedEndsTheStart() throws Exception {
+    save("drive.urp", NODE);
+    CompletableFuture<RemotePendant> pendant = new CompletableFuture<>();
+    CompletableFuture<Reply> stopped = new CompletableFuture<>();
+    try (FakeDriver driver =
+        new FakeDriver(
+            client -> {
+              // the first thing that happens: the driver has been asked this very moment
+              stopped.complete(pendant.join().stop());
+              client.write('#');
+            })) {
+      RemotePendant remotePendant = panel(Optional.of(driver.host()));
+      remotePendant.load("drive.urp");
+      pendant.complete(remotePendant);
+      assertTrue(remotePendant.play().complaint().isPresent());
+      assertEquals(Reply.done(), stopped.join());
+      assertEquals(ProgramState.STOPPED, remotePendant.state().program().state());
     }
   }
 
@@ -254,16 +276,15 @@ class RemotePendantExternalControlTest {
             })) {
       RemotePendant remotePendant = panel(Optional.of(slow.host()));
       remotePendant.load("drive.urp");
-      CompletableFuture<Optional<String>> started =
-          CompletableFuture.supplyAsync(remotePendant::play);
+      CompletableFuture<Reply> started = CompletableFuture.supplyAsync(remotePendant::play);
       asked.await();
-      assertEquals(Optional.empty(), remotePendant.stop());
+      assertEquals(Reply.done(), remotePendant.stop());
       assertEquals(
           Optional.of(
               "External Control: stopped while "
                   + slow.host().text()
                   + " was asked for the script"),
-          started.join());
+          started.join().complaint());
       assertEquals(ProgramState.STOPPED, remotePendant.state().program().state());
     } finally {
       over.countDown();

@@ -5,11 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.StateStream;
@@ -47,7 +47,7 @@ class RemotePendantTreeTest {
       assertEquals("counts.pendant", remotePendant.load("counts.pendant").name());
       assertEquals("Gripper", remotePendant.state().arm().tool().name());
       for (int run = 0; run < 3; run++) {
-        assertEquals(Optional.empty(), remotePendant.play());
+        assertEquals(Reply.done(), remotePendant.play());
         try (StateStream.Subscription frames = box.controller().feed().follow()) {
           while (remotePendant.state().program().state() != ProgramState.STOPPED) {
             var _ = frames.take();

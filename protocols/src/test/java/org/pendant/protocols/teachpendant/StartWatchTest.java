@@ -6,15 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
@@ -67,15 +67,12 @@ class StartWatchTest {
       RemotePendant remotePendant = panel(box);
       remotePendant.loadAtStart();
       assertEquals("waits.script", remotePendant.loaded().orElseThrow().name());
-      assertEquals(
-          Optional.empty(), remotePendant.ask(new Command.SetInput("digital_in[1]", true)));
+      assertEquals(Reply.done(), remotePendant.ask(new IoCommand.SetInput("digital_in[1]", true)));
       await(box, StartWatchTest::runs);
-      assertEquals(Optional.empty(), remotePendant.stop());
+      assertEquals(Reply.done(), remotePendant.stop());
       await(box, state -> !runs(state));
-      assertEquals(
-          Optional.empty(), remotePendant.ask(new Command.SetInput("digital_in[1]", false)));
-      assertEquals(
-          Optional.empty(), remotePendant.ask(new Command.SetInput("digital_in[1]", true)));
+      assertEquals(Reply.done(), remotePendant.ask(new IoCommand.SetInput("digital_in[1]", false)));
+      assertEquals(Reply.done(), remotePendant.ask(new IoCommand.SetInput("digital_in[1]", true)));
       await(box, StartWatchTest::runs);
     }
   }
@@ -87,9 +84,9 @@ class StartWatchTest {
         box("start-up program=\"waits.script\" start-input=\"tool_in[0]\" start-on=low")) {
       RemotePendant remotePendant = panel(box);
       remotePendant.loadAtStart();
-      assertEquals(Optional.empty(), remotePendant.ask(new Command.SetInput("tool_in[0]", true)));
+      assertEquals(Reply.done(), remotePendant.ask(new IoCommand.SetInput("tool_in[0]", true)));
       assertEquals(ProgramState.STOPPED, remotePendant.state().program().state());
-      assertEquals(Optional.empty(), remotePendant.ask(new Command.SetInput("tool_in[0]", false)));
+      assertEquals(Reply.done(), remotePendant.ask(new IoCommand.SetInput("tool_in[0]", false)));
       await(box, StartWatchTest::runs);
     }
   }

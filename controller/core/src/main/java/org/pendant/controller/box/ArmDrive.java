@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.pendant.controller.arm.ArmCommand;
 import org.pendant.controller.arm.ArmSupply;
 import org.pendant.controller.arm.SimulatedArm;
+import org.pendant.controller.command.Refusal;
 import org.pendant.controller.freedrive.Freedrive;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.safety.RobotMode;
@@ -113,9 +114,9 @@ public final class ArmDrive {
    * @throws ScriptError that names the mode and what to do
    */
   public void requirePower() throws ScriptError {
-    Optional<String> refusal = safety.motionRefusal();
+    Optional<Refusal> refusal = safety.motionRefusal();
     if (refusal.isPresent()) {
-      throw new ScriptError("power-off", refusal.get());
+      throw new ScriptError("power-off", refusal.get().text());
     }
   }
 

@@ -104,7 +104,7 @@ final class FreedriveBuiltins {
     switch (call.host().freedrive().start(mode)) {
       case FreedriveStart.Started _ -> {}
       case FreedriveStart.Refused refused ->
-          throw call.failure("freedrive-refused", refused.reason());
+          throw call.failure("freedrive-refused", refused.refusal().text());
       case FreedriveStart.WrongPayload wrong -> {
         call.host().safety().wrongPayload(wrong.errorN(), wrong.toleranceN());
         // the stop takes effect later in this frame: until then the program must not go on

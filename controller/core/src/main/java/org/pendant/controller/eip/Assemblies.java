@@ -5,6 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Refusal.Code;
 import org.pendant.script.value.ScriptError;
 
 /**
@@ -32,17 +34,19 @@ public final class Assemblies {
    *
    * @return why not; empty when the pair is there
    */
-  public Optional<String> configure(AssemblyPair pair) {
+  public Optional<Refusal> configure(AssemblyPair pair) {
     if (pairs.contains(pair)) {
       return Optional.empty();
     }
     for (int id : List.of(pair.toPlcId(), pair.fromPlcId())) {
       if (toPlc.containsKey(id) || fromPlc.containsKey(id)) {
-        return Optional.of("instance " + id + " exists already");
+        return Optional.of(new Refusal(Code.IN_USE, "instance " + id + " exists already"));
       }
     }
     if (pairs.size() >= MAX_PAIRS) {
-      return Optional.of("there are " + MAX_PAIRS + " pairs of assemblies, which is the most");
+      return Optional.of(
+          new Refusal(
+              Code.LIMIT, "there are " + MAX_PAIRS + " pairs of assemblies, which is the most"));
     }
     pairs.add(pair);
     toPlc.put(pair.toPlcId(), AssemblyData.zero(pair.toPlcBytes()));
@@ -56,20 +60,23 @@ public final class Assemblies {
    *
    * @return why it has no effect; empty when it has
    */
-  public Optional<String> received(int instance, AssemblyData data, double nowS) {
+  public Optional<Refusal> received(int instance, AssemblyData data, double nowS) {
     AssemblyData before = fromPlc.get(instance);
     if (before == null) {
-      return Optional.of("there is no instance " + instance + " from scanner to robot");
+      return Optional.of(
+          new Refusal(Code.UNKNOWN, "there is no instance " + instance + " from scanner to robot"));
     }
     if (before.size() != data.size()) {
       return Optional.of(
-          "instance "
-              + instance
-              + " has "
-              + before.size()
-              + " bytes, "
-              + data.size()
-              + " were sent");
+          new Refusal(
+              Code.INVALID,
+              "instance "
+                  + instance
+                  + " has "
+                  + before.size()
+                  + " bytes, "
+                  + data.size()
+                  + " were sent"));
     }
     if (!before.equals(data)) {
       fromPlc.put(instance, data);

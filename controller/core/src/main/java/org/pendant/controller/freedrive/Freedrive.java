@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.pendant.controller.arm.ArmCommand;
 import org.pendant.controller.arm.SimulatedArm;
+import org.pendant.controller.command.Refusal;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetySystem;
 import org.pendant.models.arm.ArmDescription;
@@ -92,7 +93,7 @@ public final class Freedrive {
   public FreedriveStart start(FreedriveMode wanted) {
     boolean recovering =
         wanted.holder() != FreedriveHolder.PROGRAM && safety.safetyMode() == SafetyMode.RECOVERY;
-    Optional<String> refusal = recovering ? Optional.empty() : safety.programRefusal();
+    Optional<Refusal> refusal = recovering ? Optional.empty() : safety.programRefusal();
     if (refusal.isPresent()) {
       return new FreedriveStart.Refused(refusal.get());
     }
@@ -106,7 +107,7 @@ public final class Freedrive {
     try {
       motion.startGuidance();
     } catch (PlanningException e) {
-      return new FreedriveStart.Refused(e.getMessage());
+      return new FreedriveStart.Refused(new Refusal(Refusal.Code.ARM_RANGE, e.getMessage()));
     }
     guided.sensors().copyPositionRad(q);
     lock.begin(wanted.axes(), wanted.frame(), tcpInFlange, q);

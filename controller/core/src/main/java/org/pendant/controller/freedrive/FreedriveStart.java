@@ -1,17 +1,15 @@
 package org.pendant.controller.freedrive;
 
+import org.pendant.controller.command.Refusal;
+
 /** What came of asking for freedrive. */
 public sealed interface FreedriveStart {
 
   /** The arm is guided from this frame on. */
   record Started() implements FreedriveStart {}
 
-  /**
-   * It is not.
-   *
-   * @param reason why
-   */
-  record Refused(String reason) implements FreedriveStart {}
+  /** It is not. */
+  record Refused(Refusal refusal) implements FreedriveStart {}
 
   /**
    * It is not: the declared payload is not what the flange carries.

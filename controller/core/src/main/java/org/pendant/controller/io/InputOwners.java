@@ -3,6 +3,7 @@ package org.pendant.controller.io;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.pendant.controller.command.Refusal;
 
 /**
  * Who alone may write a signal. A client of a port takes the signals it is going to write; others
@@ -25,8 +26,8 @@ public final class InputOwners {
    *
    * @return why not, with the name of its owner; empty when it is taken
    */
-  public Optional<String> claim(String signal, String owner) {
-    Optional<String> refusal = refusal(signal, owner);
+  public Optional<Refusal> claim(String signal, String owner) {
+    Optional<Refusal> refusal = refusal(signal, owner);
     if (refusal.isEmpty()) {
       owners.put(signal, owner);
     }
@@ -50,9 +51,9 @@ public final class InputOwners {
   }
 
   /** Why {@code writer} must not write a signal; empty when it may. */
-  public Optional<String> refusal(String signal, String writer) {
+  public Optional<Refusal> refusal(String signal, String writer) {
     return owner(signal)
         .filter(owner -> !owner.equals(writer))
-        .map(owner -> signal + " is in use by " + owner);
+        .map(owner -> new Refusal(Refusal.Code.IN_USE, signal + " is in use by " + owner));
   }
 }

@@ -2,6 +2,8 @@ package org.pendant.controller.jog;
 
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Refusal.Code;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.models.time.FrameTime;
 import org.pendant.motion.MotionTicket;
@@ -33,7 +35,7 @@ public final class Jogging {
     final MotionTicket ticket;
     long lastFrame;
     boolean over;
-    Optional<String> reason = Optional.empty();
+    Optional<Refusal> reason = Optional.empty();
 
     Hold(JogMove move, MotionTicket ticket, long lastFrame) {
       this.move = move;
@@ -57,20 +59,22 @@ public final class Jogging {
    *     one given first counts
    * @return why the arm does not move, or not any further; empty when it moves or is at its goal
    */
-  public Optional<String> hold(JogMove move, double speedFraction) {
+  public Optional<Refusal> hold(JogMove move, double speedFraction) {
     if (!(speedFraction > 0 && speedFraction <= 1)) {
-      return Optional.of("speed is " + speedFraction + ", must be above 0 and at most 1");
+      return Optional.of(
+          new Refusal(
+              Code.INVALID, "speed is " + speedFraction + ", must be above 0 and at most 1"));
     }
     if (hold.isPresent() && hold.get().move.equals(move)) {
       hold.get().lastFrame = box.clock().frame() + DEAD_MAN_FRAMES;
       return hold.get().reason;
     }
     release();
-    Optional<String> refusal = refusal();
+    Optional<Refusal> refusal = refusal();
     return refusal.isPresent() ? refusal : begin(move, speedFraction);
   }
 
-  private Optional<String> begin(JogMove move, double speedFraction) {
+  private Optional<Refusal> begin(JogMove move, double speedFraction) {
     try {
       box.motion().resume();
       box.motion().clearFault();
@@ -79,12 +83,12 @@ public final class Jogging {
       underway = Optional.of(move);
       return Optional.empty();
     } catch (PlanningException e) {
-      return Optional.of(e.getMessage());
+      return Optional.of(new Refusal(Code.ARM_RANGE, e.getMessage()));
     }
   }
 
   /** Why the arm cannot be moved by hand now. In recovery it can: that is how it gets back. */
-  private Optional<String> refusal() {
+  private Optional<Refusal> refusal() {
     return box.safety().safetyMode() == SafetyMode.RECOVERY
         ? Optional.empty()
         : box.safety().programRefusal();
@@ -135,7 +139,7 @@ public final class Jogging {
   }
 
   private void watch(Hold present) {
-    Optional<String> stopped = refusal();
+    Optional<Refusal> stopped = refusal();
     if (stopped.isPresent()) {
       // the log has the stop itself
       present.over = true;
@@ -186,7 +190,7 @@ public final class Jogging {
 
   private void end(Hold present, String reason) {
     present.over = true;
-    present.reason = Optional.of(reason);
+    present.reason = Optional.of(new Refusal(Code.ARM_RANGE, reason));
     present.ticket.cancel();
     box.log().warning("jogging: " + reason);
   }

@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import org.pendant.controller.command.Refusal;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.models.arm.ArmDescription;
@@ -161,32 +162,31 @@ public final class SafetySystem {
   }
 
   /** Powers the arm on; it gets to IDLE within 2 s. Answers why not, empty if it does. */
-  public Optional<String> powerOn() {
-    Optional<String> refusal = stops.powerRefusal(inputs);
+  public Optional<Refusal> powerOn() {
+    Optional<Refusal> refusal = stops.powerRefusal(inputs);
     if (refusal.isEmpty()) {
       power.on();
     }
     return refusal;
   }
 
-  /** Powers the arm off, which ends a protective stop. Never refused. */
-  public Optional<String> powerOff() {
+  /** Powers the arm off, which ends a protective stop. */
+  public void powerOff() {
     power.turnOff();
     if (!power.turningOff()) {
       stops.poweredOff();
     }
-    return Optional.empty();
   }
 
   /**
    * Releases the brakes, within a second from IDLE; an arm that is off is powered on before.
    * Answers why not, empty if it does.
    */
-  public Optional<String> releaseBrakes() {
+  public Optional<Refusal> releaseBrakes() {
     if (power.mode() == RobotMode.BACKDRIVE) {
-      return Optional.of("the arm is in BACKDRIVE, which must be ended first");
+      return powerMode("the arm is in BACKDRIVE, which must be ended first");
     }
-    Optional<String> refusal = stops.powerRefusal(inputs);
+    Optional<Refusal> refusal = stops.powerRefusal(inputs);
     if (refusal.isEmpty()) {
       power.releaseBrakes();
     }
@@ -198,7 +198,7 @@ public final class SafetySystem {
    *
    * @param early also within 5 s of the stop
    */
-  public Optional<String> unlockProtectiveStop(boolean early) {
+  public Optional<Refusal> unlockProtectiveStop(boolean early) {
     return stops.unlock(early);
   }
 
@@ -206,8 +206,8 @@ public final class SafetySystem {
    * Starts the safety functions again after a violation or a fault; the arm is off then. Answers
    * why not, empty if it does.
    */
-  public Optional<String> restartSafety() {
-    Optional<String> refusal = stops.restart();
+  public Optional<Refusal> restartSafety() {
+    Optional<Refusal> refusal = stops.restart();
     if (refusal.isEmpty()) {
       power.off();
     }
@@ -215,11 +215,11 @@ public final class SafetySystem {
   }
 
   /** Lets a powered arm on its brakes be pushed about. Answers why not, empty if it does. */
-  public Optional<String> startBackdrive() {
+  public Optional<Refusal> startBackdrive() {
     if (power.mode() != RobotMode.IDLE) {
-      return Optional.of("the arm is " + power.mode() + ", must be IDLE for backdrive");
+      return powerMode("the arm is " + power.mode() + ", must be IDLE for backdrive");
     }
-    Optional<String> refusal = stops.powerRefusal(inputs);
+    Optional<Refusal> refusal = stops.powerRefusal(inputs);
     if (refusal.isEmpty()) {
       power.startBackdrive();
     }
@@ -227,20 +227,20 @@ public final class SafetySystem {
   }
 
   /** Closes the brakes after {@link #startBackdrive}. Answers why not, empty if it does. */
-  public Optional<String> endBackdrive() {
+  public Optional<Refusal> endBackdrive() {
     if (power.mode() != RobotMode.BACKDRIVE) {
-      return Optional.of("the arm is " + power.mode() + ", must be in BACKDRIVE");
+      return powerMode("the arm is " + power.mode() + ", must be in BACKDRIVE");
     }
     power.endBackdrive();
     return Optional.empty();
   }
 
   /** Why no program may start or go on now; empty if one may. */
-  public Optional<String> programRefusal() {
+  public Optional<Refusal> programRefusal() {
     if (stop().isPresent()) {
       return Optional.of(stops.refusal());
     }
-    Optional<String> powerless = motionRefusal();
+    Optional<Refusal> powerless = motionRefusal();
     return powerless.isPresent() ? powerless : recoveryRefusal();
   }
 
@@ -248,28 +248,35 @@ public final class SafetySystem {
    * Why no program that somebody sends to a port may run now; empty if one may. It may without
    * power, which {@link #motionRefusal} is for.
    */
-  public Optional<String> uploadRefusal() {
+  public Optional<Refusal> uploadRefusal() {
     return stop().isPresent() ? Optional.of(stops.refusal()) : recoveryRefusal();
   }
 
-  private Optional<String> recoveryRefusal() {
+  private Optional<Refusal> recoveryRefusal() {
     return limits.recovery()
         ? Optional.of(
-            "the arm is beyond a safety limit, must be brought back by hand first (RECOVERY)")
+            new Refusal(
+                Refusal.Code.SAFETY,
+                "the arm is beyond a safety limit, must be brought back by hand first"
+                    + " (RECOVERY)"))
         : Optional.empty();
   }
 
   /** Why the arm cannot move for want of power; empty if it has power and no brakes. */
-  public Optional<String> motionRefusal() {
+  public Optional<Refusal> motionRefusal() {
     if (power.turningOff()) {
-      return Optional.of("the arm is being powered off");
+      return powerMode("the arm is being powered off");
     }
     return power.running()
         ? Optional.empty()
-        : Optional.of(
+        : powerMode(
             "the arm is "
                 + power.mode()
                 + ", must be RUNNING: power it on and release its brakes first");
+  }
+
+  private static Optional<Refusal> powerMode(String text) {
+    return Optional.of(new Refusal(Refusal.Code.ARM_POWER, text));
   }
 
   /** Demands a safety function, or no longer does. */

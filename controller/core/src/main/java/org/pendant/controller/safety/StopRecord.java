@@ -3,6 +3,7 @@ package org.pendant.controller.safety;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import org.pendant.controller.command.Refusal;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.models.arm.Joints;
@@ -207,13 +208,13 @@ final class StopRecord {
    *
    * @param early also within {@link #UNLOCK_S} of the stop
    */
-  Optional<String> unlock(boolean early) {
+  Optional<Refusal> unlock(boolean early) {
     if (!is(SafetyMode.PROTECTIVE_STOP)) {
-      return Optional.of("there is no protective stop to unlock");
+      return refused("there is no protective stop to unlock");
     }
     double leftS = present.get().timeS() + UNLOCK_S - nowS;
     if (!early && leftS > ROUNDING_S) {
-      return Optional.of(
+      return refused(
           "the protective stop can be unlocked "
               + Math.round(UNLOCK_S)
               + " s after it happened, "
@@ -234,9 +235,9 @@ final class StopRecord {
   }
 
   /** Ends a violation or a fault, or says why not. */
-  Optional<String> restart() {
+  Optional<Refusal> restart() {
     if (!needsRestart()) {
-      return Optional.of("there is no violation or fault, nothing has to be restarted");
+      return refused("there is no violation or fault, nothing has to be restarted");
     }
     end();
     log.safety(Level.INFO, "", "the safety functions have been restarted");
@@ -244,22 +245,26 @@ final class StopRecord {
   }
 
   /** Why the arm may not be powered or its brakes released now. */
-  Optional<String> powerRefusal(Set<SafetyInput> inputs) {
+  Optional<Refusal> powerRefusal(Set<SafetyInput> inputs) {
     if (needsRestart()) {
       return Optional.of(refusal());
     }
     for (SafetyInput each : inputs) {
       if (each == SafetyInput.EMERGENCY_STOP || each == SafetyInput.SYSTEM_EMERGENCY_STOP) {
-        return Optional.of("input " + each.word() + " is active, must be released first");
+        return refused("input " + each.word() + " is active, must be released first");
       }
     }
     return isEmergency() ? Optional.of(refusal()) : Optional.empty();
   }
 
   /** What the present stop forbids, and what ends it. */
-  String refusal() {
+  Refusal refusal() {
     SafetyStop stop = present.orElseThrow();
-    return stop.message() + "; " + remedy();
+    return new Refusal(Refusal.Code.SAFETY, stop.message() + "; " + remedy());
+  }
+
+  private static Optional<Refusal> refused(String text) {
+    return Optional.of(new Refusal(Refusal.Code.SAFETY, text));
   }
 
   private String remedy() {

@@ -6,9 +6,9 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.language.source.Source;
 import org.pendant.script.value.Value;
 import org.pendant.script.vm.LoadResult;
@@ -20,7 +20,7 @@ class VariableLiteralTest {
     Controller controller = new Controller(ControllerOptions.headless());
     LoadResult loadResult =
         controller.load(Source.of("v.script", "def f():\n  global v = " + literal + "\nend\n"));
-    var _ = controller.submit(new Command.StartProgram(loadResult.program().orElseThrow()));
+    var _ = controller.submit(new ProgramCommand.StartProgram(loadResult.program().orElseThrow()));
     controller.advance();
     controller.runUntil(() -> controller.state().program().state() == ProgramState.STOPPED, 1000);
     return controller.globals().get("v");

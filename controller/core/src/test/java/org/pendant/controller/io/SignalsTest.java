@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
+import org.pendant.controller.command.Refusal;
 
 class SignalsTest {
   private final Signals signals = new Signals();
@@ -116,7 +117,7 @@ class SignalsTest {
     assertEquals(Optional.empty(), owners.claim(register, "RTDE client 1"));
     assertEquals(
         Optional.of("input_integer_register[24] is in use by RTDE client 1"),
-        owners.claim(register, "RTDE client 2"));
+        owners.claim(register, "RTDE client 2").map(Refusal::text));
     assertEquals(Optional.empty(), owners.refusal(register, "RTDE client 1"));
     assertTrue(owners.refusal(register, InputOwners.BY_HAND).isPresent());
     owners.release("RTDE client 2");

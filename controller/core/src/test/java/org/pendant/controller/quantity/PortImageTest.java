@@ -5,12 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalWrite;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.language.source.Source;
 
@@ -28,13 +31,13 @@ class PortImageTest {
 
   private void start(String text) {
     Source source = Source.of("test.script", text.getBytes(StandardCharsets.ISO_8859_1));
-    send(new Command.StartProgram(controller.load(source).program().orElseThrow()));
+    send(new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
   }
 
   @Test
   void readsSignalsBelow256AsThePortMapDoes() {
     send(
-        new Command.WriteSignals(
+        new IoCommand.WriteSignals(
             new SignalWrite.Digital(new Signal(SignalBank.STANDARD_OUT, 3), true)));
     assertEquals(8, register(1));
     assertEquals(Optional.of(true), PortImage.bit(19, controller.state()));
@@ -76,7 +79,7 @@ class PortImageTest {
 
   @Test
   void stopsShowInBitsAndRegisters() {
-    send(new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
+    send(new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
     assertEquals(1, register(262));
     assertEquals(1, register(265));
     assertEquals(0, register(261));

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.command.Refusal;
 import org.pendant.models.arm.Joints;
 
 final class InputStopTest {
@@ -65,7 +66,7 @@ final class InputStopTest {
         Optional.of(
             "C100A7 emergency stop at 0.002 s: input emergency_stop is active;"
                 + " release the input, then power the arm on"),
-        safety.programRefusal());
+        safety.programRefusal().map(Refusal::text));
   }
 
   @Test
@@ -76,7 +77,8 @@ final class InputStopTest {
     assertEquals(StopCategory.TWO, bench.stop().category());
     bench.program(false).steps(1000);
     assertEquals(RobotMode.RUNNING, safety.robotMode());
-    assertTrue(safety.programRefusal().orElseThrow().endsWith("wait until the input is released"));
+    assertTrue(
+        safety.programRefusal().orElseThrow().text().endsWith("wait until the input is released"));
     safety.setInput(SafetyInput.SAFEGUARD_STOP, false);
     assertEquals(SafetyAction.RESUME, bench.step());
     assertEquals(SafetyAction.NONE, bench.step());

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.command.Refusal;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 
@@ -114,7 +115,7 @@ final class ModeTest {
     assertEquals(
         Optional.of(
             "the arm is beyond a safety limit, must be brought back by hand first (RECOVERY)"),
-        recovering.safety.programRefusal());
+        recovering.safety.programRefusal().map(Refusal::text));
     assertEquals(
         List.of(
             "recovery mode: C191A0 violation at 0.002 s: wrist 3 (joint 5) is beyond its position"

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.command.Refusal;
 
 final class PowerTimesTest {
   private static final int UNLOCK_FRAMES = 2600;
@@ -36,7 +37,9 @@ final class PowerTimesTest {
   void noProgramStartsWhilePowerGoesOff() {
     SafetyBench bench = new SafetyBench(PowerTimes.REAL);
     bench.safety.powerOff();
-    assertEquals(Optional.of("the arm is being powered off"), bench.safety.programRefusal());
+    assertEquals(
+        Optional.of("the arm is being powered off"),
+        bench.safety.programRefusal().map(Refusal::text));
   }
 
   @Test

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.command.Refusal;
 import org.pendant.models.arm.Joints;
 
 final class ProtectiveStopTest {
@@ -80,7 +81,7 @@ final class ProtectiveStopTest {
     bench.steps(900);
     assertEquals(
         Optional.of("the protective stop can be unlocked 5 s after it happened, 3.2 s are left"),
-        safety.unlockProtectiveStop(false));
+        safety.unlockProtectiveStop(false).map(Refusal::text));
     bench.steps(1599);
     assertTrue(safety.unlockProtectiveStop(false).isPresent());
     bench.step();
@@ -101,7 +102,8 @@ final class ProtectiveStopTest {
   @Test
   void nothingToUnlock() {
     assertEquals(
-        Optional.of("there is no protective stop to unlock"), safety.unlockProtectiveStop(false));
+        Optional.of("there is no protective stop to unlock"),
+        safety.unlockProtectiveStop(false).map(Refusal::text));
   }
 
   @Test
@@ -112,7 +114,7 @@ final class ProtectiveStopTest {
         Optional.of(
             "C209A0 protective stop at 0.002 s: the program asks for it;"
                 + " unlock the protective stop first"),
-        safety.programRefusal());
+        safety.programRefusal().map(Refusal::text));
   }
 
   @Test

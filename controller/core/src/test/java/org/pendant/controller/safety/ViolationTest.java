@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.command.Refusal;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
@@ -65,7 +66,7 @@ final class ViolationTest {
     assertEquals(
         Optional.of(
             bench.stop().message() + "; restart the safety functions, then power the arm on"),
-        safety.powerOn());
+        safety.powerOn().map(Refusal::text));
     assertEquals(safety.powerOn(), safety.programRefusal());
     assertEquals(Optional.empty(), safety.restartSafety());
     assertEquals(SafetyMode.NORMAL, safety.safetyMode());
@@ -77,7 +78,7 @@ final class ViolationTest {
   void nothingToRestart() {
     assertEquals(
         Optional.of("there is no violation or fault, nothing has to be restarted"),
-        safety.restartSafety());
+        safety.restartSafety().map(Refusal::text));
   }
 
   @Test

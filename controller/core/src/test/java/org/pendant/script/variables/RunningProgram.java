@@ -2,10 +2,12 @@ package org.pendant.script.variables;
 
 import java.util.List;
 import java.util.stream.Stream;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.DebugCommand;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 import org.pendant.script.debug.Variable;
@@ -17,7 +19,8 @@ final class RunningProgram {
 
   RunningProgram start(String... lines) {
     Source source = Source.of("test.script", String.join("\n", lines) + "\n");
-    Reply reply = ask(new Command.StartProgram(controller.load(source).program().orElseThrow()));
+    Reply reply =
+        ask(new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
     if (!(reply instanceof Reply.Done)) {
       throw new AssertionError(reply);
     }
@@ -31,7 +34,8 @@ final class RunningProgram {
   }
 
   Reply trace(String owner, String... paths) {
-    return ask(new Command.TraceVariables(owner, Stream.of(paths).map(VariablePath::of).toList()));
+    return ask(
+        new DebugCommand.TraceVariables(owner, Stream.of(paths).map(VariablePath::of).toList()));
   }
 
   RunningProgram frames(int count) {

@@ -8,7 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
+import org.pendant.controller.DebugCommand;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.script.value.ListValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
@@ -184,7 +185,7 @@ final class VariableSamplerTest {
   @Test
   void aStoppedProgramKeepsItsVariables() {
     program.start("def program():", "  a = 1", "  sleep(9)", "end");
-    program.ask(new Command.StopProgram());
+    program.ask(new ProgramCommand.StopProgram());
     assertEquals("1", program.sample("a").variable().text());
   }
 
@@ -205,9 +206,9 @@ final class VariableSamplerTest {
   @Test
   void aHeldProgramShowsWhatADebuggerChanges() {
     program.start("def program():", "  a = 1", "  sleep(9)", "end");
-    program.ask(new Command.Debug(debugger -> debugger.pause()));
+    program.ask(new DebugCommand.Debug(debugger -> debugger.pause()));
     program.ask(
-        new Command.Debug(
+        new DebugCommand.Debug(
             debugger -> {
               try {
                 debugger.assign(0, 1, "a", "5");

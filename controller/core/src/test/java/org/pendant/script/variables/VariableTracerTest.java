@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.DebugCommand;
+import org.pendant.controller.command.Reply;
 
 final class VariableTracerTest {
   private final RunningProgram program = new RunningProgram();
@@ -147,9 +147,9 @@ final class VariableTracerTest {
     Reply reply = program.trace("record", many);
     assertEquals(
         "65 variables would be traced in every frame, at most 64 can",
-        assertInstanceOf(Reply.Refused.class, reply).reason());
+        assertInstanceOf(Reply.Refused.class, reply).refusal().text());
     assertEquals(List.of("a"), sorted());
-    program.ask(new Command.TraceVariables("plots", List.of()));
+    program.ask(new DebugCommand.TraceVariables("plots", List.of()));
     assertInstanceOf(Reply.Done.class, program.trace("record", many));
   }
 }

@@ -10,17 +10,19 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.InstallationCommand;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.RunningProgram;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.external.FakeModbus;
 import org.pendant.controller.freedrive.FreedriveHolder;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.io.AnalogDomain;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.SignalText;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.modbus.ModbusSignalState;
@@ -28,6 +30,7 @@ import org.pendant.controller.safety.Applies;
 import org.pendant.controller.safety.Axis;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyChecksum;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyPlane;
@@ -61,7 +64,7 @@ class InstallationCommandsTest {
   }
 
   private static String refusal(Reply reply) {
-    return assertInstanceOf(Reply.Refused.class, reply).reason();
+    return assertInstanceOf(Reply.Refused.class, reply).refusal().text();
   }
 
   private static List<String> values(RunningProgram robot, String... expressions) {
@@ -126,7 +129,9 @@ class InstallationCommandsTest {
     assertEquals(
         "activeTool: there is no TCP x",
         refusal(
-            robot.ask(new Command.ApplyInstallation(installation("active-tool name=\"x\"\n")))));
+            robot.ask(
+                new InstallationCommand.ApplyInstallation(
+                    installation("active-tool name=\"x\"\n")))));
   }
 
   @Test
@@ -140,14 +145,14 @@ class InstallationCommandsTest {
             signal id="digital_in[3]" input=freedrive
             """);
     Installation other = installation("signal id=\"digital_out[1]\" output=high-when-running\n");
-    robot.done(new Command.ApplyInstallation(other));
+    robot.done(new InstallationCommand.ApplyInstallation(other));
     robot.start(WAIT);
     robot.advance(2);
     assertEquals(0b10, robot.state().io().standardOut());
     assertEquals("", robot.state().arm().tool().name());
     assertEquals(RobotMode.RUNNING, robot.state().safety().robotMode());
-    robot.done(new Command.StopProgram());
-    robot.done(new Command.SetInput("digital_in[3]", true));
+    robot.done(new ProgramCommand.StopProgram());
+    robot.done(new IoCommand.SetInput("digital_in[3]", true));
     robot.advance(10);
     assertFalse(robot.state().freedrive().heldBy(FreedriveHolder.INPUT));
   }
@@ -158,7 +163,7 @@ class InstallationCommandsTest {
     robot.start(WAIT);
     assertEquals(
         "program wait runs, stop it before the installation is changed",
-        refusal(robot.ask(new Command.ApplyInstallation(Installation.NONE))));
+        refusal(robot.ask(new InstallationCommand.ApplyInstallation(Installation.NONE))));
   }
 
   @Test
@@ -168,15 +173,17 @@ class InstallationCommandsTest {
     SafetyConfiguration walled =
         STANDARD.withPlanes(
             new SafetyPlane("wall", 0, 0, 2, new Axis(0, 0, 1), Applies.BOTH, false));
-    robot.done(new Command.ApplyInstallation(Installation.NONE.withSafety(Optional.of(walled))));
+    robot.done(
+        new InstallationCommand.ApplyInstallation(
+            Installation.NONE.withSafety(Optional.of(walled))));
     assertEquals(RobotMode.POWER_OFF, robot.state().safety().robotMode());
     assertEquals(SafetyChecksum.of(walled), robot.state().safety().checksum());
-    robot.done(new Command.ReleaseBrakes());
+    robot.done(new SafetyCommand.ReleaseBrakes());
     robot.advance(5000);
     // the arm is beyond the plane that it has got
     assertEquals(SafetyMode.RECOVERY, robot.state().safety().safetyMode());
-    robot.done(new Command.ApplyInstallation(Installation.NONE));
-    robot.done(new Command.ReleaseBrakes());
+    robot.done(new InstallationCommand.ApplyInstallation(Installation.NONE));
+    robot.done(new SafetyCommand.ReleaseBrakes());
     robot.advance(5000);
     assertEquals(SafetyMode.NORMAL, robot.state().safety().safetyMode());
     assertEquals(RobotMode.RUNNING, robot.state().safety().robotMode());
@@ -186,8 +193,9 @@ class InstallationCommandsTest {
   void newReducedLimitsSlowTheArmDown() {
     SafetyConfiguration slow = STANDARD.withLimits(STANDARD.reduced(), STANDARD.reduced());
     RunningProgram robot = robot("");
-    robot.done(new Command.ApplyInstallation(Installation.NONE.withSafety(Optional.of(slow))));
-    robot.done(new Command.ReleaseBrakes());
+    robot.done(
+        new InstallationCommand.ApplyInstallation(Installation.NONE.withSafety(Optional.of(slow))));
+    robot.done(new SafetyCommand.ReleaseBrakes());
     robot.advance(5000);
     robot.start("def f():\n  movej([1, -1.57, -1.57, -1.57, 1.57, 0], a=10, v=3)\nend\n");
     double fastest = 0;
@@ -237,7 +245,7 @@ class InstallationCommandsTest {
 
   private static void run(Controller controller, String text) {
     var program = controller.load(Source.of("t.script", text));
-    var _ = controller.submit(new Command.StartProgram(program.program().orElseThrow()));
+    var _ = controller.submit(new ProgramCommand.StartProgram(program.program().orElseThrow()));
     controller.advance();
     assertTrue(
         controller.runUntil(
@@ -259,10 +267,10 @@ class InstallationCommandsTest {
     RunningProgram robot =
         new RunningProgram(
             options("start-up power-input=\"digital_in[2]\" power-on=low\n").withPower(false));
-    robot.done(new Command.SetInput("digital_in[2]", true));
+    robot.done(new IoCommand.SetInput("digital_in[2]", true));
     robot.advance(5000);
     assertEquals(RobotMode.POWER_OFF, robot.state().safety().robotMode());
-    robot.done(new Command.SetInput("digital_in[2]", false));
+    robot.done(new IoCommand.SetInput("digital_in[2]", false));
     robot.advance(5000);
     assertEquals(RobotMode.RUNNING, robot.state().safety().robotMode());
   }
@@ -290,9 +298,11 @@ class InstallationCommandsTest {
     assertEquals(20, shown.updateHz());
     assertEquals(7, shown.exchange().writeAddress());
     assertEquals(1, devices.points().size());
-    robot.done(new Command.ApplyInstallation(installation(lamp + lamp.replace("lamp", "door"))));
+    robot.done(
+        new InstallationCommand.ApplyInstallation(
+            installation(lamp + lamp.replace("lamp", "door"))));
     assertEquals(2, devices.points().size(), "the first keeps its connection");
-    robot.done(new Command.ApplyInstallation(Installation.NONE));
+    robot.done(new InstallationCommand.ApplyInstallation(Installation.NONE));
     robot.advance(1);
     assertEquals(List.of(), robot.state().modbus());
   }
@@ -324,8 +334,8 @@ class InstallationCommandsTest {
               point pose=[0, 0, 0, 0, 0, 0]
             conveyor number=1 encoder=1 feature="belt" ticks-per-unit=1 decoder=3 inputs=[9]
             """);
-    robot.done(new Command.SetInput("configurable_in[1]", true));
-    robot.done(new Command.SetInput("configurable_in[1]", false));
+    robot.done(new IoCommand.SetInput("configurable_in[1]", true));
+    robot.done(new IoCommand.SetInput("configurable_in[1]", false));
     robot.advance(2);
     assertEquals(1, robot.state().encoders().second());
   }
@@ -342,7 +352,7 @@ class InstallationCommandsTest {
     RunningProgram robot = robot(lines);
     robot.start(WAIT);
     robot.advance(2);
-    robot.done(new Command.ScannerLost("PLC"));
+    robot.done(new InstallationCommand.ScannerLost("PLC"));
     robot.advance(2);
     return robot.programState();
   }

@@ -5,10 +5,12 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
-import org.pendant.controller.Command;
 import org.pendant.controller.CommandJournal;
 import org.pendant.controller.Controller;
 import org.pendant.controller.box.Determinism;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.io.IoCommand;
+import org.pendant.controller.rtde.RtdeCommand;
 import org.pendant.models.time.FrameTime;
 
 /**
@@ -35,9 +37,10 @@ public final class Journal {
    *
    * @param frame that had begun
    * @param turn as in {@link CommandJournal#note}
+   * @param held whether a debugger held the frame then
    * @param before fingerprint of the last snapshot before it
    */
-  record Entry(long frame, long turn, Command command, long before) {}
+  record Entry(long frame, long turn, boolean held, Command command, long before) {}
 
   private Journal(Controller controller, JournalLimits limits) {
     this.controller = controller;
@@ -95,7 +98,12 @@ public final class Journal {
       chunks[count / CHUNK] = new Entry[CHUNK];
     }
     chunks[count / CHUNK][place] =
-        new Entry(frame, turn, kept.get().command(), Fingerprint.of(controller.state()));
+        new Entry(
+            frame,
+            turn,
+            turn > 0 && controller.state().debug().held(),
+            kept.get().command(),
+            Fingerprint.of(controller.state()));
     // last, so that whoever sees the number sees the command
     size = count + 1;
   }
@@ -158,9 +166,9 @@ public final class Journal {
     int count = size;
     for (int i = 0; i < count; i++) {
       switch (entry(i).command()) {
-        case Command.ClaimInputs claim -> owners.add(claim.owner());
-        case Command.ClaimSignal claim -> owners.add(claim.owner());
-        case Command.ReleaseSignals release -> owners.remove(release.owner());
+        case RtdeCommand.ClaimInputs claim -> owners.add(claim.owner());
+        case IoCommand.ClaimSignal claim -> owners.add(claim.owner());
+        case IoCommand.ReleaseSignals release -> owners.remove(release.owner());
         default -> {
           // has nothing to do with it
         }

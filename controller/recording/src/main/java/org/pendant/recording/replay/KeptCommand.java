@@ -1,13 +1,22 @@
 package org.pendant.recording.replay;
 
 import java.util.Optional;
-import org.pendant.controller.Command;
+import org.pendant.controller.DebugCommand;
+import org.pendant.controller.InstallationCommand;
+import org.pendant.controller.InterpreterCommand;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.eip.AssemblyCommand;
+import org.pendant.controller.io.IoCommand;
+import org.pendant.controller.message.MessageCommand;
+import org.pendant.controller.rtde.RtdeCommand;
 import org.pendant.script.debug.DebugRequest;
 import org.pendant.script.vm.Program;
 
 /**
  * A command as a journal keeps it: as data that can be given to another controller. All kinds are
- * immutable but for those whose answer goes to somebody; that part is left out.
+ * immutable but for those whose answer goes to somebody; that part is left out. Those that carry
+ * more than a few numbers are named here with what they take.
  *
  * @param bytes about what it takes in memory
  */
@@ -24,64 +33,28 @@ record KeptCommand(Command command, int bytes) {
   /** How {@code command} is kept; empty if it cannot change a controller. */
   static Optional<KeptCommand> of(Command command) {
     return switch (command) {
-      case Command.AskInterpreter ask -> Optional.empty();
-      case Command.ClaimInputs claim ->
+      case InterpreterCommand.AskInterpreter ask -> Optional.empty();
+      case RtdeCommand.ClaimInputs claim ->
           kept(
-              new Command.ClaimInputs(claim.owner(), claim.recipe(), taken -> {}),
+              new RtdeCommand.ClaimInputs(claim.owner(), claim.recipe(), taken -> {}),
               BYTES_PER_SIGNAL * claim.recipe().fields().size());
-      case Command.Debug debug ->
+      case DebugCommand.Debug debug ->
           debug.request() instanceof DebugRequest ? kept(debug, 0) : Optional.empty();
-      case Command.StartProgram start -> kept(start, size(start.program()));
-      case Command.ReplaceProgram replace -> kept(replace, size(replace.program()));
-      case Command.RunSecondary secondary -> kept(secondary, size(secondary.program()));
-      case Command.Interpret line -> kept(line, size(line.line().text()));
-      case Command.WriteSignals write -> kept(write, BYTES_PER_SIGNAL * write.writes().size());
-      case Command.WriteInputs write ->
+      case ProgramCommand.StartProgram start -> kept(start, size(start.program()));
+      case ProgramCommand.ReplaceProgram replace -> kept(replace, size(replace.program()));
+      case ProgramCommand.RunSecondary secondary -> kept(secondary, size(secondary.program()));
+      case InterpreterCommand.Interpret line -> kept(line, size(line.line().text()));
+      case IoCommand.WriteSignals write -> kept(write, BYTES_PER_SIGNAL * write.writes().size());
+      case RtdeCommand.WriteInputs write ->
           kept(write, BYTES_PER_SIGNAL * (2 + write.update().writes().size()));
-      case Command.ReceiveAssembly got -> kept(got, got.data().size());
-      case Command.ApplyInstallation apply -> kept(apply, INSTALLATION);
-      case Command.ShowPopup show -> kept(show, show.title().length() + show.text().length());
-      case Command.WriteLog write -> kept(write, write.text().length());
-      case Command.TraceVariables trace -> kept(trace, BYTES_PER_SIGNAL * trace.paths().size());
-      case Command.SetProgramsFolder _,
-          Command.StopProgram _,
-          Command.PauseProgram _,
-          Command.ResumeProgram _,
-          Command.SetInput _,
-          Command.ClaimSignal _,
-          Command.ConfigureAssemblies _,
-          Command.ReleaseSignals _,
-          Command.ScannerLost _,
-          Command.RunEncoder _,
-          Command.SetSpeedFraction _,
-          Command.AnswerPopup _,
-          Command.NoteLostTime _,
-          Command.AnswerQuestion _,
-          Command.CancelQuestion _,
-          Command.SkipInterpreted _,
-          Command.AbortMove _,
-          Command.ShutDown _,
-          Command.PowerOn _,
-          Command.PowerOff _,
-          Command.ReleaseBrakes _,
-          Command.UnlockProtectiveStop _,
-          Command.RestartSafety _,
-          Command.StartBackdrive _,
-          Command.EndBackdrive _,
-          Command.SetManualMode _,
-          Command.SetSafetyInput _,
-          Command.PushTool _,
-          Command.PushLink _,
-          Command.PullLink _,
-          Command.LetGo _,
-          Command.StartFreedrive _,
-          Command.EndFreedrive _,
-          Command.AttachLoad _,
-          Command.Jog _,
-          Command.StopJog _,
-          Command.SetTool _,
-          Command.DeclarePayload _ ->
-          kept(command, 0);
+      case AssemblyCommand.ReceiveAssembly got -> kept(got, got.data().size());
+      case InstallationCommand.ApplyInstallation apply -> kept(apply, INSTALLATION);
+      case MessageCommand.ShowPopup show ->
+          kept(show, show.title().length() + show.text().length());
+      case MessageCommand.WriteLog write -> kept(write, write.text().length());
+      case DebugCommand.TraceVariables trace ->
+          kept(trace, BYTES_PER_SIGNAL * trace.paths().size());
+      default -> kept(command, 0);
     };
   }
 

@@ -16,7 +16,8 @@ import org.pendant.models.time.FrameTime;
  * goes, and compares the two at every command and in the end. The other controller is not touched
  * and may go on meanwhile.
  *
- * <p>A frame that a debugger still holds is repeated up to where it is held.
+ * <p>A frame that a debugger still holds is repeated up to where it is held. The end of a frame
+ * after which robot time stood is with the commands that came into force meanwhile.
  *
  * <p>One thread runs it, once; any thread may ask how far it is, or cancel it.
  */
@@ -102,15 +103,20 @@ public final class Rerun {
       if (cancelled) {
         throw new CancellationException("the rerun was cancelled");
       }
-      boolean held = fresh.state().debug().held();
-      turn = held ? turn + 1 : 0;
-      long begun = fresh.state().frame() + (held ? 0 : 1);
-      next = submit(fresh, next, begun, turn);
-      fresh.advance();
+      ControllerState before = fresh.state();
+      boolean begins = !before.debug().held() && !isIn(before.frame(), next);
+      turn = begins ? 0 : turn + 1;
+      long step = before.frame() + (begins ? 1 : 0);
+      next = submit(fresh, next, step, turn);
+      if (begins) {
+        fresh.advance();
+      } else {
+        fresh.applyCommands();
+      }
       reached = fresh.state().frame();
       each.accept(fresh.state());
-      if (!fresh.state().debug().held() && isIn(begun, next)) {
-        throw otherwise(begun, "the debugger did not pause the program");
+      if (!fresh.state().debug().held() && isIn(step, next) && journal.entry(next).held()) {
+        throw otherwise(step, "the debugger did not pause the program");
       }
     }
     refuseUnlessSame(fresh);
@@ -118,11 +124,11 @@ public final class Rerun {
   }
 
   private boolean arrived(ControllerState state, int next) throws RerunRefused {
-    if (!state.debug().held()) {
-      return state.frame() == frame;
-    }
     if (isIn(state.frame(), next)) {
       return false;
+    }
+    if (!state.debug().held()) {
+      return state.frame() == frame;
     }
     if (state.frame() < frame) {
       throw otherwise(state.frame(), "the debugger paused the program");

@@ -11,9 +11,10 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.DebugCommand;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.debug.Debugger;
@@ -66,7 +67,7 @@ final class HeldRerunTest {
   }
 
   private void ask(Consumer<Debugger> request) {
-    var _ = controller.submit(new Command.Debug(request));
+    var _ = controller.submit(new DebugCommand.Debug(request));
   }
 
   private static void assign(Debugger debugger, String target, String value) {
@@ -118,7 +119,7 @@ final class HeldRerunTest {
     for (int line : new int[] {4, 12, 13, 15}) {
       ask(debugger -> debugger.set(new Breakpoint(line, true, "random() > 0.3", 1)));
     }
-    var _ = controller.submit(new Command.StartProgram(play.program(PROGRAM)));
+    var _ = controller.submit(new ProgramCommand.StartProgram(play.program(PROGRAM)));
     int stops = 0;
     while (controller.state().frame() < last || held()) {
       if (held()) {
@@ -157,7 +158,7 @@ final class HeldRerunTest {
   @Test
   void aFrameThatIsStillHeldIsHeldInTheBranchToo() throws RerunRefused {
     ask(debugger -> debugger.set(Breakpoint.at(13)));
-    var _ = controller.submit(new Command.StartProgram(play.program(PROGRAM)));
+    var _ = controller.submit(new ProgramCommand.StartProgram(play.program(PROGRAM)));
     while (!held()) {
       advance();
     }
@@ -171,14 +172,14 @@ final class HeldRerunTest {
     assertEquals(
         now.debug().stop().orElseThrow().line(), there.debug().stop().orElseThrow().line());
     assertEquals("2", branch.controller().globals().get("i").text());
-    var _ = branch.controller().submit(new Command.Debug(Debugger::resume));
+    var _ = branch.controller().submit(new DebugCommand.Debug(Debugger::resume));
     branch.controller().advance();
     assertFalse(branch.controller().state().debug().held());
   }
 
   @Test
   void looksAreNotKept() {
-    var _ = controller.submit(new Command.StartProgram(play.program(PROGRAM)));
+    var _ = controller.submit(new ProgramCommand.StartProgram(play.program(PROGRAM)));
     advance();
     int kept = play.journal.size();
     ask(debugger -> evaluate(debugger, "q[0] + i"));

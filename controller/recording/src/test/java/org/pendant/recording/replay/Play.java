@@ -7,9 +7,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
@@ -53,7 +54,7 @@ final class Play {
   }
 
   Play start(String text) {
-    return at(1, new Command.StartProgram(program(text)));
+    return at(1, new ProgramCommand.StartProgram(program(text)));
   }
 
   /** Runs up to the end of a frame. */

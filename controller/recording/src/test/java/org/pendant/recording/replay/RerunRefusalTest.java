@@ -15,7 +15,6 @@ import java.util.Set;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.external.Connectors;
@@ -24,6 +23,7 @@ import org.pendant.controller.external.FakeServer;
 import org.pendant.controller.external.FakeSocket;
 import org.pendant.controller.external.ToolSerialConnector;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.Joints;
@@ -188,7 +188,7 @@ final class RerunRefusalTest {
   void aFullJournalRefusesWhatComesAfter() throws RerunRefused {
     Play play = new Play(ControllerOptions.headless(), new JournalLimits(3, 1 << 20));
     for (int frame = 10; frame <= 50; frame += 10) {
-      play.at(frame, new Command.SetInput("digital_in[0]", frame % 20 == 0));
+      play.at(frame, new IoCommand.SetInput("digital_in[0]", frame % 20 == 0));
     }
     play.until(60);
     assertEquals(3, play.journal.size());
@@ -213,7 +213,7 @@ final class RerunRefusalTest {
   void otherOptionsComeOutOtherwise() {
     Play play =
         new Play(ControllerOptions.headless())
-            .at(20, new Command.SetInput("digital_in[0]", true))
+            .at(20, new IoCommand.SetInput("digital_in[0]", true))
             .until(30);
     ControllerOptions other = play.options.withStart(new Joints(0.1, -1.5, -1.6, -1.6, 1.6, 0));
     String why =
@@ -291,9 +291,9 @@ final class RerunRefusalTest {
   void thoseWhoHaveTakenSignalsAreKnown() {
     Play play =
         new Play(ControllerOptions.headless())
-            .at(1, new Command.ClaimSignal("one", "input_float_register[3]"))
-            .at(1, new Command.ClaimSignal("two", "input_float_register[4]"))
-            .at(5, new Command.ReleaseSignals("one"))
+            .at(1, new IoCommand.ClaimSignal("one", "input_float_register[3]"))
+            .at(1, new IoCommand.ClaimSignal("two", "input_float_register[4]"))
+            .at(5, new IoCommand.ReleaseSignals("one"))
             .until(10);
     assertEquals(Set.of("two"), play.journal.owners());
     assertFalse(play.journal.refusal(10).isPresent());

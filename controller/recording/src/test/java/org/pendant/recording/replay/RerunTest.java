@@ -16,23 +16,30 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.InterpreterCommand;
+import org.pendant.controller.ManualCommand;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.message.Answer;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.MessageCommand;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.PowerTimes;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
@@ -99,13 +106,13 @@ final class RerunTest {
               end
             end
             """)
-        .at(211, new Command.SetInput("digital_in[0]", true))
-        .at(300, new Command.WriteSignals(register(2.5)))
-        .at(450, new Command.SetInput("digital_in[0]", false))
-        .at(450, new Command.WriteSignals(register(-7)))
-        .at(800, new Command.SetInput("digital_in[2]", true))
-        .at(900, new Command.RunEncoder(0, 1234.5))
-        .at(1100, new Command.StopProgram());
+        .at(211, new IoCommand.SetInput("digital_in[0]", true))
+        .at(300, new IoCommand.WriteSignals(register(2.5)))
+        .at(450, new IoCommand.SetInput("digital_in[0]", false))
+        .at(450, new IoCommand.WriteSignals(register(-7)))
+        .at(800, new IoCommand.SetInput("digital_in[2]", true))
+        .at(900, new WorldCommand.RunEncoder(0, 1234.5))
+        .at(1100, new ProgramCommand.StopProgram());
   }
 
   private static SignalWrite register(double value) {
@@ -130,9 +137,9 @@ final class RerunTest {
     SplittableRandom random = new SplittableRandom(11);
     for (int frame = 50; frame < LAST; frame += random.nextInt(10, 90)) {
       switch (random.nextInt(3)) {
-        case 0 -> play.at(frame, new Command.PauseProgram());
-        case 1 -> play.at(frame, new Command.ResumeProgram());
-        default -> play.at(frame, new Command.SetSpeedFraction(random.nextDouble(0.05, 1)));
+        case 0 -> play.at(frame, new ProgramCommand.PauseProgram());
+        case 1 -> play.at(frame, new ProgramCommand.ResumeProgram());
+        default -> play.at(frame, new BoxCommand.SetSpeedFraction(random.nextDouble(0.05, 1)));
       }
     }
     return play;
@@ -162,10 +169,10 @@ final class RerunTest {
               sleep(10)
             end
             """)
-        .at(700, new Command.PushTool(new Wrench(3, -4, 5, 0, 0, 0)))
-        .at(900, new Command.PushTool(new Wrench(0, 0, 0, 0, 0, 0)))
-        .at(1000, new Command.PushLink(3, new Vector3(0, 0, 0.1), new Vector3(10, 0, 0)))
-        .at(1100, new Command.LetGo());
+        .at(700, new WorldCommand.PushTool(new Wrench(3, -4, 5, 0, 0, 0)))
+        .at(900, new WorldCommand.PushTool(new Wrench(0, 0, 0, 0, 0, 0)))
+        .at(1000, new WorldCommand.PushLink(3, new Vector3(0, 0, 0.1), new Vector3(10, 0, 0)))
+        .at(1100, new WorldCommand.LetGo());
   }
 
   private static Play popupsAndQuestions() {
@@ -185,60 +192,66 @@ final class RerunTest {
               request_string_from_primary_client("name")
             end
             """)
-        .at(60, new Command.AnswerPopup(1))
-        .at(140, new Command.AnswerQuestion(2, new Answer.Text("no number")))
-        .at(200, new Command.AnswerQuestion(2, new Answer.Whole(3)))
-        .at(210, new Command.ShowPopup("from", "outside"))
-        .at(900, new Command.AnswerPopup(3))
-        .at(901, new Command.AnswerPopup(4))
-        .at(950, new Command.AnswerQuestion(5, new Answer.Bool(true)))
-        .at(1480, new Command.CancelQuestion(6));
+        .at(60, new MessageCommand.AnswerPopup(1))
+        .at(140, new MessageCommand.AnswerQuestion(2, new Answer.Text("no number")))
+        .at(200, new MessageCommand.AnswerQuestion(2, new Answer.Whole(3)))
+        .at(210, new MessageCommand.ShowPopup("from", "outside"))
+        .at(900, new MessageCommand.AnswerPopup(3))
+        .at(901, new MessageCommand.AnswerPopup(4))
+        .at(950, new MessageCommand.AnswerQuestion(5, new Answer.Bool(true)))
+        .at(1480, new MessageCommand.CancelQuestion(6));
   }
 
   private static Play movedByHand() {
     Play play = new Play(ControllerOptions.headless());
     for (int frame = 10; frame < 400; frame += 17) {
-      play.at(frame, new Command.Jog(new JogMove.TurnJoint(1, -1), 0.7));
+      play.at(frame, new ManualCommand.Jog(new JogMove.TurnJoint(1, -1), 0.7));
     }
-    play.at(420, new Command.StopJog());
+    play.at(420, new ManualCommand.StopJog());
     for (int frame = 600; frame < 900; frame += 17) {
-      play.at(frame, new Command.Jog(new JogMove.ToJoints(Joints.ZERO), 1));
+      play.at(frame, new ManualCommand.Jog(new JogMove.ToJoints(Joints.ZERO), 1));
     }
-    return play.at(1000, new Command.SetManualMode(true))
-        .at(1100, new Command.AttachLoad(Optional.of(Payload.of(1, 0, 0, 0.05))))
-        .at(1200, new Command.DeclarePayload(1, new Vector3(0, 0, 0.05), Optional.empty()))
-        .at(1300, new Command.PowerOff());
+    return play.at(1000, new SafetyCommand.SetManualMode(true))
+        .at(1100, new WorldCommand.AttachLoad(Optional.of(Payload.of(1, 0, 0, 0.05))))
+        .at(1200, new ManualCommand.DeclarePayload(1, new Vector3(0, 0, 0.05), Optional.empty()))
+        .at(1300, new SafetyCommand.PowerOff());
   }
 
   private static Play pulledByHand() {
     Play play = new Play(ControllerOptions.headless());
     for (int frame = 10; frame < 1200; frame += 17) {
-      play.at(frame, new Command.StartFreedrive(FreeAxes.ALL, new FreedriveFrame.Base()));
+      play.at(frame, new ManualCommand.StartFreedrive(FreeAxes.ALL, new FreedriveFrame.Base()));
     }
     for (int frame = 100; frame < 900; frame += 13) {
       play.at(
           frame,
-          new Command.PullLink(
+          new WorldCommand.PullLink(
               5, new Vector3(0, 0, 0.05), new Vector3(-0.2, -0.3 - 0.0003 * frame, 0.5)));
     }
-    return play.at(905, new Command.LetGo()).at(1250, new Command.EndFreedrive());
+    return play.at(905, new WorldCommand.LetGo()).at(1250, new ManualCommand.EndFreedrive());
   }
 
   private static Play interpretedLines() {
     Play play =
         new Play(ControllerOptions.headless())
             .start("def im():\n  interpreter_mode()\n  textmsg(\"over\")\nend\n")
-            .at(20, new Command.Interpret("def double(x): return 2 * x end"))
-            .at(20, new Command.Interpret("a = double(random())"))
-            .at(21, new Command.AskInterpreter())
-            .at(40, new Command.Interpret("movej([0.4, -1.5, -1.6, -1.6, 1.6, 0], a=2, v=1.2)"))
-            .at(41, new Command.Interpret("clear_interpreter()"))
-            .at(41, new Command.Interpret("b = 3"))
-            .at(200, new Command.AbortMove())
-            .at(500, new Command.Interpret("movej([0, -1.5, -1.6, -1.6, 1.6, 0], a=2, v=1.2)"))
-            .at(501, new Command.Interpret("textmsg(b)"))
-            .at(520, new Command.SkipInterpreted())
-            .at(1200, new Command.Interpret("end_interpreter()"));
+            .at(20, new InterpreterCommand.Interpret("def double(x): return 2 * x end"))
+            .at(20, new InterpreterCommand.Interpret("a = double(random())"))
+            .at(21, new InterpreterCommand.AskInterpreter())
+            .at(
+                40,
+                new InterpreterCommand.Interpret(
+                    "movej([0.4, -1.5, -1.6, -1.6, 1.6, 0], a=2, v=1.2)"))
+            .at(41, new InterpreterCommand.Interpret("clear_interpreter()"))
+            .at(41, new InterpreterCommand.Interpret("b = 3"))
+            .at(200, new ProgramCommand.AbortMove())
+            .at(
+                500,
+                new InterpreterCommand.Interpret(
+                    "movej([0, -1.5, -1.6, -1.6, 1.6, 0], a=2, v=1.2)"))
+            .at(501, new InterpreterCommand.Interpret("textmsg(b)"))
+            .at(520, new InterpreterCommand.SkipInterpreted())
+            .at(1200, new InterpreterCommand.Interpret("end_interpreter()"));
     return play;
   }
 
@@ -246,26 +259,27 @@ final class RerunTest {
     ControllerOptions options =
         ControllerOptions.headless().withPowerTimes(PowerTimes.ofTotal(0.2));
     Play play = new Play(options).start(PATH);
-    return play.at(300, new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true))
-        .at(500, new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false))
-        .at(700, new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true))
-        .at(800, new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, false))
-        .at(900, new Command.PowerOn())
-        .at(1000, new Command.ReleaseBrakes())
-        .at(1300, new Command.StartProgram(play.program(PATH)));
+    return play.at(300, new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true))
+        .at(500, new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false))
+        .at(700, new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true))
+        .at(800, new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, false))
+        .at(900, new SafetyCommand.PowerOn())
+        .at(1000, new SafetyCommand.ReleaseBrakes())
+        .at(1300, new ProgramCommand.StartProgram(play.program(PATH)));
   }
 
   private static Play programsFromOutside() {
     Play play = new Play(ControllerOptions.headless()).start(PATH);
     String speed = "def fast():\n  speedj([0.5, 0, 0, 0, 0, 0], 1, 2)\n  stopj(1)\nend\n";
-    return play.at(200, new Command.RunSecondary(play.program("sec s():\n  textmsg(1)\nend\n")))
-        .at(400, new Command.ClaimSignal("client", "input_float_register[3]"))
-        .at(401, new Command.WriteSignals("client", List.of(register(4))))
-        .at(402, new Command.WriteSignals(register(5)))
-        .at(600, new Command.ReplaceProgram(play.program(speed)))
-        .at(700, new Command.ReleaseSignals("client"))
-        .at(701, new Command.WriteSignals(register(6)))
-        .at(1300, new Command.WriteLog(LogEntry.Level.INFO, "hello"));
+    return play.at(
+            200, new ProgramCommand.RunSecondary(play.program("sec s():\n  textmsg(1)\nend\n")))
+        .at(400, new IoCommand.ClaimSignal("client", "input_float_register[3]"))
+        .at(401, new IoCommand.WriteSignals("client", List.of(register(4))))
+        .at(402, new IoCommand.WriteSignals(register(5)))
+        .at(600, new ProgramCommand.ReplaceProgram(play.program(speed)))
+        .at(700, new IoCommand.ReleaseSignals("client"))
+        .at(701, new IoCommand.WriteSignals(register(6)))
+        .at(1300, new MessageCommand.WriteLog(LogEntry.Level.INFO, "hello"));
   }
 
   @ParameterizedTest
@@ -298,7 +312,7 @@ final class RerunTest {
   void anInputThatIsChangedInTheBranchChangesWhatHappens() throws RerunRefused {
     Play play = threadsAndInputs().until(LAST);
     Controller branch = Rerun.to(500, play.journal).run(play.options).controller();
-    var _ = branch.submit(new Command.SetInput("digital_in[2]", true));
+    var _ = branch.submit(new IoCommand.SetInput("digital_in[2]", true));
     List<List<Object>> other = play.follow(branch, 799);
     assertNotEquals(play.frames.subList(500, 799), other);
     assertFalse(
@@ -319,7 +333,7 @@ final class RerunTest {
   void theOldControllerGoesOnUndisturbed() throws RerunRefused {
     Play disturbed = threadsAndInputs().until(600);
     Controller branch = Rerun.to(500, disturbed.journal).run(disturbed.options).controller();
-    var _ = branch.submit(new Command.SetInput("digital_in[2]", true));
+    var _ = branch.submit(new IoCommand.SetInput("digital_in[2]", true));
     branch.runUntil(() -> false, 100);
     disturbed.until(LAST);
     assertEquals(threadsAndInputs().until(LAST).frames, disturbed.frames);

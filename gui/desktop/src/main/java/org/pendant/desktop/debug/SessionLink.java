@@ -1,11 +1,13 @@
 package org.pendant.desktop.debug;
 
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.DebugCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.value.ScriptError;
 
@@ -26,8 +28,8 @@ final class SessionLink implements DebugLink {
   @Override
   public <T> void ask(Request<T> request, Consumer<T> answer, Consumer<String> refusal) {
     CompletableFuture<T> found = new CompletableFuture<>();
-    Command.Debug command =
-        new Command.Debug(
+    DebugCommand.Debug command =
+        new DebugCommand.Debug(
             debugger -> {
               try {
                 found.complete(request.of(debugger));
@@ -42,8 +44,9 @@ final class SessionLink implements DebugLink {
                 reply ->
                     display.execute(
                         () -> {
-                          if (reply instanceof Reply.Refused refused) {
-                            refusal.accept(ByteText.decoded(refused.reason()));
+                          Optional<String> why = reply.complaint();
+                          if (why.isPresent()) {
+                            refusal.accept(ByteText.decoded(why.get()));
                           } else {
                             answer.accept(found.join());
                           }

@@ -6,7 +6,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.controller.Command;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.workbench.Workbench;
@@ -56,7 +56,7 @@ final class InstallationBar {
         stop, "installation-stop", "Stop the program, so that the controller is set up anew");
     stop.addActionListener(
         event -> {
-          var _ = workbench.session().submit(new Command.StopProgram());
+          var _ = workbench.session().submit(new ProgramCommand.StopProgram());
         });
     Card.compact(undo, redo, stop);
     row.add(undo);

@@ -10,10 +10,11 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.io.InputOwners;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalWrite;
 
@@ -57,11 +58,11 @@ final class Forcing {
   void write(SignalWrite write) {
     boolean before = forced(write.name());
     mark(write);
-    CompletableFuture<Reply> reply = submit.apply(new Command.WriteSignals(write));
+    CompletableFuture<Reply> reply = submit.apply(new IoCommand.WriteSignals(write));
     var _ =
         reply.thenAcceptAsync(
             answer -> {
-              if (answer instanceof Reply.Refused && !before) {
+              if (answer.complaint().isPresent() && !before) {
                 forced.remove(write.name());
               }
             },
@@ -146,10 +147,10 @@ final class Forcing {
     forced.clear();
     var _ =
         submit
-            .apply(new Command.WriteSignals(InputOwners.BY_HAND, writes))
+            .apply(new IoCommand.WriteSignals(InputOwners.BY_HAND, writes))
             .thenAcceptAsync(
                 answer -> {
-                  if (answer instanceof Reply.Refused) {
+                  if (answer.complaint().isPresent()) {
                     before.forEach(forced::putIfAbsent);
                   }
                   tell(answer);
@@ -164,8 +165,6 @@ final class Forcing {
   }
 
   private void tell(Reply reply) {
-    if (reply instanceof Reply.Refused refused) {
-      notify.accept(refused.reason());
-    }
+    reply.complaint().ifPresent(notify);
   }
 }

@@ -6,11 +6,12 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.io.DigitalLevels;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalWrite;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
@@ -142,10 +143,10 @@ final class IoPresenter {
     safety.put(input, !before);
     var _ =
         submit
-            .apply(new Command.SetSafetyInput(input, !before))
+            .apply(new SafetyCommand.SetSafetyInput(input, !before))
             .thenAcceptAsync(
                 reply -> {
-                  if (reply instanceof Reply.Refused) {
+                  if (reply.complaint().isPresent()) {
                     safety.put(input, before);
                   }
                   tell(reply);
@@ -154,8 +155,6 @@ final class IoPresenter {
   }
 
   private void tell(Reply reply) {
-    if (reply instanceof Reply.Refused refused) {
-      notify.accept(refused.reason());
-    }
+    reply.complaint().ifPresent(notify);
   }
 }

@@ -4,8 +4,9 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.FrameListener;
@@ -40,7 +41,7 @@ final class PulseTimer implements FrameListener {
    */
   CompletableFuture<Reply> begin(Signal input, boolean level, PulseLength length) {
     running.put(input, new Pulse(level, length.seconds(), Double.NaN));
-    return submit.apply(new Command.SetInput(input.toString(), level));
+    return submit.apply(new IoCommand.SetInput(input.toString(), level));
   }
 
   /** Forgets a pulse; the level stays. */
@@ -52,7 +53,7 @@ final class PulseTimer implements FrameListener {
   void cancelAll() {
     for (Signal input : running.keySet()) {
       cancel(input);
-      var _ = submit.apply(new Command.SetInput(input.toString(), false));
+      var _ = submit.apply(new IoCommand.SetInput(input.toString(), false));
     }
   }
 
@@ -80,7 +81,7 @@ final class PulseTimer implements FrameListener {
         running.replace(input, pulse, begun);
       }
     } else if (timeS >= pulse.endS() && running.remove(input, pulse)) {
-      var _ = submit.apply(new Command.SetInput(input.toString(), !pulse.level()));
+      var _ = submit.apply(new IoCommand.SetInput(input.toString(), !pulse.level()));
     }
   }
 }

@@ -4,13 +4,15 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
-import org.pendant.controller.Command;
+import org.pendant.controller.ManualCommand;
 import org.pendant.controller.Pace;
-import org.pendant.controller.Reply;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Vector3;
+import org.pendant.controller.world.WorldCommand;
 
 /**
  * The hand that pulls the arm in a picture of it. While freedrive is on, whoever has switched it
@@ -29,7 +31,7 @@ public final class ArmPull {
   /** Where the arm is held. */
   private record Grip(int link, Vector3 pointInLinkM) {
     Command towards(Vector3 placeInBaseM) {
-      return new Command.PullLink(link, pointInLinkM, placeInBaseM);
+      return new WorldCommand.PullLink(link, pointInLinkM, placeInBaseM);
     }
   }
 
@@ -40,8 +42,8 @@ public final class ArmPull {
    * @param executor runs what replies lead to in the thread that uses this object
    */
   public ArmPull(Function<Command, CompletableFuture<Reply>> submit, Executor executor) {
-    freedrive = new RepeatedCommand(submit, executor, new Command.EndFreedrive());
-    pull = new RepeatedCommand(submit, executor, new Command.LetGo());
+    freedrive = new RepeatedCommand(submit, executor, new ManualCommand.EndFreedrive());
+    pull = new RepeatedCommand(submit, executor, new WorldCommand.LetGo());
   }
 
   /** Whether every drag on the arm pulls it. */
@@ -85,7 +87,7 @@ public final class ArmPull {
     pull.repeat();
   }
 
-  /** The arm is held; see {@link Command.PullLink}. */
+  /** The arm is held; see {@link WorldCommand.PullLink}. */
   public void begin(int link, Vector3 pointInLinkM, Vector3 placeInBaseM) {
     end();
     grip = Optional.of(new Grip(link, pointInLinkM));
@@ -100,7 +102,7 @@ public final class ArmPull {
     if (obstacle.isPresent()) {
       giveUp(obstacle.get().text());
     } else {
-      freedrive.begin(new Command.StartFreedrive(FreeAxes.ALL, FreedriveFrame.BASE));
+      freedrive.begin(new ManualCommand.StartFreedrive(FreeAxes.ALL, FreedriveFrame.BASE));
     }
   }
 

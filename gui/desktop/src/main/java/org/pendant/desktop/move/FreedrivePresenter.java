@@ -1,7 +1,8 @@
 package org.pendant.desktop.move;
 
 import java.util.Optional;
-import org.pendant.controller.Command;
+import org.pendant.controller.ManualCommand;
+import org.pendant.controller.command.Command;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.freedrive.FreedriveState;
@@ -52,7 +53,7 @@ final class FreedrivePresenter {
           case TOOL -> FreedriveFrame.TOOL;
           case FRAME -> new FreedriveFrame.Feature(frameInBase);
         };
-    return new Command.StartFreedrive(free, frame);
+    return new ManualCommand.StartFreedrive(free, frame);
   }
 
   /** The button is let go, or freedrive is switched off. */

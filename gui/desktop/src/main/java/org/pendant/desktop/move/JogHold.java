@@ -4,8 +4,9 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ManualCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.jog.JogMove;
 
 /**
@@ -21,12 +22,12 @@ public final class JogHold {
 
   /** One press on a button, until it is let go. */
   private static final class Press {
-    final Command.Jog command;
+    final ManualCommand.Jog command;
     boolean waiting;
     boolean answered;
     boolean refused;
 
-    Press(Command.Jog command) {
+    Press(ManualCommand.Jog command) {
       this.command = command;
     }
   }
@@ -49,7 +50,7 @@ public final class JogHold {
     }
     release();
     reason = "";
-    press = Optional.of(new Press(new Command.Jog(move, speedFraction)));
+    press = Optional.of(new Press(new ManualCommand.Jog(move, speedFraction)));
     repeat();
   }
 
@@ -68,9 +69,10 @@ public final class JogHold {
   private void answered(Press of, Reply reply) {
     of.waiting = false;
     of.answered = true;
-    if (reply instanceof Reply.Refused refused && press.isPresent() && press.get() == of) {
+    Optional<String> why = reply.complaint();
+    if (why.isPresent() && press.isPresent() && press.get() == of) {
       of.refused = true;
-      reason = refused.reason();
+      reason = why.get();
     }
   }
 
@@ -78,7 +80,7 @@ public final class JogHold {
   public void release() {
     if (press.isPresent()) {
       press = Optional.empty();
-      var _ = submit.apply(new Command.StopJog());
+      var _ = submit.apply(new ManualCommand.StopJog());
     }
   }
 

@@ -4,9 +4,10 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
-import org.pendant.controller.Command;
+import org.pendant.controller.ManualCommand;
 import org.pendant.controller.Pace;
-import org.pendant.controller.Reply;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
@@ -58,7 +59,8 @@ final class MovePresenter {
     form = FormMemory.read(settings);
     jog = new JogPresenter(new JogHold(submit, executor), settings, this::range);
     freedrive =
-        new FreedrivePresenter(new RepeatedCommand(submit, executor, new Command.EndFreedrive()));
+        new FreedrivePresenter(
+            new RepeatedCommand(submit, executor, new ManualCommand.EndFreedrive()));
     goals = new GoalPresenter(arm, form, ghost, this::jointProblem);
     home = new HomePresenter(settings, arm.id(), form.angle(), this::jointProblem);
     frame = new FramePresenter(settings, form);

@@ -1,8 +1,9 @@
 package org.pendant.desktop.move;
 
 import java.util.Optional;
-import org.pendant.controller.Command;
 import org.pendant.controller.Pace;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.Readiness;
@@ -47,7 +48,7 @@ record Obstacle(String text, String remedy, Optional<Command> command) {
             + (paused ? " is paused" : " is running")
             + ". Stop it to move the arm by hand.",
         "Stop program",
-        Optional.of(new Command.StopProgram()));
+        Optional.of(new ProgramCommand.StopProgram()));
   }
 
   private static Optional<String> pace(Pace pace) {

@@ -4,8 +4,8 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 
 /**
  * A command that holds only as long as it is repeated: sends it again and again until it is let go
@@ -70,9 +70,10 @@ final class RepeatedCommand {
 
   private void answered(Hold of, Reply reply) {
     of.waiting = false;
-    if (reply instanceof Reply.Refused refused && hold.isPresent() && hold.get() == of) {
+    Optional<String> why = reply.complaint();
+    if (why.isPresent() && hold.isPresent() && hold.get() == of) {
       of.refused = true;
-      reason = refused.reason();
+      reason = why.get();
     }
   }
 

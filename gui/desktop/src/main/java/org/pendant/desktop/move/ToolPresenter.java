@@ -6,10 +6,11 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ManualCommand;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Vector3;
 import org.pendant.language.source.ByteText;
@@ -151,7 +152,7 @@ final class ToolPresenter {
       ToolCentre centre = new ToolCentre(form.pose(tcp.values()), ByteText.asBytes(wanted));
       var _ =
           submit
-              .apply(new Command.SetTool(centre))
+              .apply(new ManualCommand.SetTool(centre))
               .thenAcceptAsync(reply -> tcpReason = settled(reply, tcp), executor);
     }
   }
@@ -162,7 +163,8 @@ final class ToolPresenter {
       double[] v = payload.values();
       var _ =
           submit
-              .apply(new Command.DeclarePayload(v[0], new Vector3(v[1], v[2], v[3]), inertia()))
+              .apply(
+                  new ManualCommand.DeclarePayload(v[0], new Vector3(v[1], v[2], v[3]), inertia()))
               .thenAcceptAsync(reply -> payloadReason = settled(reply, payload), executor);
     }
   }
@@ -175,11 +177,11 @@ final class ToolPresenter {
 
   /** What was typed is shown until the controller has it; returns why it does not take it. */
   private static String settled(Reply reply, Draft draft) {
-    if (reply instanceof Reply.Refused refused) {
-      return refused.reason();
+    Optional<String> refusal = reply.complaint();
+    if (refusal.isEmpty()) {
+      draft.reset();
     }
-    draft.reset();
-    return "";
+    return refusal.orElse("");
   }
 
   void resetTcp() {

@@ -2,12 +2,14 @@ package org.pendant.desktop.plot;
 
 import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.DebugCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.FrameListener;
 import org.pendant.script.variables.VariablePath;
@@ -58,12 +60,13 @@ final class VariableTrace implements FrameListener {
     List<VariablePath> paths = wanted.stream().map(VariablePath::of).toList();
     var _ =
         submit
-            .apply(new Command.TraceVariables(OWNER, paths))
+            .apply(new DebugCommand.TraceVariables(OWNER, paths))
             .thenAccept(
                 reply -> {
-                  if (reply instanceof Reply.Refused why) {
+                  Optional<String> why = reply.complaint();
+                  if (why.isPresent()) {
                     full = true;
-                    display.execute(() -> refused.accept(why.reason()));
+                    display.execute(() -> refused.accept(why.get()));
                   }
                 });
   }

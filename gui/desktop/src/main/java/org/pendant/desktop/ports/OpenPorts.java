@@ -4,8 +4,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
-import org.pendant.controller.Command;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.message.MessageCommand;
 import org.pendant.desktop.session.Session;
 import org.pendant.protocols.BoxPorts;
 import org.pendant.protocols.egress.AllowedHosts;
@@ -46,7 +47,7 @@ final class OpenPorts implements AutoCloseable {
         new PeerLog(
             (level, text) -> {
               // a line that finds no place among the commands of a frame is lost
-              var _ = session.submit(new Command.WriteLog(level, text));
+              var _ = session.submit(new MessageCommand.WriteLog(level, text));
             });
     StateBroadcaster frames = new StateBroadcaster(session.controller().feed(), log);
     ServerContext serverContext = new ServerContext(session.controller(), frames, log, remote);
@@ -59,7 +60,7 @@ final class OpenPorts implements AutoCloseable {
                 logs,
                 new Drivers(AllowedHosts.ANY, Optional.empty())));
     BoxPorts box = BoxPorts.open(serverContext, numbers, remotePendant, session.toolSerial());
-    var _ = session.submit(new Command.SetProgramsFolder(programs));
+    var _ = session.submit(new ProgramCommand.SetProgramsFolder(programs));
     AtomicBoolean told = new AtomicBoolean();
     frames.add(
         state -> {

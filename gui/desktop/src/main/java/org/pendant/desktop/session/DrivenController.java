@@ -2,13 +2,14 @@ package org.pendant.desktop.session;
 
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.Pace;
-import org.pendant.controller.Reply;
 import org.pendant.controller.SteerableClock;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.fault.Faults;
 import org.pendant.protocols.toolserial.ToolSerialLine;
@@ -74,13 +75,15 @@ final class DrivenController implements AutoCloseable {
 
   CompletableFuture<Reply> submit(Command command) {
     CompletableFuture<Reply> reply = controller.submit(command);
-    clock.commandArrived();
     // What was left too late for the last frame gets its answer here.
     if (closed) {
-      reply.complete(new Reply.Refused("the controller is switched off"));
+      reply.complete(
+          new Reply.Refused(Refusal.Code.SWITCHED_OFF, "the controller is switched off"));
     } else if (loop.failure().isPresent()) {
       reply.complete(
-          new Reply.Refused("the controller has failed: " + loop.failure().get().getMessage()));
+          new Reply.Refused(
+              Refusal.Code.SWITCHED_OFF,
+              "the controller has failed: " + loop.failure().get().getMessage()));
     }
     return reply;
   }
@@ -91,7 +94,7 @@ final class DrivenController implements AutoCloseable {
     loop.close();
     closed = true;
     if (loop.failure().isEmpty()) {
-      controller.advance();
+      controller.applyCommands();
     }
     on.close();
   }

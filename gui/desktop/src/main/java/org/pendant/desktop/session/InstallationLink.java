@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.InstallationCommand;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.installation.StartEdge;
@@ -79,14 +79,15 @@ public final class InstallationLink implements FrameListener, SwitchListener {
     sent = Optional.of(wanted);
     var _ =
         session
-            .submit(new Command.ApplyInstallation(wanted))
+            .submit(new InstallationCommand.ApplyInstallation(wanted))
             .thenAccept(reply -> dispatch.execute(() -> answered(wanted, reply)));
   }
 
   private void answered(Installation wanted, Reply reply) {
-    if (reply instanceof Reply.Refused refused && wanted.equals(active.current())) {
-      tell.accept("The controller is not set up anew yet: " + refused.reason());
-      active.setWaiting(refused.reason());
+    Optional<String> refusal = reply.complaint();
+    if (refusal.isPresent() && wanted.equals(active.current())) {
+      tell.accept("The controller is not set up anew yet: " + refusal.get());
+      active.setWaiting(refusal.get());
       waiting = true;
     }
   }

@@ -1,20 +1,31 @@
 package org.pendant.desktop.session;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
-import org.pendant.controller.Reply;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Supplier;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.script.vm.ProgramEvent;
 
 /** Tells the programs that the session has started from those that others have sent. */
 final class ProgramOrigin implements FrameListener {
+  private static final Reply NOT_YET = new Reply.Busy("not answered yet");
+
   /** Starts that can be gone back to. */
   private static final int MAX_STARTS = 10_000;
 
-  /** Set and cleared by the frame loop only: a reply comes in the frame that starts the program. */
-  private boolean expected;
+  private final ReentrantLock lock = new ReentrantLock();
+
+  /**
+   * What the session has asked for and no frame has shown yet, oldest first; guarded by {@code
+   * lock}. A reply is there before the frame that starts its program is seen.
+   */
+  private final List<CompletableFuture<Reply>> asked = new ArrayList<>();
 
   /** The newest starts, for going back; used by whoever drives the frames. */
   private final Deque<Start> starts = new ArrayDeque<>();
@@ -25,16 +36,43 @@ final class ProgramOrigin implements FrameListener {
   /** A program started in a frame. */
   private record Start(long frame, boolean stranger) {}
 
-  /** The program that {@code asked} starts is the session's own. */
-  CompletableFuture<Reply> expect(CompletableFuture<Reply> asked) {
-    return asked.whenComplete((reply, fault) -> expected |= reply instanceof Reply.Done);
+  /**
+   * The program that {@code start} asks for is the session's own. It is expected before a frame can
+   * show it, however soon that comes.
+   *
+   * @param start must not wait
+   */
+  CompletableFuture<Reply> expect(Supplier<CompletableFuture<Reply>> start) {
+    lock.lock();
+    try {
+      asked.removeIf(each -> each.isDone() && !started(each));
+      CompletableFuture<Reply> reply = start.get();
+      asked.add(reply);
+      return reply;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private static boolean started(CompletableFuture<Reply> reply) {
+    return reply.getNow(NOT_YET) instanceof Reply.Done;
+  }
+
+  /** Whether the program that has just started is the session's own. */
+  private boolean own() {
+    lock.lock();
+    try {
+      return asked.removeIf(ProgramOrigin::started);
+    } finally {
+      lock.unlock();
+    }
   }
 
   @Override
   public void frame(ControllerState state) {
     for (ProgramEvent each : state.newProgramEvents()) {
       if (each instanceof ProgramEvent.Started) {
-        strangerLast = !expected;
+        strangerLast = !own();
         starts.addLast(new Start(state.frame(), strangerLast));
         if (starts.size() > MAX_STARTS) {
           starts.removeFirst();
@@ -42,7 +80,6 @@ final class ProgramOrigin implements FrameListener {
         if (strangerLast) {
           strangers.incrementAndGet();
         }
-        expected = false;
       }
     }
   }
@@ -55,7 +92,12 @@ final class ProgramOrigin implements FrameListener {
     while (!starts.isEmpty() && starts.getLast().frame() > frame) {
       starts.removeLast();
     }
-    expected = false;
+    lock.lock();
+    try {
+      asked.clear();
+    } finally {
+      lock.unlock();
+    }
     strangerLast = !starts.isEmpty() && starts.getLast().stranger();
   }
 

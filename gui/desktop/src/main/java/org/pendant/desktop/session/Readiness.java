@@ -1,7 +1,8 @@
 package org.pendant.desktop.session;
 
 import java.util.Optional;
-import org.pendant.controller.Command;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
@@ -55,7 +56,7 @@ public record Readiness(
               Light.STOPPED,
               text,
               "Restart safety",
-              Optional.of(new Command.RestartSafety()),
+              Optional.of(new SafetyCommand.RestartSafety()),
               "Starts the safety functions again; the arm is without power then");
       default ->
           new Readiness(
@@ -81,7 +82,7 @@ public record Readiness(
         Light.STOPPED,
         text,
         "Unlock",
-        Optional.of(new Command.UnlockProtectiveStop(false)),
+        Optional.of(new SafetyCommand.UnlockProtectiveStop(false)),
         "Ends the protective stop; a program stays paused");
   }
 
@@ -100,21 +101,21 @@ public record Readiness(
                   Light.READY,
                   "Ready",
                   "Switch off",
-                  Optional.of(new Command.PowerOff()),
+                  Optional.of(new SafetyCommand.PowerOff()),
                   "Cuts the arm's power; a program ends");
       case POWER_OFF, IDLE ->
           new Readiness(
               Light.OFF,
               text,
               "Switch on",
-              Optional.of(new Command.ReleaseBrakes()),
+              Optional.of(new SafetyCommand.ReleaseBrakes()),
               "Powers the arm on and releases its brakes");
       case BACKDRIVE ->
           new Readiness(
               Light.WAITING,
               text,
               "End backdrive",
-              Optional.of(new Command.EndBackdrive()),
+              Optional.of(new SafetyCommand.EndBackdrive()),
               "Closes the brakes again");
       case NO_CONTROLLER, DISCONNECTED, CONFIRM_SAFETY, BOOTING, POWER_ON, UPDATING_FIRMWARE ->
           new Readiness(Light.WAITING, text, "", Optional.empty(), "The arm is being switched on");

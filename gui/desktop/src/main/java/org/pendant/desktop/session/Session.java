@@ -5,13 +5,15 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.WallClock.Lateness;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.fault.Faults;
 import org.pendant.language.source.Source;
@@ -79,7 +81,7 @@ public final class Session implements AutoCloseable {
     return driven.ring().recording();
   }
 
-  /** Leaves a command for the next frame; there is one for it even while robot time is paused. */
+  /** Leaves a command for the next frame; while robot time is paused it is carried out at once. */
   public CompletableFuture<Reply> submit(Command command) {
     return driven.submit(command);
   }
@@ -95,8 +97,8 @@ public final class Session implements AutoCloseable {
   public CompletableFuture<Reply> run(Program program) {
     Optional<ProgramsFolder> folder = Optional.of(ProgramsFolder.of(program.source().name()));
     return program.secondary()
-        ? submit(new Command.RunSecondary(program, folder))
-        : origin.expect(submit(new Command.StartProgram(program, folder)));
+        ? submit(new ProgramCommand.RunSecondary(program, folder))
+        : origin.expect(() -> submit(new ProgramCommand.StartProgram(program, folder)));
   }
 
   /** How many programs have started that {@link #run} did not start: others have sent them. */
@@ -111,17 +113,17 @@ public final class Session implements AutoCloseable {
 
   /** Pauses the program. */
   public CompletableFuture<Reply> pause() {
-    return submit(new Command.PauseProgram());
+    return submit(new ProgramCommand.PauseProgram());
   }
 
   /** Goes on with a paused program. */
   public CompletableFuture<Reply> resume() {
-    return submit(new Command.ResumeProgram());
+    return submit(new ProgramCommand.ResumeProgram());
   }
 
   /** Ends the program. */
   public CompletableFuture<Reply> stop() {
-    return submit(new Command.StopProgram());
+    return submit(new ProgramCommand.StopProgram());
   }
 
   /** How robot time goes by. */
@@ -194,7 +196,7 @@ public final class Session implements AutoCloseable {
     driven = new DrivenController(next, pace, listeners);
     // clients that had taken signals are gone with the ports; a new controller knows of none
     for (String owner : next.journal().owners()) {
-      var _ = driven.submit(new Command.ReleaseSignals(owner));
+      var _ = driven.submit(new IoCommand.ReleaseSignals(owner));
     }
     switchListeners.forEach(each -> Faults.guard(each::switchedOn));
   }

@@ -2,8 +2,11 @@ package org.pendant.desktop.shell;
 
 import java.util.Optional;
 import java.util.function.Function;
-import org.pendant.controller.Command;
 import org.pendant.controller.Pace;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.desktop.session.ProgramControls;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.Readiness;
@@ -37,7 +40,7 @@ final class ProgramActions {
         "Pause program",
         "F6",
         ProgramControls::whyNoPause,
-        () -> runner.send(new Command.PauseProgram()));
+        () -> runner.send(new ProgramCommand.PauseProgram()));
     add(
         "program.stop",
         "Stop program",
@@ -86,7 +89,7 @@ final class ProgramActions {
             "Switch the arm off",
             "",
             () -> remedy().filter(ProgramActions::powersOff).isPresent(),
-            () -> runner.send(new Command.PowerOff())));
+            () -> runner.send(new SafetyCommand.PowerOff())));
     actions.add(
         Action.of("clock.pause", "Pause or continue robot time", "control F6", this::pauseTime));
     actions.add(
@@ -138,7 +141,7 @@ final class ProgramActions {
   }
 
   private void sendSpeed(int percent) {
-    runner.send(new Command.SetSpeedFraction(percent / 100.0));
+    runner.send(new BoxCommand.SetSpeedFraction(percent / 100.0));
   }
 
   private Optional<Command> remedy() {
@@ -146,7 +149,7 @@ final class ProgramActions {
   }
 
   private static boolean powersOff(Command command) {
-    return command instanceof Command.PowerOff;
+    return command instanceof SafetyCommand.PowerOff;
   }
 
   private void pauseTime() {

@@ -6,8 +6,10 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.DebugCommand;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.desktop.debug.RunPlan;
 import org.pendant.desktop.debug.RunScript;
 import org.pendant.desktop.session.ProgramDocument;
@@ -117,14 +119,14 @@ final class ProgramRunner {
       asked.get().cancel();
       stopped = true;
     } else {
-      send(new Command.StopProgram());
+      send(new ProgramCommand.StopProgram());
     }
   }
 
   /** Goes on with a held or paused program, or starts the current one as it stands. */
   void runOrResume() {
     if (session.state().debug().held()) {
-      send(new Command.Debug(Debugger::resume));
+      send(new DebugCommand.Debug(Debugger::resume));
       return;
     }
     if (session.state().program().state() == ProgramState.PAUSED) {
@@ -152,11 +154,11 @@ final class ProgramRunner {
     Optional<DebugState.Stop> stop = session.state().debug().stop();
     if (stop.isPresent()) {
       int thread = stop.get().thread();
-      send(new Command.Debug(debugger -> debugger.stepOver(thread)));
+      send(new DebugCommand.Debug(debugger -> debugger.stepOver(thread)));
     } else if (session.state().program().state() == ProgramState.STOPPED) {
-      load(0, () -> send(new Command.Debug(Debugger::pause)));
+      load(0, () -> send(new DebugCommand.Debug(Debugger::pause)));
     } else {
-      send(new Command.Debug(Debugger::pause));
+      send(new DebugCommand.Debug(Debugger::pause));
     }
   }
 
@@ -174,7 +176,7 @@ final class ProgramRunner {
     asked =
         plan.waitingNodes() == 0
             ? Optional.empty()
-            : Optional.of(drivers.ask(plan.installation(), plan.waitingNodes()));
+            : Optional.of(drivers.request(plan.installation(), plan.waitingNodes()).begin());
     Optional<ScriptRequest> request = asked;
     Background.run(
         () -> compiled(plan, request),
@@ -247,11 +249,10 @@ final class ProgramRunner {
     var _ =
         asked.thenAccept(
             reply -> {
-              if (reply instanceof Reply.Refused refused) {
-                EventQueue.invokeLater(() -> tell.accept("Refused: " + refused.reason()));
-              } else if (reply instanceof Reply.Failed failed) {
-                EventQueue.invokeLater(() -> tell.accept("Failed: " + failed.reason()));
-              }
+              String what = reply instanceof Reply.Failed ? "Failed: " : "Refused: ";
+              reply
+                  .complaint()
+                  .ifPresent(why -> EventQueue.invokeLater(() -> tell.accept(what + why)));
             });
   }
 

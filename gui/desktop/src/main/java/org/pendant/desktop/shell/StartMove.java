@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.move.JogHold;
@@ -96,8 +96,9 @@ final class StartMove implements StartArm {
   }
 
   private void answered(Move begun, Reply reply) {
-    if (reply instanceof Reply.Refused refused) {
-      end(begun, "Refused: " + ByteText.decoded(refused.reason()));
+    Optional<String> refusal = reply.complaint();
+    if (refusal.isPresent()) {
+      end(begun, "Refused: " + ByteText.decoded(refusal.get()));
     } else {
       begun.begunFrame = session.state().frame();
     }
@@ -139,7 +140,7 @@ final class StartMove implements StartArm {
     boolean begun = move.filter(each -> each.begunFrame >= 0).isPresent();
     move = Optional.empty();
     if (begun) {
-      var _ = session.submit(new Command.StopProgram());
+      var _ = session.submit(new ProgramCommand.StopProgram());
     }
   }
 

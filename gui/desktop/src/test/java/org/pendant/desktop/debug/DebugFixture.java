@@ -4,10 +4,11 @@ import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.concurrent.CompletableFuture;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.ProgramDocument;
@@ -52,7 +53,8 @@ final class DebugFixture {
     debug.breakpoints().beforeRun(document);
     var _ =
         submit(
-            new Command.StartProgram(controller.load(document.source()).program().orElseThrow()));
+            new ProgramCommand.StartProgram(
+                controller.load(document.source()).program().orElseThrow()));
     advance();
   }
 
@@ -66,14 +68,17 @@ final class DebugFixture {
   void start(RunScript script) {
     debug.breakpoints().beforeRun(document, script);
     var _ =
-        submit(new Command.StartProgram(controller.load(script.source()).program().orElseThrow()));
+        submit(
+            new ProgramCommand.StartProgram(
+                controller.load(script.source()).program().orElseThrow()));
   }
 
   /** Others start a program of their own, which runs until it is held or has ended. */
   void runStranger(String... lines) {
     debug.breakpoints().strangerStarted();
     Source source = Source.of("stranger", String.join("\n", lines) + "\n");
-    var _ = submit(new Command.StartProgram(controller.load(source).program().orElseThrow()));
+    var _ =
+        submit(new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
     advance();
   }
 

@@ -8,8 +8,8 @@ import javax.swing.BorderFactory;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.Timer;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
@@ -92,7 +92,7 @@ public final class DebugPreview {
     debug.breakpoints().change(Breakpoint.at(17).disabled());
     List.of("count * 2", "parts.name", "missing + 1").forEach(debug::addWatch);
     debug.breakpoints().beforeRun(document);
-    var _ = session.submit(new Command.StartProgram(program));
+    var _ = session.submit(new ProgramCommand.StartProgram(program));
     Timer later =
         new Timer(
             1500,

@@ -10,10 +10,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.kit.settings.Settings;
 import org.pendant.language.source.Source;
 
@@ -51,7 +52,8 @@ final class LiveVariablesTest {
 
   private void start(String... lines) {
     Source source = Source.of("test.script", String.join("\n", lines) + "\n");
-    var _ = submit(new Command.StartProgram(controller.load(source).program().orElseThrow()));
+    var _ =
+        submit(new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
     variables.refresh(controller.state(), false);
   }
 
@@ -180,7 +182,7 @@ final class LiveVariablesTest {
     variables.toggleFavourite(row("i"));
     assertEquals(List.of("Global", "i = 1", "list = [1, 1, 3]", "still = 7"), rows());
     assertTrue(row("i").favourite());
-    var _ = submit(new Command.StopProgram());
+    var _ = submit(new ProgramCommand.StopProgram());
     start("def another():", "  still = 7", "  i = 0", "  sleep(9)", "end");
     assertEquals(List.of("Global", "still = 7", "i = 0"), rows());
     assertEquals("list\ni", remembered.get("variables.favourites.counting"));
@@ -207,7 +209,7 @@ final class LiveVariablesTest {
   @Test
   void valuesOfAnotherRunAreNoChanges() {
     start("def program():", "  a = 1", "  sleep(9)", "end");
-    var _ = submit(new Command.StopProgram());
+    var _ = submit(new ProgramCommand.StopProgram());
     start("def program():", "  a = 2", "  sleep(9)", "end");
     assertEquals(List.of("Global", "a = 2"), rows());
   }

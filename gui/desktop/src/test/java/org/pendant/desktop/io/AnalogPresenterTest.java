@@ -9,11 +9,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.language.source.Source;
 import org.pendant.script.vm.Program;
 
@@ -34,7 +35,7 @@ final class AnalogPresenterTest {
 
   private void start(String text) {
     Program program = controller.load(Source.of("test.script", text)).program().orElseThrow();
-    CompletableFuture<?> started = controller.submit(new Command.StartProgram(program));
+    CompletableFuture<?> started = controller.submit(new ProgramCommand.StartProgram(program));
     frame();
     assertTrue(started.isDone());
   }
@@ -110,7 +111,7 @@ final class AnalogPresenterTest {
 
   @Test
   void aRefusedInputIsNotForced() {
-    var _ = controller.submit(new Command.ClaimSignal("PLC", "tool_analog_in[1]"));
+    var _ = controller.submit(new IoCommand.ClaimSignal("PLC", "tool_analog_in[1]"));
     frame();
     input.set("5");
     frame();

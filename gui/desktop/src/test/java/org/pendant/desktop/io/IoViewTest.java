@@ -22,8 +22,9 @@ import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.box.BoxCommand;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.Session;
 import org.pendant.language.source.Source;
@@ -71,7 +72,7 @@ final class IoViewTest {
 
   /** Waits for the frames that carry out what was asked, and shows what they made of it. */
   private void settle(IoView view) {
-    session.submit(new Command.SetSpeedFraction(1)).join();
+    session.submit(new BoxCommand.SetSpeedFraction(1)).join();
     view.refresh(session.state());
   }
 
@@ -173,7 +174,7 @@ final class IoViewTest {
           settle(view);
           assertFalse(output.isEnabled());
           assertTrue(output.isSelected());
-          session.submit(new Command.StopProgram()).join();
+          session.submit(new ProgramCommand.StopProgram()).join();
         });
   }
 }

@@ -12,9 +12,9 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.kit.settings.Settings;
@@ -57,7 +57,7 @@ final class MemoryListTest {
 
   private void start(String text) {
     Program program = controller.load(Source.of("test.script", text)).program().orElseThrow();
-    var _ = controller.submit(new Command.StartProgram(program));
+    var _ = controller.submit(new ProgramCommand.StartProgram(program));
     frame();
   }
 

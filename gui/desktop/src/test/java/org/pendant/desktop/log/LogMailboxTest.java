@@ -7,9 +7,9 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.language.source.Source;
 import org.pendant.script.vm.ProgramState;
 
@@ -30,7 +30,7 @@ final class LogMailboxTest {
     Source source = Source.of("three.script", THREE_MESSAGES);
     var _ =
         controller.submit(
-            new Command.StartProgram(controller.load(source).program().orElseThrow()));
+            new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
     controller.advance();
     return controller;
   }

@@ -6,10 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
+import org.pendant.controller.ManualCommand;
 import org.pendant.controller.Pace;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.world.Vector3;
+import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
@@ -83,7 +85,8 @@ final class ArmPullTest {
     pull.end();
     refresh(10);
     assertTrue(fixture.state().freedrive().active(), "it is the program's");
-    assertTrue(fixture.sent.stream().noneMatch(each -> each instanceof Command.StartFreedrive));
+    assertTrue(
+        fixture.sent.stream().noneMatch(each -> each instanceof ManualCommand.StartFreedrive));
   }
 
   @Test
@@ -101,7 +104,7 @@ final class ArmPullTest {
 
   @Test
   void aRefusalIsToldAndEndsTheDrag() {
-    fixture.done(new Command.AttachLoad(Optional.of(Payload.of(2, 0, 0, 0.05))));
+    fixture.done(new WorldCommand.AttachLoad(Optional.of(Payload.of(2, 0, 0, 0.05))));
     fixture.frames(1000);
     refresh(1);
     pull.begin(5, ORIGIN, beside(tcp(), 0.2));
@@ -112,7 +115,9 @@ final class ArmPullTest {
   }
 
   private long starts() {
-    return fixture.sent.stream().filter(each -> each instanceof Command.StartFreedrive).count();
+    return fixture.sent.stream()
+        .filter(each -> each instanceof ManualCommand.StartFreedrive)
+        .count();
   }
 
   @Test
@@ -120,7 +125,7 @@ final class ArmPullTest {
     refresh(1);
     pull.begin(5, ORIGIN, beside(tcp(), 0.2));
     refresh(5);
-    fixture.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    fixture.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     refresh(5);
     assertTrue(pull.newReason().orElseThrow().contains("safeguard"));
     Joints rests = fixture.state().arm().actualPositionRad();

@@ -6,10 +6,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 
@@ -45,7 +46,7 @@ final class FreedriveFixture {
   void run(String line) {
     String text = "def p():\n  " + line + "\n  sleep(1000)\nend\n";
     done(
-        new Command.StartProgram(
+        new ProgramCommand.StartProgram(
             controller
                 .load(Source.of("p.script", text.getBytes(StandardCharsets.ISO_8859_1)))
                 .program()

@@ -5,9 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
+import org.pendant.controller.ManualCommand;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.models.pose.Pose;
 
@@ -16,7 +17,7 @@ final class FreedrivePresenterTest {
   private final FreedriveFixture fixture = new FreedriveFixture();
   private final FreedrivePresenter presenter =
       new FreedrivePresenter(
-          new RepeatedCommand(fixture::submit, Runnable::run, new Command.EndFreedrive()));
+          new RepeatedCommand(fixture::submit, Runnable::run, new ManualCommand.EndFreedrive()));
 
   private void refresh(int times) {
     for (int i = 0; i < times; i++) {
@@ -87,11 +88,11 @@ final class FreedrivePresenterTest {
     refresh(1);
     presenter.begin();
     refresh(2);
-    fixture.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    fixture.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     refresh(3);
     assertFalse(presenter.on());
     assertTrue(presenter.reason().contains("safeguard"), presenter.reason());
-    fixture.done(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
+    fixture.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
     refresh(3);
     assertFalse(guided(), "nobody has switched it on again");
     presenter.begin();

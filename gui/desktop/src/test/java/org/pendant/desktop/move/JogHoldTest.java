@@ -7,16 +7,18 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ManualCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.jog.JogMove;
 
 /** What a held button sends, and when it stops. */
 final class JogHoldTest {
   private static final JogMove UP = new JogMove.TurnJoint(0, 1);
   private static final JogMove DOWN = new JogMove.TurnJoint(0, -1);
-  private static final Command JOG_UP = new Command.Jog(UP, 0.5);
-  private static final Command STOP = new Command.StopJog();
+  private static final Command JOG_UP = new ManualCommand.Jog(UP, 0.5);
+  private static final Command STOP = new ManualCommand.StopJog();
 
   private final List<Command> sent = new ArrayList<>();
   private final List<CompletableFuture<Reply>> replies = new ArrayList<>();
@@ -67,7 +69,7 @@ final class JogHoldTest {
   @Test
   void afterARefusalNothingIsRepeatedUntilTheNextPress() {
     hold.press(UP, 0.5);
-    answer(new Reply.Refused("joint 0 is at the end of its range"));
+    answer(new Reply.Refused(Refusal.Code.ARM_RANGE, "joint 0 is at the end of its range"));
     hold.repeat();
     hold.press(UP, 0.5);
     assertEquals(List.of(JOG_UP), sent);
@@ -76,7 +78,7 @@ final class JogHoldTest {
     assertEquals("joint 0 is at the end of its range", hold.reason(), "to be read in peace");
     hold.press(DOWN, 0.5);
     assertEquals("", hold.reason());
-    assertEquals(List.of(JOG_UP, STOP, new Command.Jog(DOWN, 0.5)), sent);
+    assertEquals(List.of(JOG_UP, STOP, new ManualCommand.Jog(DOWN, 0.5)), sent);
   }
 
   @Test
@@ -84,7 +86,7 @@ final class JogHoldTest {
     hold.press(UP, 0.5);
     hold.press(DOWN, 0.5);
     assertEquals(Optional.of(DOWN), hold.held());
-    assertEquals(List.of(JOG_UP, STOP, new Command.Jog(DOWN, 0.5)), sent);
+    assertEquals(List.of(JOG_UP, STOP, new ManualCommand.Jog(DOWN, 0.5)), sent);
   }
 
   @Test
@@ -92,7 +94,7 @@ final class JogHoldTest {
     hold.press(UP, 0.5);
     CompletableFuture<Reply> old = replies.getFirst();
     hold.press(DOWN, 0.5);
-    old.complete(new Reply.Refused("too late"));
+    old.complete(new Reply.Refused(Refusal.Code.INVALID, "too late"));
     assertEquals("", hold.reason());
   }
 

@@ -11,14 +11,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ManualCommand;
 import org.pendant.controller.Pace;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.box.BoxSetup;
+import org.pendant.controller.command.Command;
 import org.pendant.controller.jog.JogDirection;
 import org.pendant.controller.jog.JogFrame;
 import org.pendant.controller.jog.JogMove;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.kit.settings.Settings;
@@ -108,7 +112,8 @@ final class MovePresenterTest {
     presenter.jog().setSpeedFraction(0.2);
     JogDirection up = JogDirection.along(0, 0, 1);
     presenter.jog().move(up);
-    assertEquals(new Command.Jog(new JogMove.MoveTool(up, JogFrame.TOOL), 0.2), sent.getLast());
+    assertEquals(
+        new ManualCommand.Jog(new JogMove.MoveTool(up, JogFrame.TOOL), 0.2), sent.getLast());
   }
 
   @Test
@@ -129,7 +134,7 @@ final class MovePresenterTest {
   void aRunningProgramIsOfferedToBeStopped() {
     var _ =
         controller.submit(
-            new Command.StartProgram(
+            new ProgramCommand.StartProgram(
                 controller
                     .load(
                         Source.of(
@@ -149,9 +154,9 @@ final class MovePresenterTest {
     refresh(1);
     presenter.jog().turn(0, 1);
     refresh(20);
-    var _ = controller.submit(new Command.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    var _ = controller.submit(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     refresh(2);
-    assertEquals(new Command.StopJog(), sent.getLast());
+    assertEquals(new ManualCommand.StopJog(), sent.getLast());
     assertTrue(obstacle().startsWith("Safeguard stop."), obstacle());
   }
 
@@ -168,7 +173,7 @@ final class MovePresenterTest {
 
   @Test
   void aSliderAtZeroIsTold() {
-    var _ = controller.submit(new Command.SetSpeedFraction(0));
+    var _ = controller.submit(new BoxCommand.SetSpeedFraction(0));
     refresh(1);
     assertEquals("The speed slider is at 0 %, so the arm stands still. Move it up.", obstacle());
   }
@@ -330,7 +335,7 @@ final class MovePresenterTest {
     refresh(60);
     assertEquals(before + 0.005, controller.state().arm().targetTcpInBase().z(), 1e-6);
     assertFalse(controller.state().arm().moving());
-    assertEquals(new Command.StopJog(), sent.getLast());
+    assertEquals(new ManualCommand.StopJog(), sent.getLast());
   }
 
   @Test

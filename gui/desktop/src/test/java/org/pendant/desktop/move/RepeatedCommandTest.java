@@ -8,13 +8,16 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
-import org.pendant.controller.Reply;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Refusal;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.safety.SafetyCommand;
+import org.pendant.controller.world.WorldCommand;
 
 final class RepeatedCommandTest {
-  private static final Command FIRST = new Command.PowerOn();
-  private static final Command SECOND = new Command.PowerOff();
-  private static final Command END = new Command.LetGo();
+  private static final Command FIRST = new SafetyCommand.PowerOn();
+  private static final Command SECOND = new SafetyCommand.PowerOff();
+  private static final Command END = new WorldCommand.LetGo();
 
   private final List<Command> sent = new ArrayList<>();
   private final List<CompletableFuture<Reply>> replies = new ArrayList<>();
@@ -52,7 +55,7 @@ final class RepeatedCommandTest {
   @Test
   void afterARefusalNothingIsRepeatedAndTheReasonStays() {
     repeated.begin(FIRST);
-    answer(new Reply.Refused("no"));
+    answer(new Reply.Refused(Refusal.Code.INVALID, "no"));
     repeated.repeat();
     assertTrue(repeated.refused());
     repeated.release();
@@ -69,7 +72,7 @@ final class RepeatedCommandTest {
     CompletableFuture<Reply> old = replies.getLast();
     repeated.release();
     repeated.begin(SECOND);
-    old.complete(new Reply.Refused("too late"));
+    old.complete(new Reply.Refused(Refusal.Code.INVALID, "too late"));
     assertFalse(repeated.refused());
   }
 

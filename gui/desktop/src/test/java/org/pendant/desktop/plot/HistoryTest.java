@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
+import org.pendant.controller.DebugCommand;
 
 final class HistoryTest {
   private static final Quantity TIME =
@@ -155,7 +155,7 @@ final class HistoryTest {
     history.track(TIME);
     countUp();
     arm.frames(43);
-    var _ = arm.controller().submit(new Command.Debug(debugger -> debugger.pause()));
+    var _ = arm.controller().submit(new DebugCommand.Debug(debugger -> debugger.pause()));
     arm.frames(30);
     assertTrue(arm.controller().state().debug().held());
     history.follow();

@@ -2,9 +2,10 @@ package org.pendant.desktop.plot;
 
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.DebugCommand;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.language.source.Source;
 import org.pendant.script.variables.VariablePath;
 
@@ -17,14 +18,15 @@ final class RecordedArm {
     Source source = Source.of("test.script", program);
     var _ =
         controller.submit(
-            new Command.StartProgram(controller.load(source).program().orElseThrow()));
+            new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
   }
 
   /** Has variables read in every frame. */
   void trace(String... paths) {
     var _ =
         controller.submit(
-            new Command.TraceVariables("test", Stream.of(paths).map(VariablePath::of).toList()));
+            new DebugCommand.TraceVariables(
+                "test", Stream.of(paths).map(VariablePath::of).toList()));
   }
 
   void frames(int count) {

@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.util.function.Function;
 import javax.swing.JFrame;
 import javax.swing.Timer;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.desktop.io.IoView;
 import org.pendant.desktop.io.SignalLabels;
 import org.pendant.desktop.log.LogView;
@@ -38,7 +38,7 @@ public final class Preview {
   private static void start(Session session, Path file) throws IOException {
     Source source = Source.of(file.toString(), Files.readAllBytes(file));
     LoadResult loadResult = session.controller().load(source);
-    var _ = session.submit(new Command.StartProgram(loadResult.program().orElseThrow()));
+    var _ = session.submit(new ProgramCommand.StartProgram(loadResult.program().orElseThrow()));
   }
 
   private static void open(String[] args, Session session) {

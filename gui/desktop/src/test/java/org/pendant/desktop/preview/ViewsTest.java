@@ -24,8 +24,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.box.BoxCommand;
 import org.pendant.desktop.io.IoView;
 import org.pendant.desktop.io.SignalLabels;
 import org.pendant.desktop.log.LogView;
@@ -129,10 +129,10 @@ final class ViewsTest {
     session.run(program).join();
     while (session.state().program().ending().isEmpty()) {
       // a command is answered at the end of a frame
-      session.submit(new Command.SetSpeedFraction(1)).join();
+      session.submit(new BoxCommand.SetSpeedFraction(1)).join();
     }
     // listeners hear of a frame after its replies, and before those of the next one
-    session.submit(new Command.SetSpeedFraction(1)).join();
+    session.submit(new BoxCommand.SetSpeedFraction(1)).join();
   }
 
   @Test
@@ -157,7 +157,7 @@ final class ViewsTest {
         IoView::new,
         view -> {
           find(view.component(), "digital-in-3", AbstractButton.class).doClick(0);
-          session.submit(new Command.SetSpeedFraction(1)).join();
+          session.submit(new BoxCommand.SetSpeedFraction(1)).join();
           assertEquals(8, session.state().io().standardIn());
         });
   }

@@ -14,11 +14,14 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.InstallationCommand;
 import org.pendant.controller.Pace;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.language.source.Source;
 import org.pendant.project.installation.text.InstallationText;
 import org.pendant.script.vm.Program;
@@ -120,7 +123,7 @@ final class InstallationLinkTest {
     on(() -> active.set(installation(TOOL)));
     assertTrue(
         next(told).startsWith("The controller is not set up anew yet: program f runs"), "told");
-    ask(new Command.StopProgram());
+    ask(new ProgramCommand.StopProgram());
     awaitTool("Gripper");
   }
 
@@ -133,7 +136,7 @@ final class InstallationLinkTest {
   @Test
   void whatAClientLoadsIsTakenOver() throws Exception {
     Installation loaded = installation(TOOL);
-    ask(new Command.ApplyInstallation(loaded));
+    ask(new InstallationCommand.ApplyInstallation(loaded));
     assertEquals(loaded, next(changes));
   }
 
@@ -147,7 +150,7 @@ final class InstallationLinkTest {
 
   @Test
   void anEdgeOfTheInputStartsTheProgramInFront() throws Exception {
-    ask(new Command.SetInput("digital_in[0]", true));
+    ask(new IoCommand.SetInput("digital_in[0]", true));
     assertTrue(next(starts));
   }
 }

@@ -6,11 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.safety.RobotMode;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.desktop.session.Readiness.Light;
 import org.pendant.language.source.Source;
@@ -42,7 +44,7 @@ final class ReadinessTest {
 
   private void start(String text) {
     send(
-        new Command.StartProgram(
+        new ProgramCommand.StartProgram(
             controller.load(Source.of("t.script", text)).program().orElseThrow()));
   }
 
@@ -102,7 +104,7 @@ final class ReadinessTest {
     switchOn();
     start("sleep(0.1)\nsleep(5)\n");
     controller.runUntil(() -> controller.state().program().line() == 2, 200);
-    send(new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
+    send(new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
     controller.runUntil(() -> controller.state().safety().stop().isPresent(), 10);
     controller.runUntil(() -> controller.state().program().line() == 0, 1000);
     assertEquals(2, StopCard.of(controller.state()).orElseThrow().line());
@@ -111,7 +113,7 @@ final class ReadinessTest {
   @Test
   void anEmergencyStopLastsUntilItsInputIsReleased() {
     switchOn();
-    send(new Command.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
+    send(new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
     controller.advance();
     assertEquals(Light.STOPPED, readiness().light());
     assertEquals("Robot emergency stop", readiness().text());
@@ -127,7 +129,7 @@ final class ReadinessTest {
     start("sleep(5)\n");
     assertEquals("The program is running", controls().whyNoRun());
     assertTrue(controls().canPause() && controls().canStop());
-    send(new Command.PauseProgram());
+    send(new ProgramCommand.PauseProgram());
     assertTrue(controls().canResume());
     assertFalse(controls().canStart());
     assertEquals("The program is paused: resume it first", controls().whyNoStep());

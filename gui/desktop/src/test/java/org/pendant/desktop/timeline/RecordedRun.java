@@ -1,8 +1,8 @@
 package org.pendant.desktop.timeline;
 
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 import org.pendant.recording.RecordingRing;
@@ -15,7 +15,7 @@ final class RecordedRun {
   RecordedRun start(String text) {
     var _ =
         controller.submit(
-            new Command.StartProgram(
+            new ProgramCommand.StartProgram(
                 controller.load(Source.of("test.script", text)).program().orElseThrow()));
     return this;
   }
@@ -29,7 +29,7 @@ final class RecordedRun {
   }
 
   RecordedRun pause() {
-    var _ = controller.submit(new Command.PauseProgram());
+    var _ = controller.submit(new ProgramCommand.PauseProgram());
     return this;
   }
 

@@ -17,9 +17,10 @@ import static org.pendant.project.program.script.TestTrees.waitFor;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.io.IoCommand;
+import org.pendant.controller.message.MessageCommand;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.PreparedAnswer;
@@ -69,7 +70,7 @@ final class ActionRunTest {
         new TreeRun(program(waitFor(new WaitFor.Digital("digital_in[2]", true)), say("high")));
     run.advanceS(1);
     assertEquals(List.of(), run.said());
-    run.submit(new Command.SetInput("digital_in[2]", true));
+    run.submit(new IoCommand.SetInput("digital_in[2]", true));
     run.finish();
     assertEquals(List.of("high"), run.said());
   }
@@ -159,7 +160,7 @@ final class ActionRunTest {
     assertEquals(TreeRun.bytes("Größe '3'"), shown.text());
     assertEquals(Popup.Severity.WARNING, shown.severity());
     assertTrue(shown.blocking());
-    run.submit(new Command.AnswerPopup(shown.number()));
+    run.submit(new MessageCommand.AnswerPopup(shown.number()));
     run.until("on");
     run.advance(3);
     assertEquals("n=3", run.state().openPopups().getFirst().text());

@@ -7,10 +7,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.installation.ConveyorSetup;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.Installation;
@@ -58,7 +59,7 @@ final class ArmRun {
     controller = new Controller(options.withStart(START));
     LoadResult loadResult = controller.load(Source.of("test.script", script));
     assertEquals(List.of(), TestTrees.unexpected(loadResult), script);
-    done(new Command.StartProgram(loadResult.program().orElseThrow()));
+    done(new ProgramCommand.StartProgram(loadResult.program().orElseThrow()));
   }
 
   ArmRun(ProgramTree tree, ControllerOptions options) {

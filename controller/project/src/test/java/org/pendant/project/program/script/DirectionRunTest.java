@@ -16,11 +16,11 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.MotionStep.Direction;
@@ -174,7 +174,7 @@ final class DirectionRunTest {
     run.advance(250);
     assertTrue(run.moved().z() < -0.03 && run.running());
     double before = run.moved().z();
-    run.done(new Command.SetInput("digital_in[2]", true));
+    run.done(new IoCommand.SetInput("digital_in[2]", true));
     run.finish();
     assertTrue(run.output(1));
     // 0.1 m/s is stopped with 1 m/s² within 5 mm
@@ -277,7 +277,7 @@ final class DirectionRunTest {
                     waypoint(
                         until(new UntilRule.DigitalInput("digital_in[0]", true), say("in"))))));
     run.advance(200);
-    run.done(new Command.SetInput("digital_in[0]", true));
+    run.done(new IoCommand.SetInput("digital_in[0]", true));
     run.finish();
     assertEquals(List.of("in"), run.said());
     assertTrue(run.moved().z() > -0.09, run::toString);

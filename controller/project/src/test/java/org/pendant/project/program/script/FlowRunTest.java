@@ -15,7 +15,7 @@ import static org.pendant.project.program.script.TestTrees.waypoint;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.FlowStep;
 import org.pendant.project.program.LoopRule;
@@ -38,12 +38,12 @@ final class FlowRunTest {
   /** Starts a program with digital input 0 high. */
   private static TreeRun high(ProgramTree tree) {
     TreeRun run = new TreeRun(tree);
-    run.submit(new Command.SetInput("digital_in[0]", true));
+    run.submit(new IoCommand.SetInput("digital_in[0]", true));
     return run;
   }
 
   private static TreeRun low(TreeRun run) {
-    run.submit(new Command.SetInput("digital_in[0]", false));
+    run.submit(new IoCommand.SetInput("digital_in[0]", false));
     return run;
   }
 

@@ -22,7 +22,7 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
+import org.pendant.controller.DebugCommand;
 import org.pendant.controller.installation.Installation;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.ActionStep.TimerAction;
@@ -123,7 +123,7 @@ final class PlacesTest {
     TreeRun run = new TreeRun(EVERYTHING);
     List<Integer> moved = new ArrayList<>();
     run.submit(
-        new Command.Debug(
+        new DebugCommand.Debug(
             debugger -> {
               for (NodeLines place : script.places()) {
                 OptionalInt line = debugger.set(Breakpoint.at(place.first())).statementLine();

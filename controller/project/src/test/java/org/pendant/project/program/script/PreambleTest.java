@@ -13,7 +13,7 @@ import static org.pendant.project.program.script.TestTrees.waitFor;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.Mounting;
 import org.pendant.controller.external.ModbusKind;
@@ -160,7 +160,7 @@ final class PreambleTest {
     assertTrue(run.output(2));
     assertTrue(run.state().signals().outputs().bool(70));
     assertEquals(0, run.state().io().toolOut());
-    run.submit(new Command.StopProgram());
+    run.submit(new ProgramCommand.StopProgram());
     run.advance(5);
     assertFalse(run.output(2));
     assertEquals(1, run.state().io().toolOut());

@@ -15,11 +15,11 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.pendant.controller.Command;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.ConveyorSetup;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.program.ProgramNode;
@@ -160,7 +160,7 @@ final class ProcessRunTest {
     run.advance(2 * FRAMES_PER_S);
     assertTrue(run.output(3));
     assertTrue(run.moved().z() < -0.02, run::toString);
-    run.done(new Command.SetInput("digital_in[1]", true));
+    run.done(new IoCommand.SetInput("digital_in[1]", true));
     run.until("done");
     assertFalse(run.output(3));
     run.finish();
@@ -200,7 +200,7 @@ final class ProcessRunTest {
                     say("never"))),
             ControllerOptions.headless());
     run.until("running");
-    run.done(new Command.SetInput("digital_in[1]", true));
+    run.done(new IoCommand.SetInput("digital_in[1]", true));
     run.finish();
     assertEquals(List.of("running"), run.said());
   }

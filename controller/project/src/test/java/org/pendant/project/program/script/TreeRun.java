@@ -7,11 +7,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.ArmChoice;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
@@ -49,7 +50,7 @@ final class TreeRun {
     assertEquals(List.of(), TestTrees.unexpected(loadResult), script::text);
     startS = state().timeS();
     program = loadResult.program().orElseThrow();
-    submit(new Command.StartProgram(program));
+    submit(new ProgramCommand.StartProgram(program));
   }
 
   /** Runs a tree to its end. */

@@ -11,8 +11,9 @@ import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JRadioButtonMenuItem;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.controller.Command;
 import org.pendant.controller.Pace;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ProgramControls;
 import org.pendant.desktop.session.Session;
@@ -64,7 +65,8 @@ public final class Footer extends JPanel {
     setName("footer");
     readiness = new ReadinessBar(session.state(), send);
     speed =
-        new SpeedSlider(percent -> session.submit(new Command.SetSpeedFraction(percent / 100.0)));
+        new SpeedSlider(
+            percent -> session.submit(new BoxCommand.SetSpeedFraction(percent / 100.0)));
     setUpPace();
     frameStep = new ActionButton(actions, "clock.step-frame", "", Glyph.STEP.icon(16));
     run = new ActionButton(actions, "program.run", "Run", Glyph.PLAY.icon(16, Palette.ok()));

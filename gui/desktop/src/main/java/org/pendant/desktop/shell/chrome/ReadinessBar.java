@@ -6,7 +6,7 @@ import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.controller.Command;
+import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.Readiness;
 import org.pendant.kit.icon.Glyph;

@@ -7,7 +7,7 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.controller.Reply;
+import org.pendant.controller.command.Reply;
 
 /** How fast programs move the arm, 0 to 100 %. */
 @SuppressWarnings("serial") // never written to a stream

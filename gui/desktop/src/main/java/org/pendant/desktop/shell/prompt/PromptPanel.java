@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.text.JTextComponent;
-import org.pendant.controller.Command;
+import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;

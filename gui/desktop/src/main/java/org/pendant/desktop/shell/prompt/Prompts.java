@@ -5,8 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import org.pendant.controller.Command;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.command.Command;
 import org.pendant.controller.message.Answer;
+import org.pendant.controller.message.MessageCommand;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.state.ControllerState;
@@ -93,7 +95,7 @@ final class Prompts {
     return command(
         shown
             .filter(each -> each.kind().isEmpty())
-            .map(each -> new Command.AnswerPopup(each.number())));
+            .map(each -> new MessageCommand.AnswerPopup(each.number())));
   }
 
   /** Answers by yes or no. */
@@ -101,7 +103,7 @@ final class Prompts {
     return command(
         shown
             .filter(Prompt::yesOrNo)
-            .map(each -> new Command.AnswerQuestion(each.number(), new Answer.Bool(yes))));
+            .map(each -> new MessageCommand.AnswerQuestion(each.number(), new Answer.Bool(yes))));
   }
 
   /** Ends the program instead of answering. */
@@ -110,8 +112,8 @@ final class Prompts {
         shown.map(
             each ->
                 each.kind().isPresent()
-                    ? new Command.CancelQuestion(each.number())
-                    : new Command.StopProgram()));
+                    ? new MessageCommand.CancelQuestion(each.number())
+                    : new ProgramCommand.StopProgram()));
   }
 
   private Optional<Command> command(Optional<Command> command) {
@@ -132,7 +134,7 @@ final class Prompts {
     try {
       Answer answer = kind.read(ByteText.asBytes(text));
       long number = asked.get().number();
-      return new Entry(command(Optional.of(new Command.AnswerQuestion(number, answer))), "");
+      return new Entry(command(Optional.of(new MessageCommand.AnswerQuestion(number, answer))), "");
     } catch (IllegalArgumentException e) {
       return new Entry(Optional.empty(), "Must be " + kind.expected());
     }

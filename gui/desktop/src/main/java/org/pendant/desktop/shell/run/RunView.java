@@ -16,7 +16,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.controller.Command;
+import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.debug.Favourites;
 import org.pendant.desktop.debug.VariablesView;

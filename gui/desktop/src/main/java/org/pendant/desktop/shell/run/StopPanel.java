@@ -11,7 +11,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.controller.Command;
+import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.Readiness;
 import org.pendant.desktop.session.StopCard;

@@ -7,12 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.Reply;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.ArmChoice;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
 import org.pendant.controller.message.Answer;
+import org.pendant.controller.message.MessageCommand;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.Popup.Severity;
 import org.pendant.language.source.Source;
@@ -27,7 +29,7 @@ final class PromptsTest {
 
   private void start(String... lines) {
     send(
-        new Command.StartProgram(
+        new ProgramCommand.StartProgram(
             controller
                 .load(Source.of("t.script", String.join("\n", lines) + "\n"))
                 .program()
@@ -128,7 +130,8 @@ final class PromptsTest {
     assertEquals(Optional.empty(), prompts.close());
     assertEquals(
         new Prompts.Entry(
-            Optional.of(new Command.AnswerQuestion(shown().number(), new Answer.Whole(12))), ""),
+            Optional.of(new MessageCommand.AnswerQuestion(shown().number(), new Answer.Whole(12))),
+            ""),
         prompts.enter(" 12 "));
   }
 
@@ -150,7 +153,7 @@ final class PromptsTest {
   @Test
   void whatAProgramAskedClosesWithIt() {
     start("request_float_from_primary_client(\"Offset?\")");
-    send(new Command.StopProgram());
+    send(new ProgramCommand.StopProgram());
     assertEquals(Optional.empty(), prompts.shown());
   }
 }

@@ -7,9 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.function.IntUnaryOperator;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.message.Operator;
 import org.pendant.language.source.Source;
@@ -22,7 +22,7 @@ final class RunFactsTest {
   private void start(String text) {
     var _ =
         controller.submit(
-            new Command.StartProgram(
+            new ProgramCommand.StartProgram(
                 controller.load(Source.of("t.script", text)).program().orElseThrow()));
     controller.advance();
   }
@@ -80,7 +80,7 @@ final class RunFactsTest {
     start("popup(\"a\")\nrequest_string_from_primary_client(\"b\")\n");
     runFrames(10);
     assertEquals("A popup and a question open", facts("").waiting());
-    var _ = controller.submit(new Command.StopProgram());
+    var _ = controller.submit(new ProgramCommand.StopProgram());
     start("popup(\"a\")\npopup(\"b\", blocking=True)\n");
     runFrames(10);
     assertEquals("2 popups open", facts("").waiting());

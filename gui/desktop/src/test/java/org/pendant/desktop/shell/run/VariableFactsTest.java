@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.Command;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.language.source.Source;
 import org.pendant.script.variables.VariableSamples;
@@ -19,7 +19,7 @@ final class VariableFactsTest {
     Source source = Source.of("test.script", String.join("\n", lines) + "\n");
     var _ =
         controller.submit(
-            new Command.StartProgram(controller.load(source).program().orElseThrow()));
+            new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
     controller.advance();
     return controller.state().variables();
   }

@@ -1,0 +1,61 @@
+package org.pendant.controller;
+
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.function.BooleanSupplier;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.language.source.Source;
+import org.pendant.script.value.Value;
+
+/** Drive of a robot: the one thread that lets its time pass uses this, and nobody else. */
+public interface Drive {
+  /** The newest snapshot; any thread. */
+  ControllerState state();
+
+  /** Runs one frame in the calling thread; a frame that a debugger holds goes on. */
+  void advance();
+
+  /**
+   * Carries out the commands that have arrived, without a frame: robot time stands, and the newest
+   * snapshot shows what they have done.
+   */
+  void applyCommands();
+
+  /**
+   * Runs frames in the calling thread until a condition holds, looked at after each.
+   *
+   * @param condition usually about {@link #state}
+   * @param maxFrames how many frames to run at most
+   * @return whether the condition came to hold
+   */
+  default boolean runUntil(BooleanSupplier condition, long maxFrames) {
+    for (long i = 0; i < maxFrames; i++) {
+      advance();
+      if (condition.getAsBoolean()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Whether a script thread waits for somebody outside, who lives by the wall clock, or Modbus
+   * devices are asked again and again.
+   */
+  boolean waitsForOutside();
+
+  /** Has {@code journal} told of every command from now on. */
+  void noteCommandsIn(CommandJournal journal);
+
+  /**
+   * Has {@code wake} run whenever a command has arrived, by the thread that brought it; it must be
+   * short.
+   */
+  void wakeBy(Runnable wake);
+
+  /** The text of the running or last program. */
+  Optional<Source> programSource();
+
+  /** Copies of the global variables of the running or last program, by name. */
+  SortedMap<String, Value> globals();
+}

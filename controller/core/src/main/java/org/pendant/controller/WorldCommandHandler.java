@@ -1,0 +1,41 @@
+package org.pendant.controller;
+
+import java.util.Optional;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.command.CommandHandler;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.world.Vector3;
+import org.pendant.controller.world.WorldCommand;
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.pose.Wrench;
+
+/** Handler of what is done to the simulated world. */
+final class WorldCommandHandler implements CommandHandler<WorldCommand> {
+  private final ControlBox box;
+
+  WorldCommandHandler(ControlBox box) {
+    this.box = box;
+  }
+
+  @Override
+  public Class<WorldCommand> family() {
+    return WorldCommand.class;
+  }
+
+  @Override
+  public Reply carryOut(WorldCommand command) {
+    switch (command) {
+      case WorldCommand.PushTool(Wrench wrenchAtTcpInBase) -> box.world().apply(wrenchAtTcpInBase);
+      case WorldCommand.PushLink(int link, Vector3 pointInLinkM, Vector3 forceInBaseN) ->
+          box.world().grip().push(link, pointInLinkM, forceInBaseN);
+      case WorldCommand.PullLink(int link, Vector3 pointInLinkM, Vector3 placeInBaseM) ->
+          box.world().grip().pull(link, pointInLinkM, placeInBaseM);
+      case WorldCommand.LetGo _ -> box.world().grip().letGo();
+      case WorldCommand.AttachLoad(Optional<Payload> load) ->
+          load.ifPresentOrElse(box.flange()::attachLoad, box.flange()::followDeclaredPayload);
+      case WorldCommand.RunEncoder(int index, double ticksPerS) ->
+          box.encoders().get(index).run(ticksPerS);
+    }
+    return Reply.done();
+  }
+}

@@ -1,0 +1,34 @@
+package org.pendant.controller.message;
+
+import org.pendant.controller.command.Command;
+
+/** Command about what is said to people and asked of them: popups, questions, the log. */
+public sealed interface MessageCommand extends Command {
+
+  /** Closes a popup; a program that it paused goes on. */
+  record AnswerPopup(long number) implements MessageCommand {}
+
+  /**
+   * Answers a question of a program. An answer of another kind is refused, and the question stays
+   * open; a whole number answers a question for a number as well.
+   */
+  record AnswerQuestion(long number, Answer answer) implements MessageCommand {}
+
+  /** Refuses to answer a question: the program stops (manual 18.73). */
+  record CancelQuestion(long number) implements MessageCommand {}
+
+  /**
+   * Shows a window that holds up nothing, for somebody outside.
+   *
+   * @param title bytes, one {@code char} a byte
+   * @param text bytes, one {@code char} a byte
+   */
+  record ShowPopup(String title, String text) implements MessageCommand {}
+
+  /**
+   * Writes a line to the log for somebody who speaks to the controller by a protocol.
+   *
+   * @param text bytes, one {@code char} a byte
+   */
+  record WriteLog(LogEntry.Level level, String text) implements MessageCommand {}
+}

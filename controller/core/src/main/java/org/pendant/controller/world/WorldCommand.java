@@ -1,0 +1,58 @@
+package org.pendant.controller.world;
+
+import java.util.Optional;
+import org.pendant.controller.command.Command;
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.pose.Wrench;
+
+/** Command to the simulated world around the arm: what pushes it, hangs on it or passes by. */
+public sealed interface WorldCommand extends Command {
+
+  /**
+   * Pushes the tool until told otherwise.
+   *
+   * @param wrenchAtTcpInBase force and torque at the TCP, along the axes of the base
+   */
+  record PushTool(Wrench wrenchAtTcpInBase) implements WorldCommand {}
+
+  /**
+   * Pushes the arm at a point of one of its links until told otherwise, besides {@link PushTool}. A
+   * hand holds one place only: another push or pull takes the place of it.
+   *
+   * @param link the link that joint {@code link} (0 to 5) moves; 5 is the flange
+   * @param pointInLinkM where, in the Denavit-Hartenberg frame behind that joint, -4 to 4 m each
+   * @param forceInBaseN along the axes of the base, -10,000 to 10,000 N each; all 0 lets go
+   */
+  record PushLink(int link, Vector3 pointInLinkM, Vector3 forceInBaseN) implements WorldCommand {}
+
+  /**
+   * Pulls the arm at a point of one of its links towards a place, with at most {@link
+   * HandGrip#MAX_PULL_N} and half of what the motors can give, as long as this is repeated: at the
+   * latest every {@link HandGrip#DEAD_MAN_S} of robot time. The arm follows in freedrive; otherwise
+   * it resists.
+   *
+   * @param link as in {@link PushLink}
+   * @param pointInLinkM as in {@link PushLink}
+   * @param placeInBaseM in the base frame, -100 to 100 m each
+   */
+  record PullLink(int link, Vector3 pointInLinkM, Vector3 placeInBaseM) implements WorldCommand {}
+
+  /** Ends {@link PushLink} and {@link PullLink}. */
+  record LetGo() implements WorldCommand {}
+
+  /**
+   * Hangs something on the flange, whatever programs declare.
+   *
+   * @param load what it is; empty for what programs declare
+   */
+  record AttachLoad(Optional<Payload> load) implements WorldCommand {}
+
+  /**
+   * Turns an encoder by a simulated belt, without pulses; one that no program has set up counts
+   * from then on.
+   *
+   * @param index 0 or 1
+   * @param ticksPerS -1,000,000 to 1,000,000; 0 for a belt that stands
+   */
+  record RunEncoder(int index, double ticksPerS) implements WorldCommand {}
+}
