@@ -1,12 +1,12 @@
 package org.pendant.controller;
 
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.box.MessageCommand;
 import org.pendant.controller.command.CommandHandler;
 import org.pendant.controller.command.Refusal;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.message.Answer;
 import org.pendant.controller.message.LogEntry.Level;
-import org.pendant.controller.message.MessageCommand;
 import org.pendant.controller.message.Popup;
 import org.pendant.script.vm.Machine;
 

@@ -2,10 +2,10 @@ package org.pendant.controller;
 
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.box.WorldCommand;
 import org.pendant.controller.command.CommandHandler;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.world.Vector3;
-import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import org.pendant.controller.box.WorldCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.freedrive.FreeAxes;
@@ -12,7 +13,6 @@ import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.world.WorldCommand;
+import org.pendant.controller.box.WorldCommand;
 import org.pendant.models.dynamics.Payload;
 
 /** What programs notice of the payload that they declare and of the load that truly hangs there. */

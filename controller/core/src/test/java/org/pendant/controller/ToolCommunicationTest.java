@@ -8,12 +8,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.external.Connectors;
+import org.pendant.controller.external.ToolCommunication;
+import org.pendant.controller.external.ToolCommunication.Parity;
 import org.pendant.controller.external.ToolSerialConnector;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.io.SignalWrite;
-import org.pendant.controller.io.ToolCommunication;
-import org.pendant.controller.io.ToolCommunication.Parity;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.script.vm.ProgramState;
 

@@ -8,9 +8,9 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.pendant.controller.box.WorldCommand;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.world.Material;
-import org.pendant.controller.world.WorldCommand;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
 

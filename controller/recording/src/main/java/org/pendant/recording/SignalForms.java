@@ -1,6 +1,7 @@
 package org.pendant.recording;
 
 import org.pendant.controller.encoder.Encoders;
+import org.pendant.controller.external.ToolCommunication;
 import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.io.AnalogLevels;
 import org.pendant.controller.io.AnalogSignal;
@@ -10,7 +11,6 @@ import org.pendant.controller.io.PortLevels;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.RegisterLevels;
 import org.pendant.controller.io.SignalState;
-import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.io.ToolConnector;
 import org.pendant.controller.io.ToolOutputMode;
 import org.pendant.controller.io.ToolPinMode;

@@ -1,7 +1,7 @@
 package org.pendant.command;
 
 import org.pendant.controller.Controller;
-import org.pendant.controller.message.MessageCommand;
+import org.pendant.controller.box.MessageCommand;
 import org.pendant.protocols.net.PeerLog;
 
 /** The controller's log as servers write it. */

@@ -7,7 +7,7 @@ import static org.pendant.protocols.packet.WireType.INT64;
 import static org.pendant.protocols.packet.WireType.INT8;
 
 import java.nio.ByteOrder;
-import org.pendant.controller.io.ToolCommunication;
+import org.pendant.controller.external.ToolCommunication;
 import org.pendant.controller.quantity.StateQuantities;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.ArmDescription;

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
-import org.pendant.controller.io.ToolCommunication;
+import org.pendant.controller.external.ToolCommunication;
 
 /**
  * The serial device of a line, there or not. One thread works it; {@link #interrupt} is for others.

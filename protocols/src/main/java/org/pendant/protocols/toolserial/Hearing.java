@@ -3,7 +3,7 @@ package org.pendant.protocols.toolserial;
 import java.util.Arrays;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
-import org.pendant.controller.io.ToolCommunication;
+import org.pendant.controller.external.ToolCommunication;
 
 /** Reads what comes from a device, in a thread of its own, cut into messages by silence. */
 final class Hearing {

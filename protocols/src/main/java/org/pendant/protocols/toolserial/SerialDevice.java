@@ -1,7 +1,7 @@
 package org.pendant.protocols.toolserial;
 
 import java.io.IOException;
-import org.pendant.controller.io.ToolCommunication;
+import org.pendant.controller.external.ToolCommunication;
 
 /** An open serial device. */
 interface SerialDevice extends AutoCloseable {

@@ -11,8 +11,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
+import org.pendant.controller.external.ToolCommunication;
 import org.pendant.controller.external.ToolSerialConnector;
-import org.pendant.controller.io.ToolCommunication;
 
 /**
  * The serial line of one tool connector. It is a bus, as RS-485 is: what one on it sends, all

@@ -20,9 +20,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.pendant.controller.external.ToolCommunication;
+import org.pendant.controller.external.ToolCommunication.Parity;
 import org.pendant.controller.external.ToolSerialConnector;
-import org.pendant.controller.io.ToolCommunication;
-import org.pendant.controller.io.ToolCommunication.Parity;
 
 @Timeout(30)
 @Tag("slow")

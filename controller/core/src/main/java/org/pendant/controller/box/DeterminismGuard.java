@@ -9,8 +9,8 @@ import org.pendant.controller.external.ModbusExchange;
 import org.pendant.controller.external.ModbusPoint;
 import org.pendant.controller.external.Pending;
 import org.pendant.controller.external.RpcLink;
+import org.pendant.controller.external.ToolCommunication;
 import org.pendant.controller.external.ToolSerialConnector;
-import org.pendant.controller.io.ToolCommunication;
 import org.pendant.script.value.ScriptError;
 
 /**

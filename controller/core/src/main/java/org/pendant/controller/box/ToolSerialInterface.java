@@ -1,9 +1,9 @@
 package org.pendant.controller.box;
 
 import java.util.List;
+import org.pendant.controller.external.ToolCommunication;
 import org.pendant.controller.external.ToolSerialConnector;
 import org.pendant.controller.io.Signals;
-import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.message.MessageLog;
 
 /** The serial line of the tool connector: the box's side of it. The frame loop owns this. */

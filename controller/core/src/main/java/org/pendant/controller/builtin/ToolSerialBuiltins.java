@@ -2,8 +2,8 @@ package org.pendant.controller.builtin;
 
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.ToolSerialInterface;
+import org.pendant.controller.external.ToolCommunication;
 import org.pendant.controller.external.ToolSerialConnector;
-import org.pendant.controller.io.ToolCommunication;
 import org.pendant.language.signature.Type;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;

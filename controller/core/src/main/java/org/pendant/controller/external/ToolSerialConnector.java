@@ -1,7 +1,6 @@
 package org.pendant.controller.external;
 
 import java.util.List;
-import org.pendant.controller.io.ToolCommunication;
 
 /** Connector of the tool's serial line to a device (manual 18.50). No method waits. */
 public interface ToolSerialConnector {

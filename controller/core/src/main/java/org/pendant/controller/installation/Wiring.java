@@ -1,8 +1,8 @@
 package org.pendant.controller.installation;
 
 import java.util.List;
+import org.pendant.controller.external.ToolCommunication;
 import org.pendant.controller.io.AnalogDomain;
-import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.io.ToolOutputMode;
 import org.pendant.controller.io.ToolPinMode;
 

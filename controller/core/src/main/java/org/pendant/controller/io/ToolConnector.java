@@ -1,5 +1,7 @@
 package org.pendant.controller.io;
 
+import org.pendant.controller.external.ToolCommunication;
+
 /**
  * How the connector at the tool flange is set up (manual 18.50 to 18.53).
  *

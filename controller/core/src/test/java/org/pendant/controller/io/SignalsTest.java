@@ -10,6 +10,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 import org.pendant.controller.command.Refusal;
+import org.pendant.controller.external.ToolCommunication;
 
 class SignalsTest {
   private final Signals signals = new Signals();

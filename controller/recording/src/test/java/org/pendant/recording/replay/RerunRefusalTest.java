@@ -21,10 +21,10 @@ import org.pendant.controller.external.Connectors;
 import org.pendant.controller.external.FakeModbus;
 import org.pendant.controller.external.FakeServer;
 import org.pendant.controller.external.FakeSocket;
+import org.pendant.controller.external.ToolCommunication;
 import org.pendant.controller.external.ToolSerialConnector;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.io.IoCommand;
-import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.Joints;
 

@@ -6,13 +6,13 @@ import java.util.concurrent.Executor;
 import java.util.function.Function;
 import org.pendant.controller.ManualCommand;
 import org.pendant.controller.Pace;
+import org.pendant.controller.box.WorldCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Vector3;
-import org.pendant.controller.world.WorldCommand;
 
 /**
  * The hand that pulls the arm in a picture of it. While freedrive is on, whoever has switched it

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.external.ModbusAddress;
 import org.pendant.controller.external.ModbusExchange;
 import org.pendant.controller.external.ModbusKind;
-import org.pendant.controller.io.ToolCommunication;
+import org.pendant.controller.external.ToolCommunication;
 import org.pendant.controller.modbus.ModbusSignalState;
 
 final class ModbusRowTest {

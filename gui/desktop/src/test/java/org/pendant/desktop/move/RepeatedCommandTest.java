@@ -8,11 +8,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.box.WorldCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Refusal;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.safety.SafetyCommand;
-import org.pendant.controller.world.WorldCommand;
 
 final class RepeatedCommandTest {
   private static final Command FIRST = new SafetyCommand.PowerOn();

@@ -2,6 +2,7 @@ package org.pendant.project.installation.text;
 
 import java.util.List;
 import org.pendant.controller.box.Inertia;
+import org.pendant.controller.external.ToolCommunication;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.ConveyorSetup;
 import org.pendant.controller.installation.Feature;
@@ -15,7 +16,6 @@ import org.pendant.controller.installation.StartUp;
 import org.pendant.controller.installation.Wiring;
 import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
-import org.pendant.controller.io.ToolCommunication;
 import org.pendant.controller.world.Vector3;
 
 /** Writes an installation line by line; {@link InstallationReading} reads the same lines. */

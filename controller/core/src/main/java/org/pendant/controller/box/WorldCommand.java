@@ -1,7 +1,9 @@
-package org.pendant.controller.world;
+package org.pendant.controller.box;
 
 import java.util.Optional;
 import org.pendant.controller.command.Command;
+import org.pendant.controller.world.HandGrip;
+import org.pendant.controller.world.Vector3;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
 

@@ -1,4 +1,4 @@
-package org.pendant.controller.io;
+package org.pendant.controller.external;
 
 import java.util.List;
 

@@ -1,6 +1,8 @@
-package org.pendant.controller.message;
+package org.pendant.controller.box;
 
 import org.pendant.controller.command.Command;
+import org.pendant.controller.message.Answer;
+import org.pendant.controller.message.LogEntry;
 
 /** Command about what is said to people and asked of them: popups, questions, the log. */
 public sealed interface MessageCommand extends Command {
@@ -18,7 +20,7 @@ public sealed interface MessageCommand extends Command {
   record CancelQuestion(long number) implements MessageCommand {}
 
   /**
-   * Shows a window that holds up nothing, for somebody outside.
+   * Shows a window that holds up nothing, for an operator.
    *
    * @param title bytes, one {@code char} a byte
    * @param text bytes, one {@code char} a byte
@@ -26,7 +28,7 @@ public sealed interface MessageCommand extends Command {
   record ShowPopup(String title, String text) implements MessageCommand {}
 
   /**
-   * Writes a line to the log for somebody who speaks to the controller by a protocol.
+   * Writes a line to the log for a client of a protocol.
    *
    * @param text bytes, one {@code char} a byte
    */
