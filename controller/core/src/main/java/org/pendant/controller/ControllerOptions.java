@@ -127,7 +127,7 @@ public final class ControllerOptions {
     return changed(copy -> copy.seed = number);
   }
 
-  /** With somebody else who answers popups and questions. */
+  /** With another source of answers to popups and questions. */
   public ControllerOptions withOperator(Operator person) {
     return changed(copy -> copy.operator = person);
   }

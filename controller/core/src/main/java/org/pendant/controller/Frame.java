@@ -376,7 +376,7 @@ final class Frame {
     }
   }
 
-  /** What a program says on its last line stays to be read, unless somebody has stopped it. */
+  /** What a program says on its last line stays to be read, unless it has been stopped. */
   private void closePopups() {
     switch (machine.ending().orElseThrow()) {
       case Ending.Stopped stopped -> box.popups().closeAll();

@@ -24,7 +24,7 @@ final class FreedriveSession {
   private Optional<Hold> hold = Optional.empty();
   private boolean inputDemands;
 
-  /** What somebody at a screen holds, and why it has ended, if it has. */
+  /** What the operator at a screen holds, and why it has ended, if it has. */
   private static final class Hold {
     final FreedriveMode mode;
     long lastFrame;

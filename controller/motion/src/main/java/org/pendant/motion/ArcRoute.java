@@ -25,7 +25,7 @@ public record ArcRoute(
     Pose tcpInFlange,
     PathLimits pathLimits) {
 
-  /** Sine of the angle at the begin below which three points lie on a line. */
+  /** Sine of the angle at the start below which three points lie on a line. */
   private static final double ON_A_LINE = 1e-7;
 
   /** Points nearer than this are one, m. */

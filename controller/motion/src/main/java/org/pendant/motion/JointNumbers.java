@@ -6,8 +6,8 @@ import org.pendant.models.time.FrameTime;
 
 /**
  * Six numbers of the frame loop, one a joint, that change from frame to frame. Changing them
- * allocates nothing; a value of them that lasts is made when somebody asks for one, and once only
- * as long as they stay as they are.
+ * allocates nothing; a value of them that lasts is made on demand, and once only as long as they
+ * stay as they are.
  */
 final class JointNumbers {
   private static final int N = Joints.COUNT;

@@ -66,7 +66,7 @@ final class JointSpeedCheck {
     return Optional.empty();
   }
 
-  /** The path goes on only where the joint stands a turn farther back. */
+  /** The path goes on only where the joint stands a turn further back. */
   private static MotionFailure rangeEnds(int joint, double atRad) {
     return new MotionFailure(
         MotionFailure.RANGE_ENDS,

@@ -16,7 +16,7 @@ public interface PathLimiter {
   double largestScaling(double[] q, double[] qd);
 
   /**
-   * The same where somebody knows already how the links stand.
+   * The same where the caller knows already how the links stand.
    *
    * @param frames of the links in the base frame at {@code q}, as {@link
    *     org.pendant.models.kinematics.ForwardKinematics#frames} has them

@@ -10,7 +10,7 @@ import org.pendant.motion.profile.Profile;
 import org.pendant.motion.profile.ProfileLimits;
 
 /**
- * The TCP goes on along a straight line, or the tool about an axis through it, until somebody ends
+ * The TCP goes on along a straight line, or the tool about an axis through it, until a client ends
  * it.
  */
 public final class ToolJog implements Motion {

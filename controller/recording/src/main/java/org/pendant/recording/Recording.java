@@ -29,7 +29,7 @@ public final class Recording {
   private final ProgramTexts texts;
   private final Snapshots snapshots;
 
-  /** What was found when somebody asked for marks; empty before, or if there are none. */
+  /** What was found when marks were asked for; empty before, or if there are none. */
   private volatile List<RecordingMark> marks = List.of();
 
   /**

@@ -22,8 +22,8 @@ import org.pendant.models.time.FrameTime;
 
 /**
  * Opens {@code .rec} files. All of a file is read and checked once, which takes a while: not for
- * the dispatch thread. Later it is read again in pieces as somebody asks, so that memory does not
- * grow with its length.
+ * the dispatch thread. Later it is read again in pieces on demand, so that memory does not grow
+ * with its length.
  */
 public final class RecordingFile {
   /** Blocks that are kept in memory. */

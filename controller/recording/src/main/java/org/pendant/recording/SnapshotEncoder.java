@@ -57,8 +57,8 @@ final class SnapshotEncoder {
   }
 
   /**
-   * Ends the segment that is being filled, which then is somebody else's: what changes next begins
-   * another one. Empty when nothing has changed since the last was ended.
+   * Ends the segment that is being filled, which then belongs to the reader: what changes next
+   * begins another one. Empty when nothing has changed since the last was ended.
    */
   Optional<Segment> cut() {
     if (handedOn) {

@@ -12,7 +12,7 @@ import java.util.Set;
 import org.antlr.v4.runtime.Token;
 import org.pendant.language.source.Source;
 
-/** What is wrong with the blocks of a text, as somebody thinks it was meant. */
+/** Faults of the blocks of a text, by what was probably meant. */
 final class BlockFaults {
   private final List<Unclosed> unclosed = new ArrayList<>();
   private final List<Stray> strayEnds = new ArrayList<>();

@@ -74,7 +74,7 @@ final class ClosedForm {
   /** The wrist is nearer to the base axis than its offset. */
   boolean tooClose;
 
-  /** The wrist is farther from the shoulder than the arm is long, for the last elbow. */
+  /** The wrist is further from the shoulder than the arm is long, for the last elbow. */
   boolean tooFar;
 
   /** The wrist is nearer to the shoulder than the folded arm comes, for the last elbow. */

@@ -21,7 +21,7 @@ record DashboardRequest(DashboardCommand word, String argument) {
     return Optional.empty();
   }
 
-  /** What follows the words at the begin of {@code line}. */
+  /** What follows the words at the start of {@code line}. */
   private static Optional<String> after(DashboardCommand word, String line) {
     String rest = line.strip();
     for (String each : word.words()) {

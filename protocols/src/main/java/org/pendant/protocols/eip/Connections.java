@@ -68,7 +68,7 @@ final class Connections implements AutoCloseable {
    * @param scanner where packets go to
    * @param fromScanner instance that the scanner writes
    * @param toScanner instance that the robot writes
-   * @throws CipRefusal when somebody writes that assembly already, or there are too many
+   * @throws CipRefusal when that assembly is written already, or there are too many
    */
   CyclicConnection openCyclic(
       OpenRequest request, InetSocketAddress scanner, int fromScanner, int toScanner)
@@ -207,7 +207,7 @@ final class Connections implements AutoCloseable {
     cyclic.remove(connection.id());
   }
 
-  /** Only afterwards may somebody else write the assembly. */
+  /** Only afterwards may another originator write the assembly. */
   private void release(CyclicConnection connection) throws InterruptedException {
     try {
       assemblyHandler.release(connection.owner());

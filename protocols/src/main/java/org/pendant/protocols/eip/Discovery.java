@@ -14,9 +14,9 @@ import java.util.function.Supplier;
 /**
  * Answers datagrams from who only wants to know what there is; sessions are for TCP.
  *
- * <p>Anybody can write somebody else's address on a datagram, and answers are longer than
- * questions. So an answer never begets another one: questions carry no data, answers always do. And
- * there are few of them for one address, and for all. Used by one thread.
+ * <p>Anybody can write a foreign address on a datagram, and answers are longer than questions. So
+ * an answer never begets another one: questions carry no data, answers always do. And there are few
+ * of them for one address, and for all. Used by one thread.
  */
 final class Discovery {
   /** Most answers to one address in a second; who looks for devices asks once in some seconds. */

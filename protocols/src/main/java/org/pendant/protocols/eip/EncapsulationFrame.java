@@ -21,7 +21,9 @@ record EncapsulationFrame(
   /** Most bytes of data that are taken: two of the largest assemblies and what goes with them. */
   static final int MAX_DATA = 4096;
 
-  /** Whether an adapter has to look at it: what carries a status is an answer to somebody else. */
+  /**
+   * Whether an adapter has to look at it: what carries a status is an answer to another request.
+   */
   boolean isRequest() {
     return status == 0 && options == 0;
   }

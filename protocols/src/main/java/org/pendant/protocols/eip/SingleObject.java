@@ -8,7 +8,7 @@ import java.util.function.Supplier;
 /**
  * A class with one instance.
  *
- * @param attributes from attribute 1 on, each as it is when somebody asks
+ * @param attributes from attribute 1 on, each as it is when asked for
  */
 record SingleObject(int revision, List<Supplier<LittleEndian>> attributes) implements CipObject {
   SingleObject {

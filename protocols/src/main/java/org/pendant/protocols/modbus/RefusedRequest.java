@@ -12,7 +12,7 @@ final class RefusedRequest extends Exception {
     ADDRESS(2),
     /** A number of registers, a value or a length that cannot be. */
     VALUE(3),
-    /** The box refuses the change, for instance because somebody else has taken the signal. */
+    /** The box refuses the change, for instance because another client has taken the signal. */
     FAILURE(4);
 
     private final int number;

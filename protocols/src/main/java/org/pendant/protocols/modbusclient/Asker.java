@@ -1,6 +1,6 @@
 package org.pendant.protocols.modbusclient;
 
-/** Somebody who wants something of a device. Only the thread of the device calls this. */
+/** Requester: takes what a device answers. Only the thread of the device calls this. */
 interface Asker {
   /** Nothing is to be asked. */
   long NEVER = Long.MAX_VALUE;

@@ -113,7 +113,7 @@ final class DeviceRequest {
         encoded(request, exchange.unit()), Expected.REGISTERS, exchange.readCount());
   }
 
-  /** Sends what somebody else has made. */
+  /** Sends a request that was made elsewhere. */
   static DeviceRequest made(int unit, int function, byte[] data) {
     ByteBuffer bytes = ByteBuffer.allocate(ResponseFrame.PREFIX + 2 + data.length);
     bytes.putInt(0).putShort((short) (2 + data.length));

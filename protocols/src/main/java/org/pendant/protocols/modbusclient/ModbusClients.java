@@ -15,7 +15,7 @@ public final class ModbusClients implements ModbusConnector, AutoCloseable {
   private final HostPolicy hostPolicy;
   private final Map<ModbusAddress, Device> devices = new ConcurrentHashMap<>();
 
-  /** Devices that are no farther than {@code reach}. */
+  /** Devices that are no further than {@code reach}. */
   public ModbusClients(HostPolicy hostPolicy) {
     this.hostPolicy = hostPolicy;
   }

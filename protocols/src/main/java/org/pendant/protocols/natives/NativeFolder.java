@@ -42,7 +42,7 @@ public final class NativeFolder {
       try {
         return in(cache.get());
       } catch (IOException e) {
-        // No home, a full disk or a folder of somebody else: the temporary one serves as well.
+        // No home, a full disk or a folder of another user: the temporary one serves as well.
       }
     }
     Path folder = Files.createTempDirectory(NAME);
@@ -68,7 +68,7 @@ public final class NativeFolder {
   /**
    * The folder below {@code cache}, made when it is not there.
    *
-   * @throws IOException if it cannot be made, is a link, belongs to somebody else, or others can
+   * @throws IOException if it cannot be made, is a link, belongs to another user, or others can
    *     write there or exchange it
    */
   static Path in(Path cache) throws IOException {

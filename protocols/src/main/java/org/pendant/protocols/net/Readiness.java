@@ -13,7 +13,7 @@ final class Readiness implements AutoCloseable {
   private volatile Optional<Selector> selector = Optional.empty();
 
   /**
-   * For one direction; takes nothing from the system until somebody waits.
+   * For one direction; takes nothing from the system until a thread waits.
    *
    * @param operation of {@link SelectionKey}
    */

@@ -13,7 +13,7 @@ import org.pendant.controller.message.LogEntry.Level;
 
 /** A TCP port at which one protocol is spoken. Each peer has threads of its own. */
 public final class TcpPort implements AutoCloseable {
-  /** Somebody who has not let go of a closed port by then never will. */
+  /** A session that has not let go of a closed port by then never will. */
   private static final Duration PATIENCE = Duration.ofSeconds(1);
 
   /** How often silent peers are looked for, ns. */

@@ -50,7 +50,7 @@ final class RobotApi implements HttpService {
     }
     Operation wanted = operation.get();
     if ((wanted.changes() || wanted.transfers()) && call.headers().containsKey("origin")) {
-      // a page in the browser of somebody who can reach this port, by whatever name
+      // a page in the browser of a person who can reach this port, by whatever name
       return ApiReply.refused(HttpStatus.FORBIDDEN, FORBIDDEN, "web pages may not control it");
     }
     if (wanted.acts() && !remote.mayControl()) {

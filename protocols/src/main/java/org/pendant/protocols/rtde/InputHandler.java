@@ -76,7 +76,7 @@ final class InputHandler {
   }
 
   /**
-   * Takes all inputs of a recipe, unless somebody else has some of them, which are answered. They
+   * Takes all inputs of a recipe, unless another client has some of them, which are answered. They
    * may be those of a client that had gone before this one came, but whose end is noticed only a
    * moment later: this waits that long.
    */

@@ -7,7 +7,7 @@ import java.net.InetSocketAddress;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 
-/** Tells a port that this process may not use from one that somebody else uses. */
+/** Test of a port: whether this process may not use it, or another process does. */
 public final class PrivilegedPort {
   /** From here on everybody may use a port. */
   private static final int FIRST_FREE = 1024;

@@ -12,7 +12,7 @@ public final class ScriptSockets implements SocketConnector, AutoCloseable {
   private final HostPolicy hostPolicy;
   private final Set<ScriptSocket> open = ConcurrentHashMap.newKeySet();
 
-  /** Sockets that go no farther than {@code reach}. */
+  /** Sockets that go no further than {@code reach}. */
   public ScriptSockets(HostPolicy hostPolicy) {
     this.hostPolicy = hostPolicy;
   }

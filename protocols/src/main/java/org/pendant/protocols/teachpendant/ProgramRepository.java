@@ -152,7 +152,7 @@ final class ProgramRepository {
     return new DrivenProgram(compiled, tree, script);
   }
 
-  /** A program as it is in the controller's installation of now; scripts do not depend on it. */
+  /** A program as it is in the controller's present installation; scripts do not depend on it. */
   LoadedProgram renewed(LoadedProgram program) throws LoadTrouble {
     if (program.tree().isEmpty()) {
       return program;

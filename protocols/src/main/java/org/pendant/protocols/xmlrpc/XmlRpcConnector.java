@@ -22,7 +22,7 @@ public final class XmlRpcConnector implements RpcConnector, AutoCloseable {
   private final HostPolicy hostPolicy;
   private final Set<XmlRpcLink> open = ConcurrentHashMap.newKeySet();
 
-  /** Connections that go no farther than {@code reach}. */
+  /** Connections that go no further than {@code reach}. */
   public XmlRpcConnector(HostPolicy hostPolicy) {
     this.hostPolicy = hostPolicy;
   }

@@ -31,7 +31,7 @@ public final class ArmDrive {
   private static final ArmCommand BACKDRIVEN =
       new ArmCommand.Torque(Joints.ZERO, FrictionShare.MOST);
 
-  /** An arm that a stop leaves farther than this from its target (rad) stays where it is. */
+  /** An arm that a stop leaves further than this from its target (rad) stays where it is. */
   private static final double ASIDE_RAD = 2e-3;
 
   private final Setup setup;

@@ -124,7 +124,7 @@ public final class ToolFlange {
     }
   }
 
-  /** Unless somebody has said what truly hangs on the flange, it is what the program declares. */
+  /** Unless it has been said what truly hangs on the flange, it is what the program declares. */
   private void payloadChanged() {
     if (!loadKnown) {
       setup.arm().setLoad(setup.model().payload());

@@ -61,7 +61,7 @@ final class MotionArguments {
   }
 
   /**
-   * A list of {@code length} numbers, none of them farther from 0 than {@code bound}.
+   * A list of {@code length} numbers, none of them further from 0 than {@code bound}.
    *
    * @param unit of the numbers, for the message
    */

@@ -30,7 +30,7 @@ final class TickFilter {
   private double sinceTickS = MAX_GAP_S;
   private double sinceCorrectionS;
 
-  /** The count jumps: somebody has set it. */
+  /** The count jumps: it has been set. */
   void jumpTo(long ticks) {
     count = ticks;
     position = ticks;

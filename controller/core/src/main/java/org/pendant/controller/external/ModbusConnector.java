@@ -27,7 +27,7 @@ public interface ModbusConnector {
   ModbusPoint add(ModbusExchange exchange) throws ScriptError;
 
   /**
-   * Sends a request that somebody else made; over when the device has had the time to answer it.
+   * Sends a request that was made elsewhere; over when the device has had the time to answer it.
    *
    * @param unit 0 to 255
    * @param function 1 to 127

@@ -2,7 +2,7 @@ package org.pendant.controller.external;
 
 import java.util.List;
 
-/** One Modbus signal that somebody reads and writes for a controller. No method waits. */
+/** Modbus signal that is read and written for a controller. No method waits. */
 public interface ModbusPoint {
   /** What is known now; another object only when something has changed. */
   ModbusReading reading();

@@ -34,7 +34,7 @@ final class AxisConstraint {
   private static final double DAMPER = 3 * RATE_PER_S;
   private static final double INTEGRAL = RATE_PER_S * RATE_PER_S * RATE_PER_S;
 
-  /** How far a hand may push the lock open, m; pushed farther it slips. */
+  /** How far a hand may push the lock open, m; pushed further it slips. */
   private static final double SLIP_M = 0.005;
 
   private static final double SLIP_RAD = 0.03;

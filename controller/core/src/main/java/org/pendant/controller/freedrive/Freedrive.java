@@ -87,8 +87,8 @@ public final class Freedrive {
   }
 
   /**
-   * Lets the arm be guided from now on; an arm that is guided already begins anew in this way.
-   * Somebody at the screen may do so in recovery too: that is how the arm gets back.
+   * Lets the arm be guided from now on; an arm that is guided already begins anew in this way. An
+   * operator at the screen may do so in recovery too: that is how the arm gets back.
    */
   public FreedriveStart start(FreedriveMode wanted) {
     boolean recovering =

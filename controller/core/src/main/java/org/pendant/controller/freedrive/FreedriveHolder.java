@@ -4,7 +4,7 @@ package org.pendant.controller.freedrive;
 public enum FreedriveHolder {
   /** A program, by {@code freedrive_mode}. */
   PROGRAM,
-  /** Somebody at the screen. */
+  /** The operator at the screen. */
   HAND,
   /** An input with the freedrive action. */
   INPUT

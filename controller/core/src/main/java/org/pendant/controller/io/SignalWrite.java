@@ -1,8 +1,8 @@
 package org.pendant.controller.io;
 
 /**
- * A change to one signal that somebody outside of programs asks for. The constructors refuse
- * signals and values that there are not with an {@link IllegalArgumentException}.
+ * Change to one signal, asked for from outside of programs. The constructors refuse signals and
+ * values that there are not with an {@link IllegalArgumentException}.
  */
 public sealed interface SignalWrite {
   /** The signal's name, the same whatever is written, such as {@code input_float_register[3]}. */

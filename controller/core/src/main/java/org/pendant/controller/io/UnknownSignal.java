@@ -2,7 +2,7 @@ package org.pendant.controller.io;
 
 import java.io.Serial;
 
-/** There is no signal of the name that somebody wrote. */
+/** Refusal of a name that no signal has. */
 public final class UnknownSignal extends IllegalArgumentException {
   @Serial private static final long serialVersionUID = 1L;
 

@@ -3,7 +3,7 @@ package org.pendant.controller.jog;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
-/** Where the arm moves as long as somebody holds a button. */
+/** Goal of a jog: where the arm moves as long as a button is held. */
 public sealed interface JogMove {
 
   /**

@@ -14,7 +14,10 @@ import org.pendant.motion.MoveLimits;
 import org.pendant.motion.PlanningException;
 import org.pendant.motion.ToolJog;
 
-/** Makes motions of what somebody wants by hand; refuses goals that the arm must not go to. */
+/**
+ * Jog planner: makes motions of what an operator wants by hand; refuses goals that the arm must not
+ * go to.
+ */
 final class JogPlanner {
   /** Speed of the fastest joint at full speed, rad/s. */
   static final double JOINT_SPEED_RAD_PER_S = 0.6;

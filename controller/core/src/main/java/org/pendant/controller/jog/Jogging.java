@@ -11,8 +11,8 @@ import org.pendant.motion.PlanningException;
 import org.pendant.motion.StopJ;
 
 /**
- * Moves the arm as long as somebody repeats that it should. When the repetitions stay away for
- * {@value #DEAD_MAN_S} s of robot time, the arm comes to rest on its path: a screen that hangs
+ * Jogging: moves the arm as long as a client repeats that it should. When the repetitions stay away
+ * for {@value #DEAD_MAN_S} s of robot time, the arm comes to rest on its path: a screen that hangs
  * moves nothing.
  */
 public final class Jogging {
@@ -29,7 +29,7 @@ public final class Jogging {
   /** What the arm does by hand, until it rests or its joints stop: its failures are of jogging. */
   private Optional<JogMove> underway = Optional.empty();
 
-  /** What somebody holds, and how it goes. */
+  /** What the operator holds, and how it goes. */
   private static final class Hold {
     final JogMove move;
     final MotionTicket ticket;

@@ -109,7 +109,7 @@ public final class OpenPopups {
     open = open.stream().filter(p -> !p.blocking()).toList();
   }
 
-  /** Closes all of them: somebody has stopped the program that showed them. */
+  /** Closes all of them: a client has stopped the program that showed them. */
   public void closeAll() {
     open = List.of();
   }

@@ -7,7 +7,7 @@ package org.pendant.controller.message;
  * @param timeS controller time when it was shown, s
  * @param title bytes, one {@code char} a byte
  * @param text bytes, one {@code char} a byte
- * @param blocking whether the program stands still until somebody answers
+ * @param blocking whether the program stands still until the operator answers
  */
 public record Popup(
     long number, double timeS, String title, String text, Severity severity, boolean blocking) {

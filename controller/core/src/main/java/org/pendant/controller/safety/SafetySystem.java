@@ -245,8 +245,8 @@ public final class SafetySystem {
   }
 
   /**
-   * Why no program that somebody sends to a port may run now; empty if one may. It may without
-   * power, which {@link #motionRefusal} is for.
+   * Why no program that is sent to a port may run now; empty if one may. It may without power,
+   * which {@link #motionRefusal} is for.
    */
   public Optional<Refusal> uploadRefusal() {
     return stop().isPresent() ? Optional.of(stops.refusal()) : recoveryRefusal();

@@ -136,7 +136,7 @@ public enum StopReason {
     return stop(sentence, joint, OptionalInt.of(joint), timeS, value, limit);
   }
 
-  /** A stop because of an input, or because somebody asks for it. */
+  /** A stop because of an input, or on request. */
   SafetyStop of(String subject, double timeS) {
     return stop(subject + " " + words, kind.mode.code(), OptionalInt.empty(), timeS, 0, 0);
   }

@@ -25,7 +25,7 @@ final class StopRecord {
   private double nowS;
   private final double unlockTakesS;
 
-  /** Somebody works beside the robot: what protects in automatic mode only does not count. */
+  /** A person works beside the robot: what protects in automatic mode only does not count. */
   private boolean manual;
 
   /** When the present stop ends, as asked for. */

@@ -27,7 +27,7 @@ import org.pendant.script.vm.ProgramEvent;
  * @param executionTimeS how long the computer worked at this frame, s; 0 in virtual time
  * @param behindS by how much robot time has fallen behind the wall clock since the controller was
  *     switched on, s: delays that the computer was too slow to catch up; not part of recordings
- * @param geometry what follows from the joints, worked out when somebody asks
+ * @param geometry what follows from the joints, worked out on demand
  * @param debug whether a debugger holds the frame, and where its threads are then; snapshots of a
  *     held frame repeat its number
  * @param io levels of the digital signals
@@ -37,7 +37,7 @@ import org.pendant.script.vm.ProgramEvent;
  * @param encoders what the encoders of conveyors count
  * @param freedrive whether the arm is guided by hand
  * @param variables of the running or last program, taken now and then
- * @param traced numbers among them that somebody wants in every frame
+ * @param traced numbers among them that are wanted in every frame
  * @param openPopups on the screen, oldest first
  * @param openQuestions to the operator, oldest first
  * @param newLines log lines of this frame, as long as the log keeps them

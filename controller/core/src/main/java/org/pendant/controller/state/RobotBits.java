@@ -31,7 +31,7 @@ public final class RobotBits {
     return state.program().state() == ProgramState.RUNNING;
   }
 
-  /** Whether somebody at the arm or the screen guides it by hand. */
+  /** Whether it is guided by hand, at the arm or from the screen. */
   public static boolean teachButtonPressed(ControllerState state) {
     return state.freedrive().heldBy(FreedriveHolder.HAND)
         || state.freedrive().heldBy(FreedriveHolder.INPUT);

@@ -36,7 +36,9 @@ public final class StateStream {
     return follower;
   }
 
-  /** Somebody who takes the snapshots in turn. Closing may be done by any thread. */
+  /**
+   * Subscription of a reader that takes the snapshots in turn. Closing may be done by any thread.
+   */
   public final class Subscription implements AutoCloseable {
     private long taken = newest;
     private long missed;

@@ -7,7 +7,7 @@ import org.pendant.models.json.Range;
 import org.pendant.models.pose.Wrench;
 
 /**
- * The forces on the tool: those of a scene that it touches, and one that somebody applies by hand.
+ * Contact model: the forces on the tool, those of a scene that it touches and one applied by hand.
  * {@link #grip} is another hand, which may be anywhere on the arm.
  *
  * <p>Each tool point is a ball (of radius 0 mostly) without mass, rigid with the flange. Where it

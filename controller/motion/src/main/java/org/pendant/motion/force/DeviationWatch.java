@@ -64,7 +64,7 @@ final class DeviationWatch {
   }
 
   private void findHarmless() {
-    // no TCP is farther than this from the axis of a joint
+    // no TCP is further than this from the axis of a joint
     double reachM =
         Math.abs(dh.a2())
             + Math.abs(dh.a3())

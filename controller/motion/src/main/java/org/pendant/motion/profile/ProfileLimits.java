@@ -58,7 +58,7 @@ public record ProfileLimits(double speed, double acceleration, double jerk) {
    * the other, the limits of acceleration and jerk give way.
    *
    * @param distance 0 or more
-   * @param from speed at the begin; may exceed the limit, to which it falls first
+   * @param from speed at the start; may exceed the limit, to which it falls first
    * @param to speed at the end, at most the limit
    */
   public Profile between(double distance, double from, double to) {

@@ -12,7 +12,7 @@ import org.pendant.motion.ToolCurve;
  * from one orientation to another, or with the tangent.
  */
 final class ArcSegment implements ToolCurve {
-  /** Sine of the angle at the begin below which three points are in a line. */
+  /** Sine of the angle at the start below which three points are in a line. */
   private static final double STRAIGHT = 1e-6;
 
   private final double[] centre = new double[3];

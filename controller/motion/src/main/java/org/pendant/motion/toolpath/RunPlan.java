@@ -30,7 +30,7 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
 
   private static final double LOOK_RAD = 0.1;
 
-  /** A joint that turns farther from one look to the next cannot follow the path, rad. */
+  /** A joint that turns further from one look to the next cannot follow the path, rad. */
   private static final double JUMP_RAD = 1.5;
 
   /** The slowest that a path may have to be for the sake of the joints, as part of its speed. */
@@ -41,7 +41,7 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
    *
    * @param orders to run
    * @param firstId the number of the first
-   * @param from joint positions at the begin, rad
+   * @param from joint positions at the start, rad
    * @param activeTcp the TCP of the program, in the flange frame
    */
   record Task(

@@ -93,7 +93,7 @@ public final class Rerun {
    * options; only its ways to the outside may be others. The calling thread drives it; when this
    * returns, nobody does.
    *
-   * @param each sees every snapshot, as somebody did who saw those of the old controller
+   * @param each sees every snapshot, as a reader did who saw those of the old controller
    */
   public Journal run(Controller fresh, Consumer<ControllerState> each) throws RerunRefused {
     Journal copy = Journal.of(fresh, journal.limits());

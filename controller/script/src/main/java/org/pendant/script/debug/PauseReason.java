@@ -23,7 +23,7 @@ public sealed interface PauseReason {
   /** A step or a run to a line is over. */
   record Stepped() implements PauseReason {}
 
-  /** Somebody asked for it. */
+  /** A client asked for it. */
   record PauseRequested() implements PauseReason {}
 
   /** The program failed; it ends with this failure when it is let go. */

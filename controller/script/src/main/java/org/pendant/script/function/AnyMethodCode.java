@@ -2,7 +2,7 @@ package org.pendant.script.function;
 
 import org.pendant.script.value.ScriptError;
 
-/** The code of all methods of a kind of value whose names only somebody outside knows. */
+/** Method code: one for all methods of a kind of value whose names are known outside only. */
 @FunctionalInterface
 public interface AnyMethodCode<H extends Host> {
   /**

@@ -8,7 +8,7 @@ public enum Effect {
   /** It answers from its arguments alone. */
   COMPUTES,
 
-  /** It tells what is so now and stays so unless somebody changes it: inputs, settings. */
+  /** It tells what is so now and stays so unless a client changes it: inputs, settings. */
   ASKS,
 
   /** It tells what is so in this frame, and will be otherwise in another: sensors, time. */

@@ -38,8 +38,8 @@ public non-sealed interface Wait extends Outcome {
   default void lookAhead(List<Foreseen> next) {}
 
   /**
-   * Whether it is for somebody outside, who lives by the wall clock: meanwhile robot time must not
-   * go faster than that.
+   * Whether it is for something outside, which lives by the wall clock: meanwhile robot time must
+   * not go faster than that.
    */
   default boolean outside() {
     return false;

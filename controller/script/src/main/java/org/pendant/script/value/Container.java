@@ -28,7 +28,7 @@ abstract sealed class Container permits NumberList, ObjectList, MatrixValue, Str
   /** What all parts take together, see {@link Value#sizeBytes}. */
   private long partBytes;
 
-  /** Whether somebody else has the same parts: they are copied before the next change. */
+  /** Whether another value has the same parts: they are copied before the next change. */
   public final boolean shared() {
     return shared;
   }

@@ -23,7 +23,7 @@ public interface LongOperation {
   /** What came out; only when it is done. */
   Value result() throws ScriptError;
 
-  /** Has what it works on copied before somebody changes it. */
+  /** Has what it works on copied before it is changed. */
   void keep();
 
   /** What it works on and has made so far, see {@link Value#sizeBytes}. */

@@ -142,7 +142,7 @@ public final class ObjectList extends Container implements ListValue {
   }
 
   /**
-   * Elements {@code from} .. {@code to}-1, which somebody else may hold: copies where they are few.
+   * Elements {@code from} .. {@code to}-1, which another value may hold: copies where they are few.
    * Otherwise they stay parts of this list as well, and both copy those that they change.
    */
   private Value[] parts(int from, int to) {

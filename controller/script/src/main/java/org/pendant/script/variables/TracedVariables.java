@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The numbers that somebody wanted to see in every frame, as they were at the end of one.
- * Immutable; the same object as long as nothing changes.
+ * Traced numbers: those wanted in every frame, as they were at the end of one. Immutable; the same
+ * object as long as nothing changes.
  */
 public final class TracedVariables {
   /** Nobody wants any. */

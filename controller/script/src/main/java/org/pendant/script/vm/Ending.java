@@ -9,7 +9,7 @@ public sealed interface Ending {
   /** A {@code halt} was executed. */
   record Halted() implements Ending {}
 
-  /** Somebody outside stopped it: a button, a command, a safety stop. */
+  /** It was stopped from outside: a button, a command, a safety stop. */
   record Stopped() implements Ending {}
 
   /** A runtime error. */

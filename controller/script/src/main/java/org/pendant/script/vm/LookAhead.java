@@ -15,7 +15,7 @@ import org.pendant.script.value.ScriptError;
  * Look-ahead: runs a copy of a thread to find what it will ask for once its wait is over; a move
  * that blends depends on the moves that follow.
  *
- * <p>The copy computes with the values of now. Functions that answer from their arguments or tell
+ * <p>The copy computes with the present values. Functions that answer from their arguments or tell
  * the state of the controller do what they always do; functions that only tell something to the
  * outside are passed over; at anything else the copy ends and nothing is known. {@link
  * org.pendant.script.function.Effect} has which is which. What it finds is a guess that shapes how

@@ -395,7 +395,7 @@ public final class Machine {
     return variableSlots;
   }
 
-  /** Whether a thread waits for somebody outside. */
+  /** Whether a thread waits for something outside. */
   public boolean waitsForOutside() {
     if (state != ProgramState.RUNNING) {
       return false;

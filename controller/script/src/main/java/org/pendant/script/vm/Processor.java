@@ -37,7 +37,7 @@ final class Processor {
    */
   private static final int NESTING = 128;
 
-  /** The tag bits that keep a number from being stored into a variable without further ado. */
+  /** The tag bits that keep a number from being stored into a variable as it is. */
   static final int NOT_FOR_NUMBER = Registers.BOOL | Registers.NONE | Registers.OBJECT;
 
   private final ProgramRun run;

@@ -153,7 +153,7 @@ public final class ProgramProbe {
   }
 
   /**
-   * A thread that stands before a statement of its own accord, at the begin of a program say,
+   * A thread that stands before a statement of its own accord, at the start of a program say,
    * counts as stopped there: its next step is over that statement, not to it.
    */
   public void standBefore(int thread) {

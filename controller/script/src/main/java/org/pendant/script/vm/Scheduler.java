@@ -43,7 +43,7 @@ final class Scheduler {
   private int computing;
   private int wakingLeftNs;
 
-  /** Somebody used so much that nobody else runs in this frame. */
+  /** A thread used so much that no other runs in this frame. */
   private boolean usedUp;
 
   private boolean progress;

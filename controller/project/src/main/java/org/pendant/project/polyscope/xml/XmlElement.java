@@ -12,8 +12,8 @@ import java.util.stream.Collectors;
 import javax.xml.stream.XMLStreamReader;
 
 /**
- * An element of such a file. It notes which of its attributes and children somebody has asked for,
- * so that one can tell afterwards what nobody has understood. Not for several threads.
+ * An element of such a file. It notes which of its attributes and children have been asked for, so
+ * that one can tell afterwards what nobody has understood. Not for several threads.
  */
 public final class XmlElement {
   private static final String REFERENCE = "reference";
@@ -38,7 +38,7 @@ public final class XmlElement {
   private int end;
   private Set<String> read = Set.of();
 
-  /** Children by name, once somebody has asked for one of many. */
+  /** Children by name, once one of many has been asked for. */
   private Map<String, List<XmlElement>> named = Map.of();
 
   private boolean seen;

@@ -35,7 +35,7 @@ final class CheckContext {
   private final Set<String> subPrograms = new HashSet<>();
 
   /**
-   * An expression that somebody typed.
+   * An expression as it was typed.
    *
    * @param field of the node with that key
    */

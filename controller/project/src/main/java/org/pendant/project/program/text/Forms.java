@@ -27,7 +27,7 @@ final class Forms {
   private static final Pattern BETWEEN_WORDS =
       Pattern.compile("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])");
 
-  // Programs are written at each key that somebody presses: what follows from a class is kept.
+  // Programs are written at each key that is pressed: what follows from a class is kept.
   private static final ClassValue<String> WORDS =
       new ClassValue<>() {
         @Override

@@ -52,7 +52,7 @@ final class PreservedElements {
       byte[] bytes = Base64.getDecoder().decode(comment.substring(STUB.length()).strip());
       return List.of(new String(bytes, StandardCharsets.UTF_8).split("\n", -1));
     } catch (IllegalArgumentException e) {
-      // somebody else's comment
+      // a comment of another author
       return List.of();
     }
   }

@@ -346,7 +346,7 @@ final class UrpProgramWriter {
       XmlElement element = PackedXml.read(text);
       return element.raw().equals(text) ? Optional.of(element) : Optional.empty();
     } catch (UnreadableFile e) {
-      // somebody has changed it; it is kept as text
+      // it has been changed; it is kept as text
       return Optional.empty();
     }
   }
