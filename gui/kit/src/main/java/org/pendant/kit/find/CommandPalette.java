@@ -22,6 +22,7 @@ import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.action.FuzzyMatch;
 import org.pendant.kit.action.KeyText;
+import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Overlay;
 import org.pendant.kit.theme.Palette;
 

@@ -18,6 +18,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.action.KeyText;
+import org.pendant.kit.layout.Typed;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Overlay;
 import org.pendant.kit.theme.Palette;
