@@ -254,9 +254,7 @@ final class ArchitectureTest {
   static void oneSimpleNameIsOneClass(JavaClasses all) {
     Map<String, Set<String>> classesByName = new TreeMap<>();
     for (JavaClass each : all) {
-      if (each.isTopLevelClass()
-          && !each.getSimpleName().equals("package-info")
-          && !each.getPackageName().matches("org\\.pendant\\.(kit|command|desktop)\\b.*")) {
+      if (each.isTopLevelClass() && !each.getSimpleName().equals("package-info")) {
         classesByName
             .computeIfAbsent(each.getSimpleName(), name -> new TreeSet<>())
             .add(each.getName());

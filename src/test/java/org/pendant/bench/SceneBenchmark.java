@@ -16,7 +16,7 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 import org.pendant.command.service.StandardView;
 import org.pendant.desktop.scene.Camera;
-import org.pendant.desktop.scene.Outline;
+import org.pendant.desktop.scene.SceneBounds;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.gl.OffscreenScene;
 import org.pendant.desktop.scene.gl.Quality;
@@ -51,7 +51,7 @@ public class SceneBenchmark {
   @Setup
   public void open() throws SceneUnavailable {
     scene = OffscreenScene.open();
-    camera = Camera.of(StandardView.ISO, Outline.of(model()), (double) WIDTH / HEIGHT);
+    camera = Camera.of(StandardView.ISO, SceneBounds.of(model()), (double) WIDTH / HEIGHT);
   }
 
   private SceneModel model() {

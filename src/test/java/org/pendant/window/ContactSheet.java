@@ -11,7 +11,7 @@ import java.util.List;
 import javax.imageio.ImageIO;
 import org.pendant.command.service.StandardView;
 import org.pendant.desktop.scene.Camera;
-import org.pendant.desktop.scene.Outline;
+import org.pendant.desktop.scene.SceneBounds;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.gl.OffscreenScene;
 import org.pendant.desktop.scene.gl.SceneUnavailable;
@@ -55,7 +55,8 @@ final class ContactSheet {
 
   private static BufferedImage picture(OffscreenScene scene, ArmDescription arm) {
     SceneModel model = SceneModel.of(arm, POSTURE);
-    Camera camera = Camera.of(StandardView.ISO, Outline.of(model), (double) WIDTH_PX / HEIGHT_PX);
+    Camera camera =
+        Camera.of(StandardView.ISO, SceneBounds.of(model), (double) WIDTH_PX / HEIGHT_PX);
     return scene.render(model, camera, WIDTH_PX, HEIGHT_PX);
   }
 }

@@ -122,7 +122,7 @@ public final class Pendant {
   }
 
   private List<String> usage() {
-    Lines lines = new Lines();
+    UsageText lines = new UsageText();
     lines.add("Pendant runs URScript programs on an embedded robot controller.");
     lines.add("");
     lines.add("Usage: pendant COMMAND [options] ...");
@@ -138,7 +138,7 @@ public final class Pendant {
   }
 
   private static List<String> usage(Subcommand subcommand) {
-    Lines lines = new Lines();
+    UsageText lines = new UsageText();
     lines.add("Usage: pendant " + subcommand.name() + " [options] " + subcommand.operands());
     lines.add("");
     lines.add("pendant " + subcommand.name() + ": " + subcommand.summary());

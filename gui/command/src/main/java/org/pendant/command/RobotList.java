@@ -6,7 +6,7 @@ import java.util.List;
 final class RobotList {
   private RobotList() {}
 
-  static List<String> lines(List<Robot> robots) {
+  static List<String> lines(List<RobotDataSheet> robots) {
     Table table =
         new Table()
             .left("id")
@@ -16,7 +16,7 @@ final class RobotList {
             .right("reach")
             .left("joint speeds, deg/s")
             .left("assumed or estimated");
-    for (Robot robot : robots) {
+    for (RobotDataSheet robot : robots) {
       table.row(
           robot.arm().id(),
           robot.arm().displayName(),

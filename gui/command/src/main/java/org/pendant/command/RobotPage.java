@@ -68,9 +68,9 @@ final class RobotPage {
       made smaller in the ratio of d4 (0.1824 m to 0.2010 m).
       """;
 
-  private final List<Robot> robots;
+  private final List<RobotDataSheet> robots;
 
-  RobotPage(List<Robot> robots) {
+  RobotPage(List<RobotDataSheet> robots) {
     this.robots = List.copyOf(robots);
   }
 
@@ -103,7 +103,7 @@ final class RobotPage {
             .right("payload, kg")
             .right("reach, mm")
             .left("speeds, deg/s");
-    for (Robot robot : robots) {
+    for (RobotDataSheet robot : robots) {
       ArmDescription arm = robot.arm();
       table.row(
           "`" + arm.id() + "`",
@@ -119,7 +119,7 @@ final class RobotPage {
   private Table trust() {
     Table table = new Table().left("arm");
     robots.getFirst().trust().forEach(each -> table.left(each.group()));
-    for (Robot robot : robots) {
+    for (RobotDataSheet robot : robots) {
       Stream<String> words = robot.trust().stream().map(each -> each.confidence().word());
       table.row(Stream.concat(Stream.of(robot.arm().displayName()), words).toArray(String[]::new));
     }
@@ -142,7 +142,7 @@ final class RobotPage {
 
   private List<String> notes() {
     return robots.stream()
-        .map(Robot::arm)
+        .map(RobotDataSheet::arm)
         .filter(arm -> !arm.notes().isEmpty())
         .map(arm -> "- " + arm.displayName() + ": " + String.join("; ", arm.notes()))
         .toList();
@@ -160,7 +160,7 @@ final class RobotPage {
             .right("viscous friction, Nm s/rad")
             .right("torque constant, Nm/A");
     robots.stream()
-        .map(Robot::arm)
+        .map(RobotDataSheet::arm)
         .flatMap(RobotPage::drives)
         .distinct()
         .sorted(Comparator.comparingDouble(SizedDrive::maxTorqueNm))

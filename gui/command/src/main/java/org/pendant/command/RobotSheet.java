@@ -14,10 +14,10 @@ final class RobotSheet {
       List.of("base", "shoulder", "elbow", "wrist 1", "wrist 2", "wrist 3");
   private static final int NOTE_COLUMNS = 76;
 
-  private final Robot robot;
+  private final RobotDataSheet robot;
   private final ArmDescription arm;
 
-  RobotSheet(Robot robot) {
+  RobotSheet(RobotDataSheet robot) {
     this.robot = robot;
     arm = robot.arm();
   }

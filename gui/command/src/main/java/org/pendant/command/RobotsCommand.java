@@ -35,11 +35,13 @@ final class RobotsCommand implements Subcommand {
       if (!name.isEmpty()) {
         throw new UsageException("unexpected " + name + ", the page has all arms");
       }
-      console.print(new RobotPage(Robot.all()).markdown().stripTrailing());
+      console.print(new RobotPage(RobotDataSheet.all()).markdown().stripTrailing());
     } else if (arguments.operands().isEmpty()) {
-      RobotList.lines(Robot.all()).forEach(console::print);
+      RobotList.lines(RobotDataSheet.all()).forEach(console::print);
     } else {
-      new RobotSheet(Robot.load(RobotName.idOf("the name", name))).lines().forEach(console::print);
+      new RobotSheet(RobotDataSheet.load(RobotName.idOf("the name", name)))
+          .lines()
+          .forEach(console::print);
     }
     return ExitCode.DONE;
   }

@@ -130,7 +130,7 @@ record RunOptions(
                   MemoryOption.OPTION,
                   HostsOption.OPTION,
                   ControlOption.OPTION),
-              Surroundings.ALL.stream())
+              SimulationOptions.ALL.stream())
           .toList();
 
   /** What says what a controller is and what surrounds it, whatever it is to do. */
@@ -145,7 +145,7 @@ record RunOptions(
                   MemoryOption.OPTION,
                   HostsOption.OPTION,
                   ControlOption.OPTION),
-              Surroundings.ALL.stream())
+              SimulationOptions.ALL.stream())
           .toList();
 
   /** For the usage text. */
@@ -168,7 +168,7 @@ record RunOptions(
                   HostsOption.OPTION,
                   ControlOption.OPTION,
                   ToolSerialOption.OPTION),
-              Surroundings.ALL.stream())
+              SimulationOptions.ALL.stream())
           .toList();
 
   static RunOptions of(Arguments arguments) throws UsageException {
@@ -219,7 +219,7 @@ record RunOptions(
             .withSignals(signals(arguments))
             .withEncoders(encoders(arguments))
             .withMemory(MemoryOption.of(arguments));
-    ControllerOptions placed = Surroundings.in(controller, arguments);
+    ControllerOptions placed = SimulationOptions.in(controller, arguments);
     return installation.isPresent() ? InstallationOption.in(placed, installation.get()) : placed;
   }
 

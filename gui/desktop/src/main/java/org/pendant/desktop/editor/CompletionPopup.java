@@ -18,7 +18,7 @@ import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.desktop.editor.text.AnalysisSchedule;
 import org.pendant.desktop.editor.text.Insertion;
 import org.pendant.desktop.editor.text.RichText;
-import org.pendant.desktop.editor.text.Span;
+import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.kit.background.WorkQueue;
 import org.pendant.kit.theme.Palette;
 import org.pendant.language.service.Completion;
@@ -38,7 +38,7 @@ final class CompletionPopup {
   private final JList<Completion> list = new JList<>();
   private final JLabel about = new JLabel();
   private final JPanel content = new JPanel(new MigLayout("insets 0, gap 0", "[330!][360!]"));
-  private final Overlay overlay;
+  private final FloatingPanel overlay;
   private final Runnable inserted;
   private int wordStart;
   private boolean inserting;
@@ -67,7 +67,7 @@ final class CompletionPopup {
     scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
     content.add(scroll, "grow");
     content.add(about, "growx, top, gap 10 10 8 8");
-    overlay = new Overlay(area, content);
+    overlay = new FloatingPanel(area, content);
     area.addKeyListener(new Keys());
     area.addCaretListener(event -> caretMoved());
     list.addMouseListener(
@@ -156,7 +156,7 @@ final class CompletionPopup {
 
   private int wordStart(int caret) {
     int line = area.line(area.lineAt(caret)).start();
-    return line + Insertion.wordStart(area.text(new Span(line, caret)), caret - line);
+    return line + Insertion.wordStart(area.text(new TextSpan(line, caret)), caret - line);
   }
 
   private void caretMoved() {
@@ -196,7 +196,7 @@ final class CompletionPopup {
   private boolean chooseUnlessComplete() {
     Completion chosen = list.getSelectedValue();
     int caret = area.getCaretPosition();
-    String word = area.text(new Span(Math.min(wordStart, caret), caret));
+    String word = area.text(new TextSpan(Math.min(wordStart, caret), caret));
     if (chosen != null && !isComplete(chosen, word)) {
       choose();
       return true;

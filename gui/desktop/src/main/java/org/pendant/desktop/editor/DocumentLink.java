@@ -5,7 +5,7 @@ import javax.swing.event.DocumentListener;
 import javax.swing.text.BadLocationException;
 import org.pendant.desktop.editor.text.Edit;
 import org.pendant.desktop.editor.text.LineColours;
-import org.pendant.desktop.editor.text.Span;
+import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
 
 /** Keeps a text component and the document of a program the same, whichever is changed. */
@@ -93,7 +93,7 @@ final class DocumentLink implements DocumentListener, ProgramDocument.Listener {
   public void textChanged(int offset, int removed, String added) {
     if (!passingOn) {
       passingOn = true;
-      Edit edit = Edit.difference(offset, area.text(new Span(offset, offset + removed)), added);
+      Edit edit = Edit.difference(offset, area.text(new TextSpan(offset, offset + removed)), added);
       area.replaceRange(edit.text(), edit.span().start(), edit.span().end());
       passingOn = false;
     }

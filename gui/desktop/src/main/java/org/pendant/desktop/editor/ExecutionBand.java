@@ -12,7 +12,7 @@ import java.util.Optional;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Position;
 import org.pendant.desktop.editor.text.RichText;
-import org.pendant.desktop.editor.text.Span;
+import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.kit.theme.Palette;
 
 /** The band over the line where the program is, and the note behind that line. */
@@ -70,7 +70,7 @@ final class ExecutionBand {
       painted = new Rectangle();
       return;
     }
-    Span line = area.line(area.lineAt(at.get().getOffset()));
+    TextSpan line = area.line(area.lineAt(at.get().getOffset()));
     Rectangle end = area.place(line.end());
     Rectangle seen = area.getVisibleRect();
     FontMetrics metrics = area.getFontMetrics(area.getFont());

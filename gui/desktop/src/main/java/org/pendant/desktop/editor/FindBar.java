@@ -19,7 +19,7 @@ import org.fife.ui.rtextarea.DocumentRange;
 import org.pendant.desktop.editor.text.Edit;
 import org.pendant.desktop.editor.text.FindState;
 import org.pendant.desktop.editor.text.SearchQuery;
-import org.pendant.desktop.editor.text.Span;
+import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.kit.theme.Palette;
 
 /** Finds and replaces in the program in front. */
@@ -146,8 +146,8 @@ final class FindBar extends JPanel {
   }
 
   /** The matches around the caret, as many as can be painted without delay. */
-  private List<Span> near(int caret) {
-    List<Span> all = state.matches();
+  private List<TextSpan> near(int caret) {
+    List<TextSpan> all = state.matches();
     int from = Math.clamp(state.from(caret) - MAX_MARKED / 2, 0, all.size());
     return all.subList(from, Math.min(all.size(), from + MAX_MARKED));
   }
@@ -161,7 +161,7 @@ final class FindBar extends JPanel {
 
   private void showSummary() {
     ScriptArea area = editor.get().area();
-    String text = state.summary(new Span(area.getSelectionStart(), area.getSelectionEnd()));
+    String text = state.summary(new TextSpan(area.getSelectionStart(), area.getSelectionEnd()));
     boolean nothing = !words.getText().isEmpty() && state.matches().isEmpty();
     summary.setText(text.isEmpty() ? " " : text);
     summary.setForeground(nothing ? Palette.error() : Palette.quiet());
@@ -173,7 +173,7 @@ final class FindBar extends JPanel {
 
   private void replace() {
     ScriptArea area = editor.get().area();
-    Span selected = new Span(area.getSelectionStart(), area.getSelectionEnd());
+    TextSpan selected = new TextSpan(area.getSelectionStart(), area.getSelectionEnd());
     search(false);
     if (state.matches().contains(selected)) {
       replaced(

@@ -17,7 +17,7 @@ final class InlinePrompt {
   private final JComponent owner;
   private final JTextField field = new JTextField(24);
   private final JLabel complaint = new JLabel(" ");
-  private final Overlay overlay;
+  private final FloatingPanel overlay;
   private final Rectangle place;
 
   private InlinePrompt(
@@ -37,7 +37,7 @@ final class InlinePrompt {
     content.add(field, "growx");
     content.add(complaint, "growx, hidemode 3");
     complaint.setVisible(false);
-    overlay = new Overlay(owner, content);
+    overlay = new FloatingPanel(owner, content);
     field.addActionListener(event -> given.accept(this));
     field.registerKeyboardAction(
         event -> close(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_FOCUSED);

@@ -8,7 +8,7 @@ import org.pendant.desktop.editor.text.AutoIndent;
 import org.pendant.desktop.editor.text.CommentToggle;
 import org.pendant.desktop.editor.text.Edit;
 import org.pendant.desktop.editor.text.LineMoves;
-import org.pendant.desktop.editor.text.Span;
+import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.kit.background.WorkQueue;
 import org.pendant.language.service.FormatOptions;
 import org.pendant.language.service.FormatResult;
@@ -76,7 +76,7 @@ final class LayoutCommands {
 
   /** Moves the selected lines over the one above or below. */
   void moveLines(boolean down) {
-    List<Span> lines = area.selectedLines();
+    List<TextSpan> lines = area.selectedLines();
     int first = area.lineAt(lines.getFirst().start());
     int last = first + lines.size() - 1;
     LineMoves.moved(area.getText(), lines, down)
@@ -112,7 +112,7 @@ final class LayoutCommands {
     int column = area.getCaretPosition() - area.line(area.lineAt(area.getCaretPosition())).start();
     Edit edit = LineMoves.deleted(area.getText(), area.selectedLines());
     area.make(List.of(edit));
-    Span line =
+    TextSpan line =
         area.line(area.lineAt(Math.min(edit.span().start(), area.getDocument().getLength())));
     area.setCaretPosition(Math.min(line.start() + column, line.end()));
   }
@@ -154,6 +154,6 @@ final class LayoutCommands {
     prompt.close();
     editorHost.leaving(editor);
     int start = area.line(Integer.parseInt(text)).start();
-    area.show(new Span(start, start));
+    area.show(new TextSpan(start, start));
   }
 }

@@ -8,7 +8,7 @@ import javax.swing.SwingUtilities;
 import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.desktop.editor.text.AnalysisSchedule;
 import org.pendant.desktop.editor.text.Place;
-import org.pendant.desktop.editor.text.Span;
+import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.kit.background.WorkQueue;
 import org.pendant.language.service.RenameResult;
@@ -79,7 +79,7 @@ final class NameCommands {
   void findReferences() {
     schedule.whenCurrent(
         analysed -> {
-          List<Span> spans = analysed.references(area.getCaretPosition());
+          List<TextSpan> spans = analysed.references(area.getCaretPosition());
           if (spans.isEmpty()) {
             editorHost.tell("There is no name here");
             return;
@@ -99,7 +99,7 @@ final class NameCommands {
     schedule.whenCurrent(
         analysed -> {
           int caret = area.getCaretPosition();
-          List<Span> spans = analysed.references(caret);
+          List<TextSpan> spans = analysed.references(caret);
           spans.stream()
               .filter(span -> span.touches(caret))
               .findFirst()
@@ -108,7 +108,7 @@ final class NameCommands {
         });
   }
 
-  private void askForName(Span span) {
+  private void askForName(TextSpan span) {
     String old = area.text(span);
     InlinePrompt.ask(
         area,

@@ -10,7 +10,7 @@ import javax.swing.text.Highlighter;
 import org.fife.ui.rtextarea.SmartHighlightPainter;
 import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.desktop.editor.text.AnalysisSchedule;
-import org.pendant.desktop.editor.text.Span;
+import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.kit.background.WorkQueue;
 
 /** Marks every place that means the same as the name at the caret, after a moment of rest. */
@@ -23,7 +23,7 @@ final class Occurrences {
   private final WorkQueue background;
   private final SmartHighlightPainter painter = new SmartHighlightPainter(Color.LIGHT_GRAY);
   private final List<Object> marks = new ArrayList<>();
-  private List<Span> marked = List.of();
+  private List<TextSpan> marked = List.of();
   private int version;
 
   Occurrences(ScriptArea area, AnalysisSchedule schedule, WorkQueue background) {
@@ -60,7 +60,7 @@ final class Occurrences {
     background.run(
         0,
         () -> {
-          List<Span> found = analysed.get().references(caret);
+          List<TextSpan> found = analysed.get().references(caret);
           EventQueue.invokeLater(
               () -> {
                 boolean still = schedule.current().filter(now -> now == analysed.get()).isPresent();
@@ -72,8 +72,8 @@ final class Occurrences {
   }
 
   /** A name that occurs once needs no mark. */
-  private void mark(List<Span> found) {
-    List<Span> wanted =
+  private void mark(List<TextSpan> found) {
+    List<TextSpan> wanted =
         found.size() < 2 ? List.of() : found.subList(0, Math.min(MOST, found.size()));
     if (wanted.equals(marked)) {
       return;
@@ -82,7 +82,7 @@ final class Occurrences {
     marked = wanted;
     Highlighter highlighter = area.getHighlighter();
     try {
-      for (Span span : wanted) {
+      for (TextSpan span : wanted) {
         marks.add(highlighter.addHighlight(span.start(), span.end(), painter));
       }
     } catch (BadLocationException e) {

@@ -22,7 +22,7 @@ import org.pendant.desktop.editor.text.AnalysisSchedule;
 import org.pendant.desktop.editor.text.LineColours;
 import org.pendant.desktop.editor.text.Problem;
 import org.pendant.desktop.editor.text.RichText;
-import org.pendant.desktop.editor.text.Span;
+import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.kit.background.WorkQueue;
 import org.pendant.language.signature.Catalogue;
@@ -120,7 +120,7 @@ final class ProgramEditor extends JPanel {
   private void shown(HierarchyEvent event) {
     boolean shown = (event.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0;
     if (shown && area.isShowing() && generated()) {
-      Span caret = new Span(area.getCaretPosition(), area.getCaretPosition());
+      TextSpan caret = new TextSpan(area.getCaretPosition(), area.getCaretPosition());
       EventQueue.invokeLater(() -> area.show(caret));
     }
   }
@@ -203,7 +203,7 @@ final class ProgramEditor extends JPanel {
   }
 
   /** Selects a place, to come back from it later. */
-  void jump(Span span) {
+  void jump(TextSpan span) {
     editorHost.leaving(this);
     area.show(span);
     area.requestFocusInWindow();
@@ -237,9 +237,9 @@ final class ProgramEditor extends JPanel {
 
   /** Selects a place; line and column (in characters) count from 1. */
   void show(int line, int column, int length) {
-    Span whole = area.line(line);
+    TextSpan whole = area.line(line);
     int start = Math.min(whole.end(), whole.start() + Math.max(0, column - 1));
-    area.show(new Span(start, start + length));
+    area.show(new TextSpan(start, start + length));
   }
 
   void setExecution(Execution execution) {

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.desktop.editor.text.ScriptFolder;
-import org.pendant.desktop.editor.text.Span;
+import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.kit.background.WorkQueue;
@@ -89,7 +89,7 @@ final class QuickOpen {
       AnalysedText analysed,
       List<QuickPick.Item> items) {
     for (OutlineItem each : outline) {
-      Span span = analysed.span(each.nameRange());
+      TextSpan span = analysed.span(each.nameRange());
       int line = analysed.line(span.start());
       items.add(
           new QuickPick.Item(

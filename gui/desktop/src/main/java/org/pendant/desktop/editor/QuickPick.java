@@ -36,7 +36,7 @@ final class QuickPick {
   private final DefaultListModel<Item> model = new DefaultListModel<>();
   private final JList<Item> list = new JList<>(model);
   private final JLabel nothing = new JLabel("Nothing matches");
-  private final Overlay overlay;
+  private final FloatingPanel overlay;
   private final List<Item> all = new ArrayList<>();
   private volatile boolean open = true;
 
@@ -71,7 +71,7 @@ final class QuickPick {
     content.add(query);
     content.add(new JScrollPane(list));
     content.add(nothing);
-    overlay = new Overlay(area, content);
+    overlay = new FloatingPanel(area, content);
     listen();
   }
 

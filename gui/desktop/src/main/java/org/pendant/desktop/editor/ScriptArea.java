@@ -24,8 +24,8 @@ import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.desktop.editor.text.AutoIndent;
 import org.pendant.desktop.editor.text.Edit;
 import org.pendant.desktop.editor.text.LineColours;
-import org.pendant.desktop.editor.text.Lines;
-import org.pendant.desktop.editor.text.Span;
+import org.pendant.desktop.editor.text.LineIndex;
+import org.pendant.desktop.editor.text.TextSpan;
 
 /** The text component, set up for scripts. Offsets count characters, lines count from 1. */
 @SuppressWarnings("serial") // never written to a stream
@@ -160,7 +160,7 @@ final class ScriptArea extends RSyntaxTextArea {
   }
 
   /** Selects {@code span} and scrolls it to the middle if it is not in sight; opens folds. */
-  void show(Span span) {
+  void show(TextSpan span) {
     int end = Math.clamp(span.end(), 0, getDocument().getLength());
     int start = Math.clamp(span.start(), 0, end);
     getFoldManager().ensureOffsetNotInClosedFold(start);
@@ -176,10 +176,10 @@ final class ScriptArea extends RSyntaxTextArea {
   }
 
   /** The characters of line {@code line}, without its end; of the nearest if there is none. */
-  Span line(int line) {
+  TextSpan line(int line) {
     Element root = getDocument().getDefaultRootElement();
     Element element = root.getElement(Math.clamp(line - 1, 0, root.getElementCount() - 1));
-    return new Span(element.getStartOffset(), element.getEndOffset() - 1);
+    return new TextSpan(element.getStartOffset(), element.getEndOffset() - 1);
   }
 
   /** The line of {@code offset}. */
@@ -189,7 +189,7 @@ final class ScriptArea extends RSyntaxTextArea {
 
   /** Puts a line below the one of the caret, indented as that is, as one step of undo. */
   void insertLine(String text) {
-    Span line = line(lineAt(getCaretPosition()));
+    TextSpan line = line(lineAt(getCaretPosition()));
     String before = getText().substring(line.start(), line.end());
     String indent = before.substring(0, before.length() - before.stripLeading().length());
     insert("\n" + indent + text, line.end());
@@ -197,8 +197,8 @@ final class ScriptArea extends RSyntaxTextArea {
   }
 
   /** The lines that the selection touches, or the line of the caret. */
-  List<Span> selectedLines() {
-    return Lines.touched(getText(), new Span(getSelectionStart(), getSelectionEnd()));
+  List<TextSpan> selectedLines() {
+    return LineIndex.touched(getText(), new TextSpan(getSelectionStart(), getSelectionEnd()));
   }
 
   @Override
@@ -255,7 +255,7 @@ final class ScriptArea extends RSyntaxTextArea {
     super.replaceSelection(text);
   }
 
-  String text(Span span) {
+  String text(TextSpan span) {
     try {
       return getText(span.start(), span.end() - span.start());
     } catch (BadLocationException e) {

@@ -17,10 +17,10 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import org.pendant.desktop.editor.text.Place;
-import org.pendant.desktop.editor.text.Span;
+import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.ProgramFile;
 import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Actions;
@@ -196,7 +196,7 @@ public final class ScriptEditor implements View {
   private void goTo(ProgramDocument program, int offset) {
     programs.select(program);
     workbench.show(ID);
-    current().area().show(new Span(offset, offset));
+    current().area().show(new TextSpan(offset, offset));
     current().area().requestFocusInWindow();
   }
 
@@ -246,7 +246,7 @@ public final class ScriptEditor implements View {
   /** On the worker thread. */
   private void read(Path file, Runnable then) {
     try {
-      ProgramFile read = ProgramFile.read(file);
+      SavedProgram read = SavedProgram.read(file);
       EventQueue.invokeLater(
           () -> {
             programs.select(programs.of(file).orElseGet(() -> ProgramDocument.of(read)));

@@ -13,7 +13,7 @@ import javax.swing.text.Position;
 import org.pendant.desktop.editor.text.AutoIndent;
 import org.pendant.desktop.editor.text.BlockEnd;
 import org.pendant.desktop.editor.text.BracketPairs;
-import org.pendant.desktop.editor.text.Span;
+import org.pendant.desktop.editor.text.TextSpan;
 
 /** What happens besides when somebody types: indentation, ends of blocks, pairs of brackets. */
 final class ScriptTyping {
@@ -39,7 +39,7 @@ final class ScriptTyping {
     String own = String.valueOf(c);
     int start = area.getSelectionStart();
     int end = area.getSelectionEnd();
-    String selected = area.text(new Span(start, end));
+    String selected = area.text(new TextSpan(start, end));
     if (start < end) {
       boolean around = BracketPairs.surrounds(c) && selected.indexOf('\n') < 0;
       area.insertPlain(around ? own + selected + BracketPairs.closing(c) : own);
@@ -49,7 +49,7 @@ final class ScriptTyping {
       }
       return;
     }
-    Span line = area.line(area.lineAt(start));
+    TextSpan line = area.line(area.lineAt(start));
     switch (BracketPairs.typed(area.text(line), start - line.start(), c)) {
       case INSERT -> area.insertPlain(own);
       case STEP_OVER -> area.setCaretPosition(start + 1);
@@ -64,7 +64,7 @@ final class ScriptTyping {
   /** A line that has just become {@code end} goes back to where its block began. */
   private void alignClosingWord() {
     int caret = area.getCaretPosition();
-    Span line = area.line(area.lineAt(caret));
+    TextSpan line = area.line(area.lineAt(caret));
     String content = area.text(line);
     if (caret != line.end() || content.isBlank() || !Character.isWhitespace(content.charAt(0))) {
       return;
@@ -96,7 +96,7 @@ final class ScriptTyping {
     if (!before.strip().equals("end") || !behind.isEmpty() || below > area.getLineCount()) {
       return;
     }
-    Span line = area.line(below);
+    TextSpan line = area.line(below);
     boolean ours = given.removeIf(each -> each.getOffset() == line.start());
     if (ours && area.text(line).equals(before)) {
       area.replaceRange("", line.start() - 1, line.end());
@@ -127,11 +127,11 @@ final class ScriptTyping {
         return;
       }
       int start = area.getSelectionStart();
-      Span line = area.line(area.lineAt(start));
-      String before = area.text(new Span(line.start(), start));
+      TextSpan line = area.line(area.lineAt(start));
+      String before = area.text(new TextSpan(line.start(), start));
       String behind =
           area.text(
-              new Span(
+              new TextSpan(
                   area.getSelectionEnd(), area.line(area.lineAt(area.getSelectionEnd())).end()));
       String deeper = "\n" + AutoIndent.behind(before);
       boolean endless =
@@ -165,7 +165,7 @@ final class ScriptTyping {
     @Override
     public void actionPerformed(ActionEvent event) {
       int caret = area.getCaretPosition();
-      Span line = area.line(area.lineAt(caret));
+      TextSpan line = area.line(area.lineAt(caret));
       boolean pair =
           area.getSelectionStart() == area.getSelectionEnd()
               && BracketPairs.isEmptyPair(area.text(line), caret - line.start());

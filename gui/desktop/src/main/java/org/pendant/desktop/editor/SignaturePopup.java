@@ -18,14 +18,14 @@ final class SignaturePopup {
   private final ScriptArea area;
   private final AnalysisSchedule schedule;
   private final JLabel text = new JLabel();
-  private final Overlay overlay;
+  private final FloatingPanel overlay;
 
   SignaturePopup(ScriptArea area, AnalysisSchedule schedule) {
     this.area = area;
     this.schedule = schedule;
     text.setName("signature");
     text.setBorder(BorderFactory.createEmptyBorder(6, 10, 6, 10));
-    overlay = new Overlay(area, text);
+    overlay = new FloatingPanel(area, text);
     area.addCaretListener(
         event -> {
           if (overlay.visible()) {

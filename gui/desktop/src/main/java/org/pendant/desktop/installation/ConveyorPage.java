@@ -11,7 +11,7 @@ import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.form.Measure;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** Conveyors that programs can follow. */
 final class ConveyorPage implements Page {
@@ -24,7 +24,7 @@ final class ConveyorPage implements Page {
   private static final List<List<Integer>> PAIRS =
       List.of(List.of(8, 9), List.of(10, 11), List.of(9, 8), List.of(11, 10));
 
-  private final Card card = new Card("Conveyors", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Conveyors", "[grow, fill]");
   private final Items<ConveyorSetup> items;
   private final JLabel count = new JLabel(" ");
 
@@ -38,7 +38,7 @@ final class ConveyorPage implements Page {
             new Listed<>(editing, Installation::conveyors, (parts, all) -> parts.conveyors = all),
             each -> "Conveyor " + each.number() + " along " + each.feature());
     items.adder("Add conveyor", () -> fresh(editing.now()));
-    Form<ConveyorSetup> form = items.form();
+    PartsForm<ConveyorSetup> form = items.form();
     form.<Integer>choice(
             "Number",
             now -> List.of(1, 2),

@@ -5,17 +5,17 @@ import java.util.Optional;
 import javax.swing.JComponent;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.io.WatchdogAction;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** What the loss of an EtherNet/IP scanner does. */
 final class EthernetIpPage implements Page {
   private final Editing editing;
-  private final Card card = new Card("EtherNet/IP", "[grow, fill]");
-  private final Form<Installation> form;
+  private final TitledCard card = new TitledCard("EtherNet/IP", "[grow, fill]");
+  private final PartsForm<Installation> form;
 
   EthernetIpPage(Editing editing) {
     this.editing = editing;
-    form = new Form<>("ethernet-ip", editing::whole, editing::takeWhole);
+    form = new PartsForm<>("ethernet-ip", editing::whole, editing::takeWhole);
     form.check(
             "On",
             now -> now.ethernetIpLoss().isPresent(),

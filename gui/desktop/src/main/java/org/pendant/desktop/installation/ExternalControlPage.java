@@ -3,17 +3,17 @@ package org.pendant.desktop.installation;
 import javax.swing.JComponent;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** Where External Control nodes get their script. */
 final class ExternalControlPage implements Page {
   private final Editing editing;
-  private final Card card = new Card("External Control", "[grow, fill]");
-  private final Form<Installation> form;
+  private final TitledCard card = new TitledCard("External Control", "[grow, fill]");
+  private final PartsForm<Installation> form;
 
   ExternalControlPage(Editing editing) {
     this.editing = editing;
-    form = new Form<>("external-control", editing::whole, editing::takeWhole);
+    form = new PartsForm<>("external-control", editing::whole, editing::takeWhole);
     form.text(
             "Host",
             now -> now.controlHost().host(),

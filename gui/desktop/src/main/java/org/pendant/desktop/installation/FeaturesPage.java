@@ -18,7 +18,7 @@ import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationParts;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.pose.Pose;
 
 /** Frames that programs refer to by name, taught by the arm. */
@@ -26,7 +26,7 @@ final class FeaturesPage implements Page {
   private static final int MAX_POINTS = 3;
 
   private final Supplier<ControllerState> state;
-  private final Card card = new Card("Features", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Features", "[grow, fill]");
   private final Items<Feature> items;
   private final List<JLabel> places = new ArrayList<>();
   private final List<JButton> teach = new ArrayList<>();
@@ -64,7 +64,7 @@ final class FeaturesPage implements Page {
                   false,
                   true));
     }
-    Form<Feature> form = items.form();
+    PartsForm<Feature> form = items.form();
     form.text("Name", Feature::name, (f, name) -> with(f, name.strip(), f.points()))
         .check(
             "Variable",
@@ -81,7 +81,7 @@ final class FeaturesPage implements Page {
                     : editing.problem("features[" + items.chosenIndex() + "].points").orElse(""))
         .heading("Points")
         .wide(points());
-    Card.named(typedPoint, "feature-typed", "The point that is typed below");
+    TitledCard.named(typedPoint, "feature-typed", "The point that is typed below");
     typedPoint.addActionListener(event -> items.chosen().ifPresent(form::showOther));
     form.add("Type point", typedPoint);
     PoseRows.addTo(
@@ -109,8 +109,8 @@ final class FeaturesPage implements Page {
       JLabel place = new JLabel();
       place.setName("feature-place-" + i);
       JButton button = new JButton("Set to TCP");
-      Card.compact(button);
-      Card.named(button, "feature-teach-" + i, "Put the point where the TCP is now");
+      TitledCard.compact(button);
+      TitledCard.named(button, "feature-teach-" + i, "Put the point where the TCP is now");
       button.addActionListener(
           event ->
               items

@@ -9,7 +9,7 @@ import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.form.Measure;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.Joints;
 
 /** Where home is. */
@@ -18,12 +18,12 @@ final class HomePage implements Page {
       List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
 
   private final Editing editing;
-  private final Card card = new Card("Home", "[grow, fill]");
-  private final Form<Installation> form;
+  private final TitledCard card = new TitledCard("Home", "[grow, fill]");
+  private final PartsForm<Installation> form;
 
   HomePage(Editing editing, Supplier<ControllerState> state) {
     this.editing = editing;
-    form = new Form<>("home", editing::whole, editing::takeWhole);
+    form = new PartsForm<>("home", editing::whole, editing::takeWhole);
     for (int i = 0; i < Joints.COUNT; i++) {
       int joint = i;
       form.numberRow(
@@ -44,8 +44,9 @@ final class HomePage implements Page {
 
   private static JButton button(String title, String tip) {
     JButton button = new JButton(title);
-    Card.compact(button);
-    return Card.named(button, "home-" + title.toLowerCase(Locale.ROOT).replace(' ', '-'), tip);
+    TitledCard.compact(button);
+    return TitledCard.named(
+        button, "home-" + title.toLowerCase(Locale.ROOT).replace(' ', '-'), tip);
   }
 
   private static Installation with(Installation before, Joints homeRad) {

@@ -11,7 +11,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
 import org.pendant.script.vm.ProgramState;
@@ -34,7 +34,7 @@ final class InstallationBar {
     this.editing = editing;
     name.setName("installation-name");
     name.putClientProperty("FlatLaf.styleClass", "semibold");
-    JPanel row = new JPanel(new WrappingRow(Form.BETWEEN));
+    JPanel row = new JPanel(new WrappingRow(PartsForm.BETWEEN));
     row.add(name);
     for (List<String> each :
         List.of(
@@ -43,22 +43,22 @@ final class InstallationBar {
             List.of("save", "Save", "Save the installation"),
             List.of("save-as", "Save as\u2026", "Save the installation in another file"))) {
       JButton button = each.getFirst().equals("save") ? save : new JButton(each.get(1));
-      Card.named(button, "installation-" + each.getFirst(), each.get(2));
-      Card.compact(button);
+      TitledCard.named(button, "installation-" + each.getFirst(), each.get(2));
+      TitledCard.compact(button);
       button.addActionListener(event -> workbench.actions().run("installation." + each.getFirst()));
       row.add(button);
     }
-    Card.named(undo, "installation-undo", "Undo the last change (Ctrl+Z)");
+    TitledCard.named(undo, "installation-undo", "Undo the last change (Ctrl+Z)");
     undo.addActionListener(event -> editing.undo());
-    Card.named(redo, "installation-redo", "Make it again (Ctrl+Y)");
+    TitledCard.named(redo, "installation-redo", "Make it again (Ctrl+Y)");
     redo.addActionListener(event -> editing.redo());
-    Card.named(
+    TitledCard.named(
         stop, "installation-stop", "Stop the program, so that the controller is set up anew");
     stop.addActionListener(
         event -> {
           var _ = workbench.session().submit(new ProgramCommand.StopProgram());
         });
-    Card.compact(undo, redo, stop);
+    TitledCard.compact(undo, redo, stop);
     row.add(undo);
     row.add(redo);
     panel.add(row, "span, growx, wmin 0, wrap");

@@ -24,8 +24,8 @@ import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
-import org.pendant.kit.layout.Card;
 import org.pendant.kit.layout.CardSheet;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
@@ -116,7 +116,7 @@ public final class InstallationView implements View {
   }
 
   private void build() {
-    Card.named(list, "installation-pages", "Pages of the installation");
+    TitledCard.named(list, "installation-pages", "Pages of the installation");
     list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     list.setCellRenderer(new Entry());
     list.setSelectionModel(new Pages());

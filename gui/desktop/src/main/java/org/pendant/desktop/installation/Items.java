@@ -20,7 +20,7 @@ import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
 
@@ -37,14 +37,14 @@ final class Items<T> {
   private final Function<T, String> words;
   private final DefaultListModel<T> shown = new DefaultListModel<>();
   private final JList<T> list = new JList<>(shown);
-  private final JPanel buttons = new JPanel(new WrappingRow(Form.BETWEEN));
+  private final JPanel buttons = new JPanel(new WrappingRow(PartsForm.BETWEEN));
   private final List<JButton> adders = new ArrayList<>();
   private final JButton remove = new JButton("Remove");
   private final JButton up = new JButton("Up");
   private final JButton down = new JButton("Down");
   private final Remark problem;
   private final Remark empty;
-  private final Form<T> form;
+  private final PartsForm<T> form;
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, gap 8 6, wrap, hidemode 3", "[grow, fill]"));
   private int chosen = -1;
@@ -88,8 +88,8 @@ final class Items<T> {
     problem = new Remark(id + "-problem", Palette::error);
     empty = new Remark(id + "-empty", Palette::quiet);
     empty.say(whenEmpty);
-    form = new Form<>(id, this::refusal, this::replace);
-    Card.named(list, id + "-list", what);
+    form = new PartsForm<>(id, this::refusal, this::replace);
+    TitledCard.named(list, id + "-list", what);
     list.setVisibleRowCount(ROWS);
     list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     list.setCellRenderer(new Cell());
@@ -109,17 +109,17 @@ final class Items<T> {
                 remove();
               }
             });
-    Card.named(remove, id + "-remove", "Remove the chosen one (Delete)");
+    TitledCard.named(remove, id + "-remove", "Remove the chosen one (Delete)");
     remove.addActionListener(event -> remove());
-    Card.named(up, id + "-up", "Move the chosen one up");
+    TitledCard.named(up, id + "-up", "Move the chosen one up");
     up.addActionListener(event -> move(-1));
-    Card.named(down, id + "-down", "Move the chosen one down");
+    TitledCard.named(down, id + "-down", "Move the chosen one down");
     down.addActionListener(event -> move(1));
-    Card.compact(remove, up, down);
+    TitledCard.compact(remove, up, down);
     buttons.setOpaque(false);
     panel.setOpaque(false);
     panel.add(new JScrollPane(list), "hmin 60");
-    panel.add(buttons, "wmin 0, pad 0 -" + Form.BETWEEN + " 0 0");
+    panel.add(buttons, "wmin 0, pad 0 -" + PartsForm.BETWEEN + " 0 0");
     panel.add(empty, Remark.LAYOUT);
     panel.add(problem, Remark.LAYOUT);
     panel.add(form.component(), "gaptop 6");
@@ -129,8 +129,8 @@ final class Items<T> {
   Items<T> adder(String title, Supplier<T> fresh) {
     JButton button = new JButton(title);
     String word = title.toLowerCase(java.util.Locale.ROOT).replace(' ', '-');
-    Card.named(button, id + "-" + word, title);
-    Card.compact(button);
+    TitledCard.named(button, id + "-" + word, title);
+    TitledCard.compact(button);
     button.addActionListener(event -> add(fresh.get()));
     adders.add(button);
     buttons.add(button, adders.size() - 1);
@@ -138,7 +138,7 @@ final class Items<T> {
   }
 
   /** The form for the chosen one, to be filled with fields. */
-  Form<T> form() {
+  PartsForm<T> form() {
     return form;
   }
 

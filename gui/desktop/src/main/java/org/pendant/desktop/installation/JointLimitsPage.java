@@ -12,7 +12,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.kit.form.Measure;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.Joints;
 
 /** Speeds and ranges of the joints, normal and reduced. */
@@ -22,15 +22,15 @@ final class JointLimitsPage implements Page {
       List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
 
   private final SafetyDraft draft;
-  private final Card card = new Card("Joint limits", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Joint limits", "[grow, fill]");
   private final SafetyBar bar;
-  private final Form<SafetyConfiguration> form;
+  private final PartsForm<SafetyConfiguration> form;
   private final List<EntryField> fields = new ArrayList<>();
 
   JointLimitsPage(SafetyDraft draft) {
     this.draft = draft;
     bar = new SafetyBar(draft, "joints");
-    form = new Form<>("joints", draft::refusal, draft::edit);
+    form = new PartsForm<>("joints", draft::refusal, draft::edit);
     form.heading("Normal");
     addSet("normal", SafetyConfiguration::normal, LimitsPage::withNormal);
     form.heading("Reduced");

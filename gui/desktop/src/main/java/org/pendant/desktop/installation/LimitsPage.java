@@ -11,23 +11,23 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyLimits;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.Joints;
 
 /** The limits of the robot as a whole, normal and reduced. */
 final class LimitsPage implements Page {
   private final Editing editing;
   private final SafetyDraft draft;
-  private final Card card = new Card("Safety limits", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Safety limits", "[grow, fill]");
   private final SafetyBar bar;
-  private final Form<SafetyConfiguration> form;
+  private final PartsForm<SafetyConfiguration> form;
   private final List<JComponent> locked = new ArrayList<>();
 
   LimitsPage(Editing editing, SafetyDraft draft) {
     this.editing = editing;
     this.draft = draft;
     bar = new SafetyBar(draft, "limits");
-    form = new Form<>("limits", draft::refusal, draft::edit);
+    form = new PartsForm<>("limits", draft::refusal, draft::edit);
     JPanel grid =
         new JPanel(
             new MigLayout(
@@ -86,8 +86,8 @@ final class LimitsPage implements Page {
 
   private JButton preset(String title, double part) {
     JButton button = new JButton(title);
-    Card.compact(button);
-    Card.named(button, "limits-" + title.toLowerCase(Locale.ROOT), title + " of the limits");
+    TitledCard.compact(button);
+    TitledCard.named(button, "limits-" + title.toLowerCase(Locale.ROOT), title + " of the limits");
     button.addActionListener(event -> draft.edit(scaled(part)));
     return button;
   }

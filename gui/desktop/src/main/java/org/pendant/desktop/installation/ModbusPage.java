@@ -11,7 +11,7 @@ import org.pendant.controller.installation.ModbusSetup;
 import org.pendant.controller.modbus.ModbusSignalState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.form.Measure;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** Signals at Modbus devices. */
 final class ModbusPage implements Page {
@@ -20,7 +20,7 @@ final class ModbusPage implements Page {
           .filter(kind -> kind != ModbusKind.READ_WRITE_REGISTERS)
           .toList();
 
-  private final Card card = new Card("Modbus", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Modbus", "[grow, fill]");
   private final Items<ModbusSetup> items;
   private final JLabel value = new JLabel(" ");
   private final JLabel status = new JLabel(" ");

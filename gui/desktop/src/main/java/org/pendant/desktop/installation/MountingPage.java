@@ -8,19 +8,19 @@ import org.pendant.controller.installation.BaseMounting;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.world.Vector3;
 import org.pendant.kit.form.Measure;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** How the base is mounted. */
 final class MountingPage implements Page {
   private final Editing editing;
-  private final Card card = new Card("Mounting", "[grow, fill]");
-  private final Form<Installation> form;
+  private final TitledCard card = new TitledCard("Mounting", "[grow, fill]");
+  private final PartsForm<Installation> form;
   private final MountingPicture picture = new MountingPicture();
   private final JLabel gravity = new JLabel();
 
   MountingPage(Editing editing) {
     this.editing = editing;
-    form = new Form<>("mounting", editing::whole, editing::takeWhole);
+    form = new PartsForm<>("mounting", editing::whole, editing::takeWhole);
     form.wide(picture);
     form.numberRow(
         "Tilt",
@@ -54,8 +54,8 @@ final class MountingPage implements Page {
 
   private JButton preset(String title, double tiltRad) {
     JButton button = new JButton(title);
-    Card.compact(button);
-    Card.named(
+    TitledCard.compact(button);
+    TitledCard.named(
         button,
         "mounting-" + title.toLowerCase(Locale.ROOT),
         "Mounted on a " + title.toLowerCase(Locale.ROOT));

@@ -15,7 +15,7 @@ import org.pendant.controller.installation.InstallationParts;
 import org.pendant.controller.installation.NamedPayload;
 import org.pendant.controller.world.Vector3;
 import org.pendant.kit.form.Measure;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** The payloads, and the one that is active when a program starts. */
 final class PayloadPage implements Page {
@@ -23,9 +23,9 @@ final class PayloadPage implements Page {
   private static final List<String> INERTIA = List.of("Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz");
 
   private final Editing editing;
-  private final Card card = new Card("Payload", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Payload", "[grow, fill]");
   private final Items<NamedPayload> items;
-  private final Form<Installation> active;
+  private final PartsForm<Installation> active;
 
   PayloadPage(Editing editing) {
     this.editing = editing;
@@ -43,7 +43,7 @@ final class PayloadPage implements Page {
     items.adder(
         "Add payload",
         () -> new NamedPayload(items.freshName("Payload"), 0, new Vector3(0, 0, 0), Inertia.NONE));
-    Form<NamedPayload> form = items.form();
+    PartsForm<NamedPayload> form = items.form();
     form.text(
         "Name",
         NamedPayload::name,
@@ -68,14 +68,14 @@ final class PayloadPage implements Page {
     form.heading("Inertia about the centre of gravity, along the axes of the flange");
     addInertia(form);
     JButton set = new JButton("Set payload");
-    Card.named(set, "payload-set", "Make this the active payload");
+    TitledCard.named(set, "payload-set", "Make this the active payload");
     set.addActionListener(
         event ->
             items
                 .chosen()
                 .ifPresent(payload -> editing.take(p -> p.activePayload = payload.name())));
     form.buttons(set);
-    active = new Form<>("payload-active", editing::whole, editing::takeWhole);
+    active = new PartsForm<>("payload-active", editing::whole, editing::takeWhole);
     active.choice(
         "Active payload",
         PayloadPage::names,
@@ -86,7 +86,7 @@ final class PayloadPage implements Page {
     card.add(items.component());
   }
 
-  private static void addInertia(Form<NamedPayload> form) {
+  private static void addInertia(PartsForm<NamedPayload> form) {
     JPanel grid =
         new JPanel(
             new MigLayout("insets 0, gap 6, wrap 4", "[][50:100:130, fill]16[][50:100:130, fill]"));

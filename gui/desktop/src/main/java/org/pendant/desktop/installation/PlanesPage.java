@@ -16,7 +16,7 @@ import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.form.Measure;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
@@ -27,7 +27,7 @@ final class PlanesPage implements Page {
 
   private final Editing editing;
   private final SafetyDraft draft;
-  private final Card card = new Card("Safety planes", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Safety planes", "[grow, fill]");
   private final SafetyBar bar;
   private final Items<SafetyPlane> items;
   private final JComboBox<String> fromFeature = new JComboBox<>();
@@ -50,7 +50,7 @@ final class PlanesPage implements Page {
         () ->
             new SafetyPlane(
                 items.freshName("Plane"), 0, 0, 0, new Axis(0, 0, 1), Applies.BOTH, false));
-    Form<SafetyPlane> form = items.form();
+    PartsForm<SafetyPlane> form = items.form();
     form.text(
             "Name",
             SafetyPlane::name,
@@ -116,8 +116,8 @@ final class PlanesPage implements Page {
           });
     }
     JButton here = new JButton("Through TCP");
-    Card.compact(here);
-    Card.named(here, "plane-here", "Put the plane where the TCP is now");
+    TitledCard.compact(here);
+    TitledCard.named(here, "plane-here", "Put the plane where the TCP is now");
     here.addActionListener(
         event ->
             items
@@ -129,8 +129,8 @@ final class PlanesPage implements Page {
                           moved(p, new double[] {tcp.x(), tcp.y(), tcp.z()}, p.allowedSide()));
                     }));
     JButton turn = new JButton("Other side");
-    Card.compact(turn);
-    Card.named(turn, "plane-turn", "Allow the other side");
+    TitledCard.compact(turn);
+    TitledCard.named(turn, "plane-turn", "Allow the other side");
     turn.addActionListener(
         event ->
             items
@@ -141,7 +141,7 @@ final class PlanesPage implements Page {
                       items.replace(moved(p, point(p), new Axis(-side[0], -side[1], -side[2])));
                     }));
     form.buttons(here, turn);
-    Card.named(fromFeature, "plane-feature", "Lay it on the x-y plane of a feature");
+    TitledCard.named(fromFeature, "plane-feature", "Lay it on the x-y plane of a feature");
     fromFeature.addActionListener(event -> layOnFeature());
     form.wide(fromFeature);
     card.add(bar.component());

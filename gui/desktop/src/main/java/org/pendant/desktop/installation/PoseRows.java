@@ -13,7 +13,7 @@ import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.desktop.move.RotationForm;
 import org.pendant.kit.form.Measure;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.pose.Pose;
 
 /** The six fields of a pose in a form, and the choice of how its rotation is written. */
@@ -30,7 +30,7 @@ final class PoseRows {
    * @param usable whether the pose can be typed now
    */
   static <T> void addTo(
-      Form<T> form,
+      PartsForm<T> form,
       String name,
       RotationChoice rotation,
       Function<T, Pose> get,
@@ -72,7 +72,7 @@ final class PoseRows {
       fields.add(angle);
     }
     JComboBox<RotationForm> choice =
-        Card.named(
+        TitledCard.named(
             new JComboBox<>(RotationForm.values()),
             name + "-rotation",
             "How rotations are written");

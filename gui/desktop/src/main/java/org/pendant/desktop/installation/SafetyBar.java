@@ -7,7 +7,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
 
@@ -35,29 +35,29 @@ final class SafetyBar {
     this.draft = draft;
     state = new Remark(page + "-lock-state", Palette::quiet);
     summary = new Remark(page + "-changes", Palette::warning);
-    Card.named(unlock, page + "-unlock", "Change the safety configuration");
+    TitledCard.named(unlock, page + "-unlock", "Change the safety configuration");
     unlock.addActionListener(event -> draft.unlock());
-    Card.named(apply, page + "-apply", "Show what changes, then apply it");
+    TitledCard.named(apply, page + "-apply", "Show what changes, then apply it");
     apply.addActionListener(event -> ask(true));
-    Card.named(discard, page + "-discard", "Forget the changes, and lock");
+    TitledCard.named(discard, page + "-discard", "Forget the changes, and lock");
     discard.addActionListener(event -> draft.discard());
-    Card.named(really, page + "-apply-really", "Apply the changes; the arm is powered off");
+    TitledCard.named(really, page + "-apply-really", "Apply the changes; the arm is powered off");
     really.addActionListener(
         event -> {
           asking = false;
           draft.apply();
           unlock.requestFocusInWindow();
         });
-    Card.named(back, page + "-apply-back", "Do not apply them yet");
+    TitledCard.named(back, page + "-apply-back", "Do not apply them yet");
     back.addActionListener(event -> ask(false));
-    Card.compact(unlock, apply, discard, really, back);
-    JPanel row = new JPanel(new WrappingRow(Form.BETWEEN));
+    TitledCard.compact(unlock, apply, discard, really, back);
+    JPanel row = new JPanel(new WrappingRow(PartsForm.BETWEEN));
     row.setOpaque(false);
     List.of(unlock, apply, discard, really, back).forEach(row::add);
     row.add(checksum);
     checksum.setName(page + "-checksum");
     panel.setOpaque(false);
-    panel.add(row, "wmin 0, pad 0 -" + Form.BETWEEN + " 0 0");
+    panel.add(row, "wmin 0, pad 0 -" + PartsForm.BETWEEN + " 0 0");
     panel.add(state, Remark.LAYOUT);
     panel.add(summary, Remark.LAYOUT);
     draft.addListener(

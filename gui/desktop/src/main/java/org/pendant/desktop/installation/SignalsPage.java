@@ -17,7 +17,7 @@ import javax.swing.table.TableCellEditor;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 
@@ -26,7 +26,7 @@ final class SignalsPage implements Page {
   private static final int ROWS = 14;
   private static final int LIVE_MS = 100;
 
-  private final Card card = new Card("I/O", "[grow, fill]");
+  private final TitledCard card = new TitledCard("I/O", "[grow, fill]");
   private final SignalTable model;
   private final SignalsTable table;
   private final Remark problem = new Remark("signals-problem", Palette::error);
@@ -37,7 +37,7 @@ final class SignalsPage implements Page {
   SignalsPage(Editing editing) {
     model = new SignalTable(editing, problem::say);
     table = new SignalsTable(model);
-    Card.named(table, "signals-table", "Signals: F2 changes the chosen cell");
+    TitledCard.named(table, "signals-table", "Signals: F2 changes the chosen cell");
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setCellSelectionEnabled(true);
     table.putClientProperty("terminateEditOnFocusLost", true);
@@ -46,13 +46,13 @@ final class SignalsPage implements Page {
     for (int i = 0; i < widths.length; i++) {
       table.getColumnModel().getColumn(i).setPreferredWidth(widths[i]);
     }
-    Card.named(group, "signals-group", "Which signals are listed");
+    TitledCard.named(group, "signals-group", "Which signals are listed");
     group.addActionListener(
         event -> {
           stop();
           model.show(group.getItemAt(Math.max(0, group.getSelectedIndex())), filter.getText());
         });
-    Card.named(filter, "signals-filter", "Part of a signal or name");
+    TitledCard.named(filter, "signals-filter", "Part of a signal or name");
     filter.putClientProperty("JTextField.placeholderText", "Filter");
     filter
         .getDocument()
@@ -122,7 +122,7 @@ final class SignalsPage implements Page {
         return super.getCellEditor(row, column);
       }
       JComboBox<String> box =
-          Card.named(
+          TitledCard.named(
               new JComboBox<>(signals.choices(row, column).toArray(new String[0])),
               "signals-editor",
               signals.getColumnName(column).toLowerCase(Locale.ROOT));

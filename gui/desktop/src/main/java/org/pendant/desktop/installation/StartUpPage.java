@@ -7,7 +7,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.StartUp;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.ArmLibrary;
 
 /** What happens by itself when the robot is switched on, and which robot it is for. */
@@ -15,12 +15,12 @@ final class StartUpPage implements Page {
   private static final List<String> INPUTS = inputs();
 
   private final Editing editing;
-  private final Card card = new Card("Start-up", "[grow, fill]");
-  private final Form<Installation> form;
+  private final TitledCard card = new TitledCard("Start-up", "[grow, fill]");
+  private final PartsForm<Installation> form;
 
   StartUpPage(Editing editing) {
     this.editing = editing;
-    form = new Form<>("start-up", editing::whole, editing::takeWhole);
+    form = new PartsForm<>("start-up", editing::whole, editing::takeWhole);
     form.text(
             "Load program",
             now -> now.startUp().program(),

@@ -8,15 +8,15 @@ import javax.swing.JComponent;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationParts;
 import org.pendant.controller.installation.NamedTool;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.pose.Pose;
 
 /** The TCPs, and the one that is active when a program starts. */
 final class TcpPage implements Page {
   private final Editing editing;
-  private final Card card = new Card("TCP", "[grow, fill]");
+  private final TitledCard card = new TitledCard("TCP", "[grow, fill]");
   private final Items<NamedTool> items;
-  private final Form<Installation> active;
+  private final PartsForm<Installation> active;
 
   TcpPage(Editing editing, RotationChoice rotation) {
     this.editing = editing;
@@ -29,7 +29,7 @@ final class TcpPage implements Page {
                 editing, Installation::tools, (parts, all) -> parts.tools = all, TcpPage::follow),
             tool -> tool.name() + (isActive(tool) ? "  (active)" : ""));
     items.adder("Add TCP", () -> new NamedTool(items.freshName("TCP"), Pose.ZERO));
-    Form<NamedTool> form = items.form();
+    PartsForm<NamedTool> form = items.form();
     form.text(
         "Name", NamedTool::name, (before, name) -> new NamedTool(name.strip(), before.inFlange()));
     PoseRows.addTo(
@@ -40,12 +40,12 @@ final class TcpPage implements Page {
         (before, pose) -> new NamedTool(before.name(), pose),
         now -> true);
     JButton set = new JButton("Set TCP");
-    Card.named(set, "tcp-set", "Make this the active TCP");
+    TitledCard.named(set, "tcp-set", "Make this the active TCP");
     set.addActionListener(
         event -> items.chosen().ifPresent(tool -> editing.take(p -> p.activeTool = tool.name())));
     form.buttons(set);
     form.note("Where the TCP is in the flange, and how it is turned.");
-    active = new Form<>("tcp-active", editing::whole, editing::takeWhole);
+    active = new PartsForm<>("tcp-active", editing::whole, editing::takeWhole);
     active.choice(
         "Active TCP",
         TcpPage::names,

@@ -9,18 +9,18 @@ import org.pendant.controller.installation.Wiring;
 import org.pendant.controller.io.ToolOutputMode;
 import org.pendant.controller.io.ToolPinMode;
 import org.pendant.kit.form.Measure;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** How the connector at the tool flange is used. */
 final class ToolConnectorPage implements Page {
   private final Editing editing;
-  private final Card card = new Card("Tool connector", "[grow, fill]");
-  private final Form<Wiring> form;
+  private final TitledCard card = new TitledCard("Tool connector", "[grow, fill]");
+  private final PartsForm<Wiring> form;
 
   ToolConnectorPage(Editing editing) {
     this.editing = editing;
     form =
-        new Form<>(
+        new PartsForm<>(
             "tool-connector",
             next -> editing.refusal(parts -> parts.wiring = next),
             next -> editing.take(parts -> parts.wiring = next));

@@ -9,7 +9,7 @@ import org.pendant.controller.safety.Axis;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.ToolDirection;
 import org.pendant.kit.form.Measure;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** How far the tool may be tilted. */
 final class ToolDirectionPage implements Page {
@@ -19,14 +19,14 @@ final class ToolDirectionPage implements Page {
   private static final List<String> AXES = List.of("X", "Y", "Z");
 
   private final SafetyDraft draft;
-  private final Card card = new Card("Tool direction", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Tool direction", "[grow, fill]");
   private final SafetyBar bar;
-  private final Form<SafetyConfiguration> form;
+  private final PartsForm<SafetyConfiguration> form;
 
   ToolDirectionPage(SafetyDraft draft) {
     this.draft = draft;
     bar = new SafetyBar(draft, "direction");
-    form = new Form<>("direction", draft::refusal, draft::edit);
+    form = new PartsForm<>("direction", draft::refusal, draft::edit);
     form.check(
         "Restrict how far the tool may be tilted",
         c -> c.toolDirection().isPresent(),

@@ -3,11 +3,11 @@ package org.pendant.desktop.installation;
 import javax.swing.JComponent;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationVariable;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** Variables that every program has, and that keep their values. */
 final class VariablesPage implements Page {
-  private final Card card = new Card("Variables", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Variables", "[grow, fill]");
   private final Items<InstallationVariable> items;
 
   VariablesPage(Editing editing) {

@@ -5,15 +5,15 @@ import java.util.List;
 import javax.swing.JComponent;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** Analog signals: the inputs of box and tool, or the outputs. */
 final class AnalogCard {
-  private final Card card;
+  private final TitledCard card;
   private final List<AnalogRow> rows = new ArrayList<>();
 
   AnalogCard(String title, List<AnalogBank> banks, Forcing forcing, SignalLabels labels) {
-    card = new Card(title, "[][grow,fill][][]");
+    card = new TitledCard(title, "[][grow,fill][][]");
     for (AnalogBank bank : banks) {
       for (int i = 0; i < AnalogBank.SIZE; i++) {
         rows.add(new AnalogRow(card, bank, i, forcing, labels));

@@ -12,7 +12,7 @@ import javax.swing.SwingConstants;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 
@@ -33,7 +33,7 @@ final class AnalogRow {
   /** Whether the controls are made to show something, which is no wish of anybody. */
   private boolean showing;
 
-  AnalogRow(Card card, AnalogBank bank, int index, Forcing forcing, SignalLabels labels) {
+  AnalogRow(TitledCard card, AnalogBank bank, int index, Forcing forcing, SignalLabels labels) {
     presenter = new AnalogPresenter(bank, index, forcing);
     String id = SignalName.id(bank, index);
     String name = bank.name(index);
@@ -45,11 +45,12 @@ final class AnalogRow {
       domain.addItem(AnalogText.unit(each));
     }
     String verb = bank.input() ? "Force " : "Set ";
-    Card.named(value, id + "-value", verb + name + ", Enter sets it");
+    TitledCard.named(value, id + "-value", verb + name + ", Enter sets it");
     value.setHorizontalAlignment(SwingConstants.TRAILING);
     value.putClientProperty("FlatLaf.styleClass", "monospaced");
-    Card.named(domain, id + "-domain", "What " + name + " is made of: a current or a voltage");
-    Card.named(slider, id, verb + name);
+    TitledCard.named(
+        domain, id + "-domain", "What " + name + " is made of: a current or a voltage");
+    TitledCard.named(slider, id, verb + name);
     problem.setName(id + "-problem");
     listen();
     card.add(brief);

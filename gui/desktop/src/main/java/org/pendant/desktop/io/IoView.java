@@ -23,8 +23,8 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
-import org.pendant.kit.layout.Card;
 import org.pendant.kit.layout.CardSheet;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
@@ -84,7 +84,7 @@ public final class IoView implements View {
   private JComponent bar() {
     JPanel bar = new JPanel(new WrappingRow(8));
     JTextField length = new JTextField(workbench.settings().get(PULSE_SETTING).orElse("0.5"), 4);
-    Card.named(length, "io-pulse-length", "How long a pulse lasts, in seconds of robot time");
+    TitledCard.named(length, "io-pulse-length", "How long a pulse lasts, in seconds of robot time");
     JLabel problem = new JLabel();
     problem.setName("io-pulse-problem");
     readPulse(length, problem);
@@ -92,10 +92,10 @@ public final class IoView implements View {
     bar.add(group(labelled("Pulse length", length), length, new JLabel("s"), problem));
     search.putClientProperty("JTextField.placeholderText", "Number or name");
     search.putClientProperty("JTextField.showClearButton", true);
-    Card.named(
+    TitledCard.named(
         search, "io-register-search", "Find registers and flags by number or name, in use or not");
     search.getDocument().addDocumentListener(new Typed(this::filter));
-    Card.named(
+    TitledCard.named(
         onlyUsed,
         "io-only-used",
         "Show only registers and flags that hold something or have a name");
@@ -107,7 +107,8 @@ public final class IoView implements View {
         });
     bar.add(group(labelled("Register", search), search));
     bar.add(group(onlyUsed));
-    Card.named(release, "io-release-all", "Bring all forced inputs to rest: low, 0 V, 4 mA or 0");
+    TitledCard.named(
+        release, "io-release-all", "Bring all forced inputs to rest: low, 0 V, 4 mA or 0");
     release.addActionListener(event -> presenter.releaseAll());
     forced.setName("io-forced");
     bar.add(group(forced, release));

@@ -13,14 +13,14 @@ import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
 /** The registers of one kind and direction, or the flags. */
 final class MemoryCard {
   private static final int MAX_ROWS = 8;
 
-  private final Card card;
+  private final TitledCard card;
   private final MemoryList list;
   private final MemoryTable table;
   private final JScrollPane scroll;
@@ -30,7 +30,7 @@ final class MemoryCard {
 
   MemoryCard(Memory memory, Forcing forcing, SignalLabels labels) {
     list = new MemoryList(memory, forcing, labels);
-    card = new Card(memory.title(), "[grow,fill]");
+    card = new TitledCard(memory.title(), "[grow,fill]");
     String name = memory.title().toLowerCase(Locale.ROOT).replace(' ', '-');
     table = new MemoryTable("io-" + name, list, this::tell);
     scroll =

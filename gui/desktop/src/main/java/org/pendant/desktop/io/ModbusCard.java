@@ -8,14 +8,14 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.modbus.ModbusSignalState;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
 /** The signals at Modbus devices, of the installation and of programs. */
 final class ModbusCard {
   private static final String NONE = "Signals of Modbus devices appear here";
 
-  private final Card card = new Card("Modbus", "[grow,fill,0::]");
+  private final TitledCard card = new TitledCard("Modbus", "[grow,fill,0::]");
   private final JLabel none = new JLabel(NONE);
   private final JPanel table =
       new JPanel(

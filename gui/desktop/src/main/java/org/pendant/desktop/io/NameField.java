@@ -3,7 +3,7 @@ package org.pendant.desktop.io;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import javax.swing.JTextField;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** Where people name a signal. */
 final class NameField {
@@ -17,7 +17,7 @@ final class NameField {
    */
   static JTextField of(SignalLabels labels, String id, String signal) {
     JTextField field =
-        Card.named(new JTextField(labels.of(id)), id + "-label", "Your name for " + signal);
+        TitledCard.named(new JTextField(labels.of(id)), id + "-label", "Your name for " + signal);
     field.putClientProperty("JTextField.placeholderText", "Name");
     field.putClientProperty(
         "FlatLaf.style", "borderColor: $Card.fieldBorder; background: null; arc: 8");

@@ -9,7 +9,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.Joints;
 
 /**
@@ -19,7 +19,7 @@ import org.pendant.models.arm.Joints;
 final class ReadingsCard {
   private static final int COLUMNS = Readings.JOINT_COLUMNS.size();
 
-  private final Card card = new Card("Readings", "[grow,fill]");
+  private final TitledCard card = new TitledCard("Readings", "[grow,fill]");
   private final JPanel table = new JPanel();
   private final JPanel below = new JPanel();
   private final List<JLabel> titles = Readings.JOINT_COLUMNS.stream().map(Cells::title).toList();

@@ -5,11 +5,11 @@ import java.util.Map;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import org.pendant.controller.safety.SafetyInput;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** The inputs that demand safety functions. */
 final class SafetyCard {
-  private final Card card = new Card("Safety inputs", "[][grow,fill]");
+  private final TitledCard card = new TitledCard("Safety inputs", "[][grow,fill]");
   private final Map<SafetyInput, LevelButton> buttons = new EnumMap<>(SafetyInput.class);
   private final IoPresenter presenter;
 
@@ -17,7 +17,7 @@ final class SafetyCard {
     this.presenter = presenter;
     for (SafetyInput input : SafetyInput.values()) {
       LevelButton button =
-          Card.named(
+          TitledCard.named(
               new LevelButton(LevelIcon.ALARM, () -> presenter.toggle(input)),
               "safety-" + input.word().replace('_', '-'),
               "Demand: " + title(input));

@@ -8,11 +8,11 @@ import javax.swing.JLabel;
 import javax.swing.SwingConstants;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** The signals of one group, a row each: level, name and, for inputs, a button for a pulse. */
 final class SignalCard {
-  private final Card card;
+  private final TitledCard card;
   private final IoPresenter presenter;
   private final SignalLabels labels;
   private final List<Runnable> rows = new ArrayList<>();
@@ -20,7 +20,7 @@ final class SignalCard {
   SignalCard(SignalBank bank, IoPresenter presenter, SignalLabels labels) {
     this.presenter = presenter;
     this.labels = labels;
-    card = new Card(SignalName.of(bank), "[][][grow,fill,110::][]");
+    card = new TitledCard(SignalName.of(bank), "[][][grow,fill,110::][]");
     for (int i = 0; i < bank.size(); i++) {
       if (bank.input()) {
         addInput(new Signal(bank, i));
@@ -40,12 +40,12 @@ final class SignalCard {
 
   private void addInput(Signal signal) {
     LevelButton level =
-        Card.named(
+        TitledCard.named(
             new LevelButton(LevelIcon.SWITCH, () -> presenter.toggle(signal)),
             SignalName.id(signal),
             "Force " + signal + ", in scripts " + SignalName.inScript(signal));
     JButton pulse =
-        Card.named(
+        TitledCard.named(
             pulseButton(),
             SignalName.id(signal) + "-pulse",
             "Change " + signal + " for the length of a pulse");
@@ -64,7 +64,7 @@ final class SignalCard {
 
   private void addOutput(Signal signal) {
     LevelButton level =
-        Card.named(
+        TitledCard.named(
             new LevelButton(LevelIcon.SWITCH, () -> presenter.toggle(signal)),
             SignalName.id(signal),
             "Set " + signal + " while no program runs, in scripts " + SignalName.inScript(signal));

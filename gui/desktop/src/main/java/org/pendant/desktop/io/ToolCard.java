@@ -13,14 +13,14 @@ import org.pendant.controller.io.ToolConnector;
 import org.pendant.controller.io.ToolOutputMode;
 import org.pendant.controller.io.ToolPinMode;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.script.vm.ProgramState;
 
 /** How the connector at the tool flange is set up, and what it takes. */
 final class ToolCard {
   private static final List<Integer> VOLTS = List.of(0, 12, 24);
 
-  private final Card card = new Card("Tool connector", "[][grow,fill,110::]");
+  private final TitledCard card = new TitledCard("Tool connector", "[][grow,fill,110::]");
   private final Forcing forcing;
   private final JComboBox<String> voltage;
   private final JComboBox<String> mode;
@@ -67,7 +67,7 @@ final class ToolCard {
   private JComboBox<String> choice(
       String title, String name, List<String> texts, IntConsumer choose) {
     JComboBox<String> box = new JComboBox<>(texts.toArray(String[]::new));
-    Card.named(box, name, title + " of the tool connector");
+    TitledCard.named(box, name, title + " of the tool connector");
     box.addActionListener(
         event -> {
           if (!showing) {

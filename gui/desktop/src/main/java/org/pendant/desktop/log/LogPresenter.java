@@ -13,8 +13,8 @@ final class LogPresenter {
   static final int KEPT = 100_000;
 
   private final LogStore store;
-  private final Positions shown = new Positions();
-  private final Positions matches = new Positions();
+  private final LogPositions shown = new LogPositions();
+  private final LogPositions matches = new LogPositions();
   private LogFilter filter = LogFilter.ALL;
   private TextSearch search = TextSearch.NONE;
   private long taken;

@@ -18,7 +18,7 @@ import javax.swing.JSplitPane;
 import javax.swing.KeyStroke;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -53,7 +53,7 @@ public final class LogView implements View {
   public LogView(Workbench workbench, IntConsumer showLine) {
     this.workbench = workbench;
     this.showLine = showLine;
-    Session session = workbench.session();
+    RobotSession session = workbench.session();
     mailbox =
         new LogMailbox(
             LogPresenter.KEPT,

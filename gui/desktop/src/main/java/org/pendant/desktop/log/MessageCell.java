@@ -50,7 +50,7 @@ final class MessageCell extends DefaultTableCellRenderer {
   List<String> lines(LogLine line, FontMetrics metrics, int columnWidth) {
     String text = codeBeside ? line.withoutCode() : line.text();
     if (whole(line)) {
-      return WrappedText.lines(text, metrics::stringWidth, columnWidth - 2 * SIDE);
+      return LineBreaker.lines(text, metrics::stringWidth, columnWidth - 2 * SIDE);
     }
     int end = text.indexOf('\n');
     String first = end < 0 ? text : text.substring(0, end).stripTrailing() + " \u2026";

@@ -7,14 +7,14 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.pose.Pose;
 
 /** A frame of people's own, along whose axes the tool can be moved; seen while it is chosen. */
 final class FrameCard {
   private final MovePresenter presenter;
-  private final Card card = new Card("Frame in the base", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Frame in the base", "[grow, fill]");
   private final PoseFields fields;
   private final Remark problem = new Remark("move-frame-problem", Palette::error);
   private final JComboBox<String> features = new JComboBox<>();
@@ -27,19 +27,19 @@ final class FrameCard {
     FramePresenter frame = presenter.frame();
     fields = new PoseFields(frame.draft(), "move-own-frame-", "Frame in the base");
     JButton here = new JButton("Set to TCP");
-    Card.named(set, "move-set-frame", "Move along the axes of this frame from now on");
+    TitledCard.named(set, "move-set-frame", "Move along the axes of this frame from now on");
     set.addActionListener(event -> frame.setTyped());
-    Card.named(reset, "move-reset-frame", "Forget what you have typed");
+    TitledCard.named(reset, "move-reset-frame", "Forget what you have typed");
     reset.addActionListener(event -> frame.draft().reset());
-    Card.named(here, "move-frame-here", "Put the frame where the TCP is");
+    TitledCard.named(here, "move-frame-here", "Put the frame where the TCP is");
     here.addActionListener(event -> presenter.setFrameHere());
-    Card.compact(set, reset, here);
+    TitledCard.compact(set, reset, here);
     JPanel row = new JPanel(new MigLayout("insets 0, gap 8"));
     row.setOpaque(false);
     row.add(set);
     row.add(reset);
     row.add(here);
-    Card.named(features, "move-frame-features", "Take a feature of the installation");
+    TitledCard.named(features, "move-frame-features", "Take a feature of the installation");
     features.addActionListener(event -> choose());
     offer(Map.of());
     card.add(features, "growx");

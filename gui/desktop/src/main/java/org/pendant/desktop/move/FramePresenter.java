@@ -21,7 +21,7 @@ final class FramePresenter {
     inBase =
         settings
             .get(KEY)
-            .flatMap(text -> NumberList.read(text, Pose.SIZE))
+            .flatMap(text -> SavedNumbers.read(text, Pose.SIZE))
             .map(Pose::of)
             .orElse(Pose.ZERO);
     show();
@@ -40,7 +40,7 @@ final class FramePresenter {
   /** It is somewhere else from now on, also after the next start. */
   void set(Pose poseInBase) {
     inBase = poseInBase;
-    settings.put(KEY, NumberList.text(poseInBase.toArray()));
+    settings.put(KEY, SavedNumbers.text(poseInBase.toArray()));
     show();
   }
 

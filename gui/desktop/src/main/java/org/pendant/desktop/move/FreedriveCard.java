@@ -12,7 +12,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
 /** Freedrive: on while a button is held or until it is switched off, along some axes or all. */
@@ -23,7 +23,7 @@ final class FreedriveCard {
           + " on for the drag.";
 
   private final FreedrivePresenter presenter;
-  private final Card card = new Card("Freedrive", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Freedrive", "[grow, fill]");
   private final Segments<JogAxes> frames;
   private final List<JToggleButton> axes = new ArrayList<>();
   private final HoldButton hold;
@@ -43,11 +43,11 @@ final class FreedriveCard {
             each -> "The free axes are those of " + each.meaning(),
             presenter::setAxes);
     hold = new HoldButton("Hold for freedrive", null, presenter::begin, presenter::release);
-    Card.named(hold, "move-freedrive", "The arm can be guided by hand while this is held");
-    Card.named(keep, "move-freedrive-keep", "Keep freedrive on until this is switched off");
+    TitledCard.named(hold, "move-freedrive", "The arm can be guided by hand while this is held");
+    TitledCard.named(keep, "move-freedrive-keep", "Keep freedrive on until this is switched off");
     keep.addActionListener(event -> switchTo(keep.isSelected()));
     compact(keep);
-    Card.compact(hold);
+    TitledCard.compact(hold);
     card.add(row(hold, keep), "grow");
     card.add(choices(), "grow, gaptop 4");
     card.add(status, Remark.LAYOUT);
@@ -78,8 +78,8 @@ final class FreedriveCard {
       row.add(axis(i));
     }
     JButton all = new JButton("All");
-    Card.named(all, "move-free-all", "Free all axes");
-    Card.compact(all);
+    TitledCard.named(all, "move-free-all", "Free all axes");
+    TitledCard.compact(all);
     all.addActionListener(event -> presenter.setFree(FreeAxes.ALL));
     row.add(all, "gapleft 8");
     grid.add(row);
@@ -90,7 +90,7 @@ final class FreedriveCard {
     String name = AXES.get(axis);
     JToggleButton button = new JToggleButton(name, true);
     compact(button);
-    Card.named(
+    TitledCard.named(
         button,
         "move-free-" + name.toLowerCase(Locale.ROOT),
         (axis < 3 ? "Free to move along " + name : "Free to turn about " + name.substring(1)));

@@ -11,14 +11,14 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.Joints;
 
 /** Where home is: go there, put it where the arm is, or type it. */
 final class HomeCard {
   private final MovePresenter presenter;
-  private final Card card = new Card("Home", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Home", "[grow, fill]");
   private final List<NumberField> fields = new ArrayList<>();
   private final List<JLabel> units = new ArrayList<>();
   private final Remark problem = new Remark("move-home-problem", Palette::error);
@@ -31,14 +31,15 @@ final class HomeCard {
   HomeCard(MovePresenter presenter) {
     this.presenter = presenter;
     go = new HoldButton("Hold to go home", null, presenter::holdHome, presenter.jog()::release);
-    Card.named(go, "move-home", "Hold to move all joints home");
-    Card.named(here, "move-home-here", "Make the present joint positions home");
+    TitledCard.named(go, "move-home", "Hold to move all joints home");
+    TitledCard.named(here, "move-home-here", "Make the present joint positions home");
     here.addActionListener(event -> presenter.setHomeHere());
-    Card.named(set, "move-set-home", "Make the typed joint positions home");
+    TitledCard.named(set, "move-set-home", "Make the typed joint positions home");
     set.addActionListener(event -> presenter.home().setTyped());
-    Card.named(reset, "move-reset-home", "Forget what you have typed");
+    TitledCard.named(reset, "move-reset-home", "Forget what you have typed");
     reset.addActionListener(event -> presenter.home().draft().reset());
-    Card.named(standard, "move-standard-home", "Home is where a robot is when it is switched on");
+    TitledCard.named(
+        standard, "move-standard-home", "Home is where a robot is when it is switched on");
     standard.addActionListener(event -> presenter.home().set(BoxSetup.START_RAD));
     card.add(grid(), "grow");
     card.add(problem, Remark.LAYOUT);
@@ -71,7 +72,7 @@ final class HomeCard {
   }
 
   private static JComponent row(JButton... buttons) {
-    Card.compact(buttons);
+    TitledCard.compact(buttons);
     JPanel row = new JPanel(new MigLayout("insets 0, gap 8"));
     row.setOpaque(false);
     for (JButton each : buttons) {

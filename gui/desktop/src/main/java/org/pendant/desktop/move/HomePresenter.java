@@ -32,7 +32,7 @@ final class HomePresenter {
     homeRad =
         settings
             .get(key())
-            .flatMap(text -> NumberList.read(text, Joints.COUNT))
+            .flatMap(text -> SavedNumbers.read(text, Joints.COUNT))
             .map(Joints::of)
             .orElse(BoxSetup.START_RAD);
     draft.reset();
@@ -56,7 +56,7 @@ final class HomePresenter {
   /** Home is somewhere else from now on, also after the next start. */
   void set(Joints positionRad) {
     homeRad = positionRad;
-    settings.put(key(), NumberList.text(positionRad.toArray()));
+    settings.put(key(), SavedNumbers.text(positionRad.toArray()));
     draft.reset();
     draft.follow(positionRad.toArray());
     listener.accept(positionRad);

@@ -12,7 +12,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.jog.JogDirection.Kind;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
 /** The pads that move and turn the tool, by mouse, finger or keys, and how they do it. */
@@ -21,7 +21,7 @@ final class JogCard {
       "Keys: arrows for X and Y, page up and down for Z; with Shift they turn the tool.";
 
   private final JogPresenter presenter;
-  private final Card card = new Card("Tool", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Tool", "[grow, fill]");
   private final List<HoldButton> buttons = new ArrayList<>();
   private final Segments<JogAxes> axes;
   private final Segments<JogSize> sizes;
@@ -78,7 +78,7 @@ final class JogCard {
     units.setForeground(Palette.quiet());
     grid.add(units);
     JSlider slider = new JSlider(1, 100, (int) Math.round(100 * presenter.speedFraction()));
-    Card.named(
+    TitledCard.named(
         slider, "move-speed", "Speed of moves by hand; all of it is 250 mm/s, or 34 deg/s a joint");
     slider.addChangeListener(event -> setSpeed(slider.getValue()));
     JLabel label = new JLabel("Speed");

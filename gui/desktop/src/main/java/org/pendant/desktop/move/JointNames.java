@@ -3,7 +3,7 @@ package org.pendant.desktop.move;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
-import org.pendant.desktop.session.Words;
+import org.pendant.desktop.session.StateWords;
 
 /** The joints by name instead of number. */
 final class JointNames {
@@ -26,6 +26,6 @@ final class JointNames {
             .matcher(reason)
             .replaceAll(
                 found -> NAMES.get(Integer.parseInt(found.group(1))).toLowerCase(Locale.ROOT));
-    return reason.isEmpty() ? "" : Words.capital(named) + ".";
+    return reason.isEmpty() ? "" : StateWords.capital(named) + ".";
   }
 }

@@ -12,14 +12,14 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.Joints;
 
 /** The six joints: turn them, see how far they may, and type where they should go. */
 final class JointsCard {
   private final MovePresenter presenter;
-  private final Card card = new Card("Joints", "[][][grow, fill][][fill][]");
+  private final TitledCard card = new TitledCard("Joints", "[][][grow, fill][][fill][]");
   private final List<HoldButton> holds = new ArrayList<>();
   private final List<RangeBar> bars = new ArrayList<>();
   private final List<NumberField> fields = new ArrayList<>();
@@ -43,16 +43,19 @@ final class JointsCard {
     card.add(problem, "span, " + Remark.LAYOUT);
     card.add(hint, "span, " + Remark.LAYOUT);
     go = new HoldButton("Hold to go", null, presenter::holdJointGoal, presenter.jog()::release);
-    Card.named(go, "move-go-joints", "Hold to move to the joint positions that you have typed");
-    Card.named(reset, "move-reset-joints", "Forget what you have typed and show the arm again");
+    TitledCard.named(
+        go, "move-go-joints", "Hold to move to the joint positions that you have typed");
+    TitledCard.named(
+        reset, "move-reset-joints", "Forget what you have typed and show the arm again");
     reset.addActionListener(event -> presenter.goals().joints().reset());
     JButton copyButton = new JButton("Copy");
-    Card.named(copyButton, "move-copy-joints", "Copy the joint positions as URScript");
+    TitledCard.named(copyButton, "move-copy-joints", "Copy the joint positions as URScript");
     copyButton.addActionListener(event -> copy.accept(presenter.jointsScript()));
     JButton insert = new JButton("Insert");
-    Card.named(insert, "move-insert-movej", "Insert movej to these joint positions in the program");
+    TitledCard.named(
+        insert, "move-insert-movej", "Insert movej to these joint positions in the program");
     insert.addActionListener(event -> waypoint.accept("movej(" + presenter.jointsScript() + ")"));
-    Card.compact(go, reset, copyButton, insert);
+    TitledCard.compact(go, reset, copyButton, insert);
     JPanel row = new JPanel(new MigLayout("insets 0, gap 8", "[][grow][][]"));
     row.setOpaque(false);
     row.add(go);
@@ -95,7 +98,7 @@ final class JointsCard {
             text, null, () -> presenter.jog().turn(joint, direction), presenter.jog()::letGo);
     String way = direction > 0 ? "up" : "down";
     button.putClientProperty("FlatLaf.style", "minimumWidth: 0");
-    Card.named(button, "move-" + id + "-" + way, "Turn " + JointNames.of(joint) + " " + way);
+    TitledCard.named(button, "move-" + id + "-" + way, "Turn " + JointNames.of(joint) + " " + way);
     holds.add(button);
     return button;
   }

@@ -226,11 +226,11 @@ final class MovePresenter {
 
   /** The joint positions of the arm as URScript. */
   String jointsScript() {
-    return state.map(now -> ScriptText.of(now.arm().targetPositionRad())).orElse("");
+    return state.map(now -> PositionText.of(now.arm().targetPositionRad())).orElse("");
   }
 
   /** The pose of the TCP in the base as URScript. */
   String poseScript() {
-    return state.map(now -> ScriptText.of(now.arm().targetTcpInBase())).orElse("");
+    return state.map(now -> PositionText.of(now.arm().targetTcpInBase())).orElse("");
   }
 }

@@ -101,13 +101,13 @@ public final class MoveView implements View {
             "move.copy-pose",
             "Copy TCP pose as URScript",
             "",
-            () -> copy.accept(ScriptText.of(now().arm().targetTcpInBase()))));
+            () -> copy.accept(PositionText.of(now().arm().targetTcpInBase()))));
     actions.add(
         Action.of(
             "move.copy-joints",
             "Copy joint positions as URScript",
             "",
-            () -> copy.accept(ScriptText.of(now().arm().targetPositionRad()))));
+            () -> copy.accept(PositionText.of(now().arm().targetPositionRad()))));
     actions.add(
         Action.of(
             "move.insert-waypoint",
@@ -115,7 +115,7 @@ public final class MoveView implements View {
             "",
             () ->
                 insertWaypoint.accept(
-                    "movej(" + ScriptText.of(now().arm().targetPositionRad()) + ")")));
+                    "movej(" + PositionText.of(now().arm().targetPositionRad()) + ")")));
   }
 
   private void declareMoves(Actions actions) {

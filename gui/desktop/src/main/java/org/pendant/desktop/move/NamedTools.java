@@ -36,7 +36,7 @@ final class NamedTools {
   private void read(String line) {
     int end = line.indexOf('\t');
     if (end > 0 && problem(line.substring(0, end)).isEmpty()) {
-      NumberList.read(line.substring(end + 1), Pose.SIZE)
+      SavedNumbers.read(line.substring(end + 1), Pose.SIZE)
           .ifPresent(numbers -> tools.put(line.substring(0, end), Pose.of(numbers)));
     }
   }
@@ -83,7 +83,7 @@ final class NamedTools {
 
   private void write() {
     List<String> lines = new ArrayList<>();
-    tools.forEach((name, pose) -> lines.add(name + "\t" + NumberList.text(pose.toArray())));
+    tools.forEach((name, pose) -> lines.add(name + "\t" + SavedNumbers.text(pose.toArray())));
     settings.put(KEY, String.join("\n", lines));
   }
 }

@@ -3,7 +3,7 @@ package org.pendant.desktop.move;
 import java.util.Objects;
 import javax.swing.JTextField;
 import javax.swing.SwingConstants;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 
 /** A field for one number of a {@link Draft}; red-rimmed, with the reason as tip, if it is none. */
@@ -21,7 +21,7 @@ final class NumberField extends JTextField {
     this.index = index;
     this.tip = tip;
     setHorizontalAlignment(SwingConstants.TRAILING);
-    Card.named(this, name, tip);
+    TitledCard.named(this, name, tip);
     getDocument().addDocumentListener(new Typed(this::typed));
   }
 

@@ -6,7 +6,7 @@ import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.desktop.session.Readiness;
+import org.pendant.desktop.session.ArmReadiness;
 import org.pendant.script.vm.ProgramState;
 
 /**
@@ -25,9 +25,9 @@ record Obstacle(String text, String remedy, Optional<Command> command) {
 
   /** What is in the way; empty if nothing is. */
   static Optional<Obstacle> of(ControllerState state, Pace pace) {
-    Readiness readiness = Readiness.of(state);
+    ArmReadiness readiness = ArmReadiness.of(state);
     boolean recovery = state.safety().safetyMode() == SafetyMode.RECOVERY;
-    if (readiness.light() != Readiness.Light.READY && !recovery) {
+    if (readiness.light() != ArmReadiness.Light.READY && !recovery) {
       String text =
           readiness.command().isPresent()
               ? readiness.text() + ": the arm cannot be moved."

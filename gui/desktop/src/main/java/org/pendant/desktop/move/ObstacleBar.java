@@ -5,7 +5,7 @@ import javax.swing.JButton;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
 /** Tells why the arm cannot be moved, with the button that changes it. */
@@ -37,7 +37,7 @@ final class ObstacleBar extends JPanel {
     if (obstacle.isPresent()) {
       text.say(obstacle.get().text());
       remedy.setText(obstacle.get().remedy());
-      Card.named(remedy, "move-remedy", obstacle.get().text());
+      TitledCard.named(remedy, "move-remedy", obstacle.get().text());
       remedy.setVisible(!obstacle.get().remedy().isEmpty());
       remedy.setEnabled(obstacle.get().command().isPresent());
     }

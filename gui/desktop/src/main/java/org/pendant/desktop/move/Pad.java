@@ -12,7 +12,7 @@ import org.pendant.controller.jog.JogDirection;
 import org.pendant.controller.jog.JogDirection.Kind;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.icon.SvgIcon;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** Six buttons that move the tool along three axes, or turn it about them. */
 final class Pad {
@@ -62,7 +62,7 @@ final class Pad {
     button.setVerticalTextPosition(SwingConstants.BOTTOM);
     button.setIconTextGap(0);
     button.putClientProperty("FlatLaf.style", "margin: 2,2,2,2; minimumWidth: 0");
-    Card.named(
+    TitledCard.named(
         button,
         "move-"
             + (along() ? "" : "turn-")

@@ -8,7 +8,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
 /** What hangs on the flange: mass, centre of gravity, inertia. */
@@ -19,7 +19,7 @@ final class PayloadCard {
       List.of("m", "x", "y", "z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz");
 
   private final ToolPresenter presenter;
-  private final Card card = new Card("Payload", "[grow, fill]");
+  private final TitledCard card = new TitledCard("Payload", "[grow, fill]");
   private final List<NumberField> fields = new ArrayList<>();
   private final List<JLabel> units = new ArrayList<>();
   private final Remark problem = new Remark("move-payload-problem", Palette::error);
@@ -28,16 +28,16 @@ final class PayloadCard {
 
   PayloadCard(ToolPresenter presenter) {
     this.presenter = presenter;
-    Card.named(set, "move-set-payload", "Declare this payload; zeroes the force sensor");
+    TitledCard.named(set, "move-set-payload", "Declare this payload; zeroes the force sensor");
     set.addActionListener(event -> presenter.setPayload());
-    Card.named(reset, "move-reset-payload", "Forget what you have typed");
+    TitledCard.named(reset, "move-reset-payload", "Forget what you have typed");
     reset.addActionListener(event -> presenter.resetPayload());
     card.add(grid(0, ToolPresenter.INERTIA), "grow");
     card.add(quiet("X, Y, Z: centre of gravity, in the flange"));
     card.add(grid(ToolPresenter.INERTIA, LABELS.size()), "grow, gaptop 8");
     card.add(quiet("Inertia about it, along the axes of the flange"));
     card.add(problem, Remark.LAYOUT);
-    Card.compact(set, reset);
+    TitledCard.compact(set, reset);
     JPanel row = new JPanel(new MigLayout("insets 0, gap 8"));
     row.setOpaque(false);
     row.add(set);

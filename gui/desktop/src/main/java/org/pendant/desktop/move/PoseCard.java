@@ -10,13 +10,13 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
 /** The pose of the TCP: read it, type another one, and go there. */
 final class PoseCard {
   private final MovePresenter presenter;
-  private final Card card = new Card("TCP pose", "[grow, fill]");
+  private final TitledCard card = new TitledCard("TCP pose", "[grow, fill]");
   private final JLabel where = new JLabel();
   private final PoseFields fields;
   private final Remark problem = new Remark("move-pose-problem", Palette::error);
@@ -32,10 +32,10 @@ final class PoseCard {
     fields = new PoseFields(presenter.goals().pose(), "move-pose-", "Pose of the TCP");
     where.setName("move-pose-frame");
     go = new HoldButton("Hold to go", null, presenter::holdPoseGoal, presenter.jog()::release);
-    Card.named(go, "move-go-pose", "Hold to move all joints to the pose that you have typed");
+    TitledCard.named(go, "move-go-pose", "Hold to move all joints to the pose that you have typed");
     align =
         new HoldButton("Hold to align", null, presenter::holdAlignment, presenter.jog()::release);
-    Card.named(
+    TitledCard.named(
         align, "move-align", "Hold to turn the tool parallel to the nearest axis of base or frame");
     card.add(where);
     card.add(choices(), "grow");
@@ -81,22 +81,23 @@ final class PoseCard {
       String name, String tip, T[] values, T chosen, Function<T, PoseForm> form) {
     JComboBox<T> box = new JComboBox<>(values);
     box.setSelectedItem(chosen);
-    Card.named(box, name, tip);
+    TitledCard.named(box, name, tip);
     box.addActionListener(
         event -> presenter.setForm(form.apply(box.getItemAt(box.getSelectedIndex()))));
     return box;
   }
 
   private JComponent buttons(Consumer<String> copy, Consumer<String> waypoint) {
-    Card.named(reset, "move-reset-pose", "Forget what you have typed and show the arm again");
+    TitledCard.named(reset, "move-reset-pose", "Forget what you have typed and show the arm again");
     reset.addActionListener(event -> presenter.goals().pose().reset());
     JButton copyButton = new JButton("Copy");
-    Card.named(copyButton, "move-copy-pose", "Copy the pose in the base as URScript");
+    TitledCard.named(copyButton, "move-copy-pose", "Copy the pose in the base as URScript");
     copyButton.addActionListener(event -> copy.accept(presenter.poseScript()));
     JButton insert = new JButton("Insert");
-    Card.named(insert, "move-insert-movel", "Insert movel to the pose in the base in the program");
+    TitledCard.named(
+        insert, "move-insert-movel", "Insert movel to the pose in the base in the program");
     insert.addActionListener(event -> waypoint.accept("movel(" + presenter.poseScript() + ")"));
-    Card.compact(go, align, reset, copyButton, insert);
+    TitledCard.compact(go, align, reset, copyButton, insert);
     JPanel row = new JPanel(new MigLayout("insets 0, gap 6", "[][][grow][][]"));
     row.setOpaque(false);
     row.add(go);

@@ -10,7 +10,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** A choice of one of a few, as buttons side by side. */
 final class Segments<E extends Enum<E>> {
@@ -37,7 +37,7 @@ final class Segments<E extends Enum<E>> {
     for (E each : type.getEnumConstants()) {
       JToggleButton button = new JToggleButton(title.apply(each), each == chosen);
       button.putClientProperty("FlatLaf.style", "minimumWidth: 0; margin: 2,8,2,8");
-      Card.named(
+      TitledCard.named(
           button, prefix + each.name().toLowerCase(Locale.ROOT).replace('_', '-'), tip.apply(each));
       button.addActionListener(event -> choose.accept(each));
       group.add(button);

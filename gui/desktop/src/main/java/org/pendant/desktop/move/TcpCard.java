@@ -11,7 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 
@@ -20,7 +20,7 @@ final class TcpCard {
   private static final String CHOOSE = "Kept TCPs";
 
   private final MovePresenter presenter;
-  private final Card card = new Card("TCP in the flange", "[grow, fill]");
+  private final TitledCard card = new TitledCard("TCP in the flange", "[grow, fill]");
   private final PoseFields fields;
   private final JComboBox<String> kept = new JComboBox<>();
   private final JTextField name = new JTextField(10);
@@ -38,17 +38,18 @@ final class TcpCard {
     this.presenter = presenter;
     ToolPresenter tool = presenter.tool();
     fields = new PoseFields(tool.tcp(), "move-tcp-", "TCP in the flange");
-    Card.named(name, "move-tcp-name", "Name of the TCP");
+    TitledCard.named(name, "move-tcp-name", "Name of the TCP");
     name.getDocument().addDocumentListener(new Typed(() -> keepProblem = ""));
-    Card.named(kept, "move-tcp-kept", "Show a TCP that is kept, to be set");
+    TitledCard.named(kept, "move-tcp-kept", "Show a TCP that is kept, to be set");
     kept.addActionListener(event -> choose());
-    Card.named(set, "move-set-tcp", "Make this the active TCP");
+    TitledCard.named(set, "move-set-tcp", "Make this the active TCP");
     set.addActionListener(event -> tool.setTcp(name.getText().strip()));
-    Card.named(reset, "move-reset-tcp", "Forget what you have typed");
+    TitledCard.named(reset, "move-reset-tcp", "Forget what you have typed");
     reset.addActionListener(event -> reset());
-    Card.named(keep, "move-keep-tcp", "Keep this TCP under its name, for later and other programs");
+    TitledCard.named(
+        keep, "move-keep-tcp", "Keep this TCP under its name, for later and other programs");
     keep.addActionListener(event -> keepProblem = tool.keep(name.getText().strip()));
-    Card.named(forget, "move-forget-tcp", "No longer keep the TCP of this name");
+    TitledCard.named(forget, "move-forget-tcp", "No longer keep the TCP of this name");
     forget.addActionListener(event -> tool.named().forget(name.getText().strip()));
     card.add(names(), "grow");
     card.add(fields.component(), "grow, gaptop 4");
@@ -69,7 +70,7 @@ final class TcpCard {
   }
 
   private JComponent buttons() {
-    Card.compact(set, reset, keep, forget);
+    TitledCard.compact(set, reset, keep, forget);
     JPanel row = new JPanel(new MigLayout("insets 0, gap 8", "[][][grow][][]"));
     row.setOpaque(false);
     row.add(set);

@@ -12,9 +12,9 @@ final class Chart {
   /** Lines beyond which a chart takes no more by itself. */
   private static final int ENOUGH = 8;
 
-  private final List<Trace> traces = new ArrayList<>();
+  private final List<ChartTrace> traces = new ArrayList<>();
 
-  List<Trace> traces() {
+  List<ChartTrace> traces() {
     return List.copyOf(traces);
   }
 
@@ -27,18 +27,18 @@ final class Chart {
     return traces.isEmpty();
   }
 
-  boolean has(Quantity quantity) {
+  boolean has(ChartQuantity quantity) {
     return traces.stream().anyMatch(each -> each.quantity().equals(quantity));
   }
 
   /** Adds a quantity in the first colour that is free, unless it is here. */
-  void add(Quantity quantity) {
+  void add(ChartQuantity quantity) {
     if (!has(quantity)) {
       int color = 0;
       while (taken(color)) {
         color++;
       }
-      traces.add(new Trace(quantity, color));
+      traces.add(new ChartTrace(quantity, color));
     }
   }
 
@@ -46,7 +46,7 @@ final class Chart {
     return traces.stream().anyMatch(each -> each.color() == color);
   }
 
-  void remove(Quantity quantity) {
+  void remove(ChartQuantity quantity) {
     traces.removeIf(each -> each.quantity().equals(quantity));
   }
 
@@ -57,11 +57,11 @@ final class Chart {
   }
 
   /** Whether a quantity of this unit belongs here rather than on a chart of its own. */
-  boolean suits(Quantity quantity) {
+  boolean suits(ChartQuantity quantity) {
     return !empty()
         && traces.size() < ENOUGH
         && traces.stream()
-            .map(Trace::quantity)
+            .map(ChartTrace::quantity)
             .allMatch(
                 each ->
                     each.unit().equals(quantity.unit()) && each.variable() == quantity.variable());

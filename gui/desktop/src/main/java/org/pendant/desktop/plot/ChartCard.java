@@ -28,7 +28,7 @@ final class ChartCard extends JPanel {
     this.chart = chart;
     panel = new ChartPanel(presenter, chart, changed);
     JPanel legend = new JPanel(new WrappingRow(8));
-    for (Trace trace : chart.traces()) {
+    for (ChartTrace trace : chart.traces()) {
       LegendItem item =
           new LegendItem(
               trace,
@@ -41,7 +41,7 @@ final class ChartCard extends JPanel {
     }
     add(legend, BorderLayout.NORTH);
     add(panel, BorderLayout.CENTER);
-    Consumer<List<Quantity>> take =
+    Consumer<List<ChartQuantity>> take =
         dropped -> {
           dropped.forEach(each -> presenter.addTo(chart, each));
           rebuild.run();

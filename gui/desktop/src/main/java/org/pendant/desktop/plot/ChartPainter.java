@@ -63,7 +63,7 @@ final class ChartPainter {
     inside.clipRect(area.x, area.y - 1, area.width, area.height + 2);
     inside.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     for (int i = 0; i < chart.traces().size(); i++) {
-      Trace trace = chart.traces().get(i);
+      ChartTrace trace = chart.traces().get(i);
       inside.setColor(Palette.series(trace.color()));
       inside.setStroke(stroke(trace.color()));
       paintTrace(inside, trace.quantity(), columnsOfTraces.get(i), scale, area);
@@ -80,7 +80,7 @@ final class ChartPainter {
         columnsOfTraces.add(new Columns());
       }
       Columns columns = columnsOfTraces.get(i);
-      Quantity quantity = chart.traces().get(i).quantity();
+      ChartQuantity quantity = chart.traces().get(i).quantity();
       columns.fill(presenter.history(), quantity, presenter.window(), width);
       for (int x = 0; x < width; x++) {
         if (columns.has(x)) {
@@ -127,8 +127,8 @@ final class ChartPainter {
   }
 
   private void paintTrace(
-      Graphics2D pen, Quantity quantity, Columns columns, Scale scale, Rectangle area) {
-    Series series = presenter.history().of(quantity);
+      Graphics2D pen, ChartQuantity quantity, Columns columns, Scale scale, Rectangle area) {
+    TimeSeries series = presenter.history().of(quantity);
     TimeWindow window = presenter.window();
     long begin = Math.max(series.first(), series.firstAtLeast(window.beginS()) - 1);
     long end = Math.min(series.end(), series.firstAtLeast(window.endS()) + 1);
@@ -156,8 +156,9 @@ final class ChartPainter {
   }
 
   /** A line through all samples; levels go up and down at once. */
-  private Path2D everySample(Quantity quantity, Scale scale, Rectangle area, long begin, long end) {
-    Series series = presenter.history().of(quantity);
+  private Path2D everySample(
+      ChartQuantity quantity, Scale scale, Rectangle area, long begin, long end) {
+    TimeSeries series = presenter.history().of(quantity);
     TimeWindow window = presenter.window();
     Path2D path = new Path2D.Double();
     boolean drawing = false;

@@ -34,7 +34,7 @@ final class ChartPanel extends JPanel {
   private final Chart chart;
   private final ChartPainter painter;
   private final Runnable changed;
-  private Optional<Span> span = Optional.empty();
+  private Optional<TimeSpan> span = Optional.empty();
   private boolean draggingCursor;
   private boolean wasLive;
   private int lastX;
@@ -129,7 +129,7 @@ final class ChartPanel extends JPanel {
     pen.dispose();
   }
 
-  private void paintSpan(Graphics2D pen, Span drawn, Rectangle area) {
+  private void paintSpan(Graphics2D pen, TimeSpan drawn, Rectangle area) {
     Color color = Palette.accent();
     int from = x(Math.min(drawn.fromS(), drawn.toS()), area);
     int to = x(Math.max(drawn.fromS(), drawn.toS()), area);
@@ -161,7 +161,7 @@ final class ChartPanel extends JPanel {
       if (!draggingCursor && SwingUtilities.isLeftMouseButton(event) && !event.isShiftDown()) {
         wasLive = !presenter.paused();
         presenter.pause(true);
-        span = Optional.of(new Span(timeAt(event), timeAt(event)));
+        span = Optional.of(new TimeSpan(timeAt(event), timeAt(event)));
       }
     }
 
@@ -181,7 +181,7 @@ final class ChartPanel extends JPanel {
       if (draggingCursor) {
         presenter.moveCursor(timeAt(event));
       } else if (span.isPresent()) {
-        span = Optional.of(new Span(span.get().fromS(), timeAt(event)));
+        span = Optional.of(new TimeSpan(span.get().fromS(), timeAt(event)));
       } else {
         double share = (lastX - event.getX()) / (double) Math.max(1, area().width);
         presenter.setWindow(presenter.window().moved(share));
@@ -198,7 +198,7 @@ final class ChartPanel extends JPanel {
     }
 
     /** A mere click chooses nothing, and charts that moved go on. */
-    private void choose(Span drawn) {
+    private void choose(TimeSpan drawn) {
       if (Math.abs(x(drawn.fromS(), area()) - x(drawn.toS(), area())) >= NEAR) {
         presenter.setWindow(presenter.window().between(drawn.fromS(), drawn.toS()));
       } else {

@@ -44,7 +44,7 @@ final class ChartStack extends JPanel {
     rebuild();
   }
 
-  private void addChart(List<Quantity> dropped) {
+  private void addChart(List<ChartQuantity> dropped) {
     presenter.addChart(dropped.getFirst());
     Chart chart = presenter.charts().getLast();
     dropped.forEach(each -> presenter.addTo(chart, each));

@@ -15,10 +15,10 @@ final class Columns {
   private boolean unknown;
 
   /** Fills the columns with the part of a quantity that is in a window. */
-  void fill(History history, Quantity quantity, TimeWindow window, int width) {
+  void fill(History history, ChartQuantity quantity, TimeWindow window, int width) {
     reset(width);
     // one sample beyond either edge, so that the line reaches the edges
-    Series series = history.of(quantity);
+    TimeSeries series = history.of(quantity);
     long begin = Math.max(series.first(), series.firstAtLeast(window.beginS()) - 1);
     double beginS = window.beginS();
     double columnsPerS = width / window.widthS();

@@ -12,17 +12,17 @@ final class History {
   private static final int KEPT_S = 600;
 
   private final PlotHistory plotHistory;
-  private final Series samples;
-  private final Series frames;
+  private final TimeSeries samples;
+  private final TimeSeries frames;
 
   /** One name for each script variable that is tracked, with its readings of the present frame. */
-  private final Map<Quantity, String> names = new HashMap<>();
+  private final Map<ChartQuantity, String> names = new HashMap<>();
 
   /** A history that follows a tape, beginning with what is on it. */
   History(PlotHistory plotHistory) {
     this.plotHistory = plotHistory;
-    samples = new Series(KEPT_S * 125, plotHistory.first());
-    frames = new Series(KEPT_S * 500, plotHistory.firstFrame());
+    samples = new TimeSeries(KEPT_S * 125, plotHistory.first());
+    frames = new TimeSeries(KEPT_S * 500, plotHistory.firstFrame());
   }
 
   /** Takes what is new on the tape; returns whether there was anything. */
@@ -70,13 +70,13 @@ final class History {
   }
 
   /** The samples that a tracked quantity is in. */
-  Series of(Quantity quantity) {
+  TimeSeries of(ChartQuantity quantity) {
     return quantity.variable() ? frames : samples;
   }
 
   /** Keeps a quantity from now on, and what the tape has of it. */
-  void track(Quantity quantity) {
-    Series series = of(quantity);
+  void track(ChartQuantity quantity) {
+    TimeSeries series = of(quantity);
     if (series.has(quantity)) {
       return;
     }
@@ -95,7 +95,7 @@ final class History {
   }
 
   /** Forgets a quantity. */
-  void untrack(Quantity quantity) {
+  void untrack(ChartQuantity quantity) {
     of(quantity).remove(quantity);
     names.remove(quantity);
   }
@@ -115,7 +115,7 @@ final class History {
   }
 
   /** Value of a quantity at a time, that of the last sample until then; not a number before. */
-  double valueAt(Quantity quantity, double time) {
+  double valueAt(ChartQuantity quantity, double time) {
     return of(quantity).valueAt(quantity, time);
   }
 }

@@ -15,12 +15,12 @@ import org.pendant.kit.theme.Palette;
 /** One line's colour, name and value, and the button that removes it. */
 @SuppressWarnings("serial") // never written to a stream
 final class LegendItem extends JPanel {
-  private final Trace trace;
+  private final ChartTrace trace;
   private final JLabel name;
   private final JLabel value = new JLabel();
   private int widest;
 
-  LegendItem(Trace trace, Runnable remove) {
+  LegendItem(ChartTrace trace, Runnable remove) {
     super(new MigLayout("insets 0, gap 6", "[][][]"));
     this.trace = trace;
     setOpaque(false);

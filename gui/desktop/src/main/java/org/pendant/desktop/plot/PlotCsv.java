@@ -18,18 +18,18 @@ import org.pendant.controller.disk.AtomicFile;
  * have a row each frame, in which other quantities are empty unless they were sampled in it.
  */
 final class PlotCsv {
-  private final List<Quantity> quantities;
+  private final List<ChartQuantity> quantities;
   private final double[] timeS;
   private final double[][] values;
 
-  private PlotCsv(List<Quantity> quantities, double[] timeS, double[][] values) {
+  private PlotCsv(List<ChartQuantity> quantities, double[] timeS, double[][] values) {
     this.quantities = quantities;
     this.timeS = timeS;
     this.values = values;
   }
 
   /** Copies what is in a window, so that another thread can write it. */
-  static PlotCsv of(History history, List<Quantity> quantities, TimeWindow window) {
+  static PlotCsv of(History history, List<ChartQuantity> quantities, TimeWindow window) {
     double[] timeS =
         quantities.stream()
             .map(history::of)
@@ -45,14 +45,14 @@ final class PlotCsv {
     return new PlotCsv(quantities, timeS, values);
   }
 
-  private static DoubleStream times(Series series, TimeWindow window) {
+  private static DoubleStream times(TimeSeries series, TimeWindow window) {
     long begin = series.firstAtLeast(window.beginS());
     long end = series.firstAtLeast(Math.nextUp(window.endS()));
     return LongStream.range(begin, end).mapToDouble(series::timeS);
   }
 
   /** The values at some times; unknown where the series has no sample of exactly that time. */
-  private static double[] column(Series series, Quantity quantity, double[] timeS) {
+  private static double[] column(TimeSeries series, ChartQuantity quantity, double[] timeS) {
     double[] column = new double[timeS.length];
     long number = timeS.length == 0 ? series.end() : series.firstAtLeast(timeS[0]);
     for (int i = 0; i < column.length; i++) {
@@ -70,7 +70,7 @@ final class PlotCsv {
   /** Writes all of it. */
   void write(Appendable out) throws IOException {
     out.append("time_s");
-    for (Quantity each : quantities) {
+    for (ChartQuantity each : quantities) {
       out.append(',').append(each.id());
       if (!each.unit().isEmpty()) {
         out.append(" [").append(each.unit()).append(']');

@@ -17,7 +17,7 @@ final class PlotPresenter {
   private static final String AT_FIRST =
       "actual_q_0,actual_q_1,actual_q_2,actual_q_3,actual_q_4,actual_q_5;tcp_speed";
 
-  private final Quantities quantities;
+  private final ChartQuantities quantities;
   private final History history;
   private final Settings settings;
   private final List<Chart> charts = new ArrayList<>();
@@ -27,7 +27,7 @@ final class PlotPresenter {
   private Consumer<String> told = text -> {};
 
   /** The charts that the settings remember; two examples if they remember none. */
-  PlotPresenter(Quantities quantities, History history, Settings settings) {
+  PlotPresenter(ChartQuantities quantities, History history, Settings settings) {
     this.quantities = quantities;
     this.history = history;
     this.settings = settings;
@@ -74,8 +74,8 @@ final class PlotPresenter {
     traced.accept(
         charts.stream()
             .flatMap(chart -> chart.traces().stream())
-            .map(Trace::quantity)
-            .filter(Quantity::variable)
+            .map(ChartTrace::quantity)
+            .filter(ChartQuantity::variable)
             .map(quantity -> quantity.id().substring(ScriptVariables.PREFIX.length()))
             .distinct()
             .toList());
@@ -95,7 +95,7 @@ final class PlotPresenter {
   }
 
   /** Draws a quantity on the chart that suits its unit, or on a new one. */
-  void add(Quantity quantity) {
+  void add(ChartQuantity quantity) {
     if (charts.stream().noneMatch(each -> each.has(quantity))) {
       Optional<Chart> suitable = charts.stream().filter(each -> each.suits(quantity)).findFirst();
       if (suitable.isPresent()) {
@@ -107,14 +107,14 @@ final class PlotPresenter {
   }
 
   /** Draws a quantity on a new chart. */
-  void addChart(Quantity quantity) {
+  void addChart(ChartQuantity quantity) {
     Chart chart = new Chart();
     charts.add(chart);
     addTo(chart, quantity);
   }
 
   /** Draws a quantity on a certain chart, unless that is full. */
-  void addTo(Chart chart, Quantity quantity) {
+  void addTo(Chart chart, ChartQuantity quantity) {
     if (chart.full() && !chart.has(quantity)) {
       told.accept("A chart has at most " + Chart.MOST + " lines: drop the others beside it");
       return;
@@ -125,7 +125,7 @@ final class PlotPresenter {
   }
 
   /** Takes a quantity off a chart; a chart without any goes. */
-  void remove(Chart chart, Quantity quantity) {
+  void remove(Chart chart, ChartQuantity quantity) {
     chart.remove(quantity);
     if (chart.empty()) {
       charts.remove(chart);
@@ -141,7 +141,7 @@ final class PlotPresenter {
     remember();
   }
 
-  private void forget(Quantity quantity) {
+  private void forget(ChartQuantity quantity) {
     if (charts.stream().noneMatch(each -> each.has(quantity))) {
       history.untrack(quantity);
     }
@@ -152,7 +152,7 @@ final class PlotPresenter {
     settings.put(CHARTS, charts.stream().map(Chart::ids).collect(Collectors.joining(";")));
   }
 
-  Quantities quantities() {
+  ChartQuantities quantities() {
     return quantities;
   }
 
@@ -210,7 +210,7 @@ final class PlotPresenter {
   }
 
   /** What the legend says about a quantity: its newest value, or those at the cursors. */
-  String legend(Quantity quantity) {
+  String legend(ChartQuantity quantity) {
     double newest = history.valueAt(quantity, window.live() ? history.newestS() : window.endS());
     return cursors
         .map(

@@ -37,7 +37,7 @@ public final class PlotView implements View {
     this.workbench = workbench;
     PlotHistory plotHistory = new PlotHistory();
     workbench.session().addFrameListener(plotHistory);
-    Quantities quantities = Quantities.standard(labels::of);
+    ChartQuantities quantities = ChartQuantities.standard(labels::of);
     presenter = new PlotPresenter(quantities, new History(plotHistory), workbench.settings());
     presenter.onRefusal(workbench::notify);
     VariableTrace trace =
@@ -119,7 +119,7 @@ public final class PlotView implements View {
    */
   public void addVariables(List<String> expressions) {
     showVariables(workbench.session().state());
-    List<Quantity> found =
+    List<ChartQuantity> found =
         expressions.stream()
             .flatMap(each -> presenter.quantities().variables().of(each).stream())
             .toList();
@@ -129,12 +129,12 @@ public final class PlotView implements View {
     }
     add(found);
     workbench.notify(
-        found.stream().map(Quantity::label).collect(Collectors.joining(", "))
+        found.stream().map(ChartQuantity::label).collect(Collectors.joining(", "))
             + (found.size() == 1 ? " is" : " are")
             + " drawn on the Plots screen");
   }
 
-  private void add(List<Quantity> chosen) {
+  private void add(List<ChartQuantity> chosen) {
     chosen.forEach(presenter::add);
     stack.rebuild();
   }
@@ -146,10 +146,10 @@ public final class PlotView implements View {
   }
 
   private void export() {
-    List<Quantity> drawn =
+    List<ChartQuantity> drawn =
         presenter.charts().stream()
             .flatMap(chart -> chart.traces().stream())
-            .map(Trace::quantity)
+            .map(ChartTrace::quantity)
             .distinct()
             .toList();
     if (drawn.isEmpty()) {

@@ -22,26 +22,26 @@ import javax.swing.TransferHandler;
 final class QuantityTransfer extends TransferHandler {
   private static final String MARK = "pendant-quantities:";
 
-  private final Quantities quantities;
-  private final Supplier<List<Quantity>> dragged;
-  private final Optional<Consumer<List<Quantity>>> dropped;
+  private final ChartQuantities quantities;
+  private final Supplier<List<ChartQuantity>> dragged;
+  private final Optional<Consumer<List<ChartQuantity>>> dropped;
 
   private QuantityTransfer(
-      Quantities quantities,
-      Supplier<List<Quantity>> dragged,
-      Optional<Consumer<List<Quantity>>> dropped) {
+      ChartQuantities quantities,
+      Supplier<List<ChartQuantity>> dragged,
+      Optional<Consumer<List<ChartQuantity>>> dropped) {
     this.quantities = quantities;
     this.dragged = dragged;
     this.dropped = dropped;
   }
 
   /** For what quantities are dragged from. */
-  static QuantityTransfer from(Quantities quantities, Supplier<List<Quantity>> dragged) {
+  static QuantityTransfer from(ChartQuantities quantities, Supplier<List<ChartQuantity>> dragged) {
     return new QuantityTransfer(quantities, dragged, Optional.empty());
   }
 
   /** For what they are dropped on. */
-  static QuantityTransfer to(Quantities quantities, Consumer<List<Quantity>> dropped) {
+  static QuantityTransfer to(ChartQuantities quantities, Consumer<List<ChartQuantity>> dropped) {
     return new QuantityTransfer(quantities, List::of, Optional.of(dropped));
   }
 
@@ -52,7 +52,7 @@ final class QuantityTransfer extends TransferHandler {
 
   @Override
   protected Transferable createTransferable(JComponent from) {
-    String ids = dragged.get().stream().map(Quantity::id).collect(Collectors.joining(","));
+    String ids = dragged.get().stream().map(ChartQuantity::id).collect(Collectors.joining(","));
     return ids.isEmpty() ? null : new StringSelection(MARK + ids);
   }
 
@@ -66,15 +66,15 @@ final class QuantityTransfer extends TransferHandler {
     if (!canImport(support)) {
       return false;
     }
-    List<Quantity> found = read(support.getTransferable());
+    List<ChartQuantity> found = read(support.getTransferable());
     if (!found.isEmpty()) {
       dropped.get().accept(found);
     }
     return !found.isEmpty();
   }
 
-  private List<Quantity> read(Transferable carried) {
-    List<Quantity> found = new ArrayList<>();
+  private List<ChartQuantity> read(Transferable carried) {
+    List<ChartQuantity> found = new ArrayList<>();
     try {
       String text = (String) carried.getTransferData(DataFlavor.stringFlavor);
       if (!text.startsWith(MARK)) {

@@ -35,8 +35,8 @@ final class QuantityTree {
   /** Groups whose parts are in sight before anybody opens one; all would be a hundred rows. */
   private static final Set<String> OPEN_AT_FIRST = Set.of(ScriptVariables.GROUP, "Joints", "TCP");
 
-  private final Quantities quantities;
-  private final Consumer<List<Quantity>> chosen;
+  private final ChartQuantities quantities;
+  private final Consumer<List<ChartQuantity>> chosen;
   private final JPanel content = new JPanel(new BorderLayout());
   private final JTextField search = new JTextField();
   private final JTree tree = new JTree(new DefaultMutableTreeNode());
@@ -46,7 +46,7 @@ final class QuantityTree {
    *
    * @param chosen takes what was double-clicked or entered
    */
-  QuantityTree(Quantities quantities, Consumer<List<Quantity>> chosen) {
+  QuantityTree(ChartQuantities quantities, Consumer<List<ChartQuantity>> chosen) {
     this.quantities = quantities;
     this.chosen = chosen;
     buildSearch();
@@ -74,7 +74,7 @@ final class QuantityTree {
         event -> quantities.search(search.getText()).stream().limit(1).forEach(this::choose));
   }
 
-  private void choose(Quantity quantity) {
+  private void choose(ChartQuantity quantity) {
     chosen.accept(List.of(quantity));
   }
 
@@ -116,7 +116,7 @@ final class QuantityTree {
     Set<String> open = new HashSet<>();
     Set<String> closed = new HashSet<>();
     eachGroup((name, path) -> (tree.isExpanded(path) ? open : closed).add(name));
-    List<String> chosenIds = selected().stream().map(Quantity::id).toList();
+    List<String> chosenIds = selected().stream().map(ChartQuantity::id).toList();
     fill();
     eachGroup(
         (name, path) -> {
@@ -147,7 +147,7 @@ final class QuantityTree {
   private void fill() {
     DefaultMutableTreeNode root = new DefaultMutableTreeNode();
     Map<String, DefaultMutableTreeNode> groups = new HashMap<>();
-    for (Quantity each : quantities.search(search.getText())) {
+    for (ChartQuantity each : quantities.search(search.getText())) {
       group(root, groups, each.group()).add(new DefaultMutableTreeNode(each, false));
     }
     tree.setModel(new DefaultTreeModel(root));
@@ -174,22 +174,22 @@ final class QuantityTree {
     return added;
   }
 
-  private List<Quantity> selected() {
+  private List<ChartQuantity> selected() {
     TreePath[] paths = tree.getSelectionPaths();
     return paths == null ? List.of() : quantitiesOf(List.of(paths));
   }
 
   /** The quantities at these places; a group stands for all in it if nothing is below it. */
-  private static List<Quantity> quantitiesOf(List<TreePath> paths) {
-    List<Quantity> found = new ArrayList<>();
+  private static List<ChartQuantity> quantitiesOf(List<TreePath> paths) {
+    List<ChartQuantity> found = new ArrayList<>();
     for (TreePath path : paths) {
       DefaultMutableTreeNode node = (DefaultMutableTreeNode) path.getLastPathComponent();
-      if (node.getUserObject() instanceof Quantity quantity) {
+      if (node.getUserObject() instanceof ChartQuantity quantity) {
         found.add(quantity);
       } else {
         for (int i = 0; i < node.getChildCount(); i++) {
           DefaultMutableTreeNode below = (DefaultMutableTreeNode) node.getChildAt(i);
-          if (below.getUserObject() instanceof Quantity quantity) {
+          if (below.getUserObject() instanceof ChartQuantity quantity) {
             found.add(quantity);
           }
         }
@@ -199,7 +199,7 @@ final class QuantityTree {
   }
 
   private void addAllOf(List<TreePath> paths) {
-    List<Quantity> found =
+    List<ChartQuantity> found =
         paths.stream()
             .filter(path -> isLeaf(path) || paths.size() > 1)
             .flatMap(path -> quantitiesOf(List.of(path)).stream())
@@ -211,14 +211,14 @@ final class QuantityTree {
 
   private static boolean isLeaf(TreePath path) {
     return ((DefaultMutableTreeNode) path.getLastPathComponent()).getUserObject()
-        instanceof Quantity;
+        instanceof ChartQuantity;
   }
 
   @SuppressWarnings("serial") // never written to a stream
   private final class Adding extends AbstractAction {
     @Override
     public void actionPerformed(ActionEvent event) {
-      List<Quantity> found = selected();
+      List<ChartQuantity> found = selected();
       if (!found.isEmpty()) {
         chosen.accept(found);
       }
@@ -240,7 +240,7 @@ final class QuantityTree {
       super.getTreeCellRendererComponent(of, value, isSelected, expanded, leaf, row, focused);
       setIcon(null);
       setToolTipText(null);
-      if (((DefaultMutableTreeNode) value).getUserObject() instanceof Quantity quantity) {
+      if (((DefaultMutableTreeNode) value).getUserObject() instanceof ChartQuantity quantity) {
         boolean plain = quantity.unit().isEmpty() || quantity.digital();
         String title = quantity.namedTitle();
         ((JLabel) this).setText(plain ? title : title + " (" + quantity.unit() + ")");

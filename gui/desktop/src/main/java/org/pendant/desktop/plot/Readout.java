@@ -7,19 +7,19 @@ final class Readout {
   private Readout() {}
 
   /** A value with its unit, four digits behind the point at most. */
-  static String of(Quantity quantity, double value) {
+  static String of(ChartQuantity quantity, double value) {
     return quantity.digital() ? level(value) : number(value) + unit(quantity);
   }
 
   /** The values at both cursors and what they differ by. */
-  static String between(Quantity quantity, double a, double b) {
+  static String between(ChartQuantity quantity, double a, double b) {
     if (quantity.digital()) {
       return "A " + level(a) + "  B " + level(b);
     }
     return "A " + number(a) + "  B " + number(b) + "  \u0394 " + number(b - a) + unit(quantity);
   }
 
-  private static String unit(Quantity quantity) {
+  private static String unit(ChartQuantity quantity) {
     boolean close = quantity.unit().isEmpty() || quantity.unit().equals("\u00b0");
     return close ? quantity.unit() : " " + quantity.unit();
   }

@@ -24,9 +24,9 @@ final class ScriptVariables {
   /** Parts of one value that are listed; others can be dragged from the panel of variables. */
   private static final int MAX_PARTS = 64;
 
-  private final Map<String, Quantity> made = new HashMap<>();
+  private final Map<String, ChartQuantity> made = new HashMap<>();
   private VariableSamples samples = VariableSamples.NONE;
-  private List<Quantity> listed = List.of();
+  private List<ChartQuantity> listed = List.of();
 
   /** The variables of a program; returns whether the list is another one now. */
   boolean show(VariableSamples now) {
@@ -34,16 +34,16 @@ final class ScriptVariables {
       return false;
     }
     samples = now;
-    List<Quantity> found = new ArrayList<>();
+    List<ChartQuantity> found = new ArrayList<>();
     now.locals().forEach(each -> list(found, GROUP, each));
     now.globals().forEach(each -> list(found, GROUP, each));
-    List<Quantity> different = found.stream().distinct().toList();
+    List<ChartQuantity> different = found.stream().distinct().toList();
     boolean changed = !different.equals(listed);
     listed = different;
     return changed;
   }
 
-  private void list(List<Quantity> into, String group, VariableSample sample) {
+  private void list(List<ChartQuantity> into, String group, VariableSample sample) {
     if (isNumber(sample)) {
       into.add(quantity(group, ByteText.decoded(sample.name()), path(sample)));
     } else if (sample.kept() > 0) {
@@ -60,30 +60,31 @@ final class ScriptVariables {
     return VariablePath.of(sample.expression());
   }
 
-  private Quantity quantity(String group, String title, VariablePath path) {
+  private ChartQuantity quantity(String group, String title, VariablePath path) {
     String text = path.text();
-    Quantity present = made.get(text);
+    ChartQuantity present = made.get(text);
     if (present != null && present.group().equals(group)) {
       return present;
     }
-    Quantity fresh =
-        new Quantity(PREFIX + text, group, title, text, "", state -> state.traced().value(text));
+    ChartQuantity fresh =
+        new ChartQuantity(
+            PREFIX + text, group, title, text, "", state -> state.traced().value(text));
     made.put(text, fresh);
     return fresh;
   }
 
   /** Those of the running or last program. */
-  List<Quantity> all() {
+  List<ChartQuantity> all() {
     return listed;
   }
 
   /** The variable of an id, whether a program has it or not; empty for what is no id of one. */
-  Optional<Quantity> find(String id) {
+  Optional<ChartQuantity> find(String id) {
     if (!id.startsWith(PREFIX) || !VariablePath.isOne(id.substring(PREFIX.length()))) {
       return Optional.empty();
     }
     VariablePath path = VariablePath.of(id.substring(PREFIX.length()));
-    Quantity present = made.get(path.text());
+    ChartQuantity present = made.get(path.text());
     return Optional.of(present == null ? quantity(GROUP, path.text(), path) : present);
   }
 
@@ -91,7 +92,7 @@ final class ScriptVariables {
    * What to draw for an expression: itself, or the numbers in a pose, a list or a struct; nothing
    * for what is no variable, or one that has no numbers now.
    */
-  List<Quantity> of(String expression) {
+  List<ChartQuantity> of(String expression) {
     if (!VariablePath.isOne(expression)) {
       return List.of();
     }
@@ -101,7 +102,7 @@ final class ScriptVariables {
       // not assigned yet, or of a program to come
       return find(PREFIX + path.text()).stream().toList();
     }
-    List<Quantity> found = new ArrayList<>();
+    List<ChartQuantity> found = new ArrayList<>();
     list(found, GROUP, sample.get());
     return found.stream().map(each -> find(each.id()).orElse(each)).toList();
   }

@@ -11,7 +11,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.pendant.command.service.PortWishes;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.desktop.ports.PortsState.Trouble;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SwitchListener;
 import org.pendant.protocols.modbus.ModbusServer;
 import org.pendant.protocols.server.PortNumbers;
@@ -26,7 +26,7 @@ public final class DesktopPorts implements SwitchListener {
   /** Where Modbus listens, beyond its standard port, when the system does not allow that. */
   private static final int UNPRIVILEGED = 1000;
 
-  private final Session session;
+  private final RobotSession session;
   private final Path logs;
   private final ReentrantLock lock = new ReentrantLock(true);
 
@@ -50,7 +50,7 @@ public final class DesktopPorts implements SwitchListener {
    *
    * @param logs folder for log files and reports of clients
    */
-  public DesktopPorts(Session session, Path logs) {
+  public DesktopPorts(RobotSession session, Path logs) {
     this.session = session;
     this.logs = logs;
     session.addSwitchListener(this);

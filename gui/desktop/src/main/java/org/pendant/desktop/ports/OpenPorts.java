@@ -7,7 +7,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.MessageCommand;
 import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.protocols.BoxPorts;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.externalcontrol.Drivers;
@@ -37,7 +37,7 @@ final class OpenPorts implements AutoCloseable {
    * @param shutDown runs once when the controller shuts itself down, in a thread that must not wait
    */
   static OpenPorts open(
-      Session session,
+      RobotSession session,
       PortNumbers numbers,
       RemoteControl remote,
       ProgramsFolder programs,

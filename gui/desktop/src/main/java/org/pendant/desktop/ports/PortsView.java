@@ -25,7 +25,7 @@ import org.pendant.desktop.ports.PortsState.Trouble;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 
@@ -101,9 +101,10 @@ public final class PortsView implements View {
   private JComponent top() {
     JPanel top =
         new JPanel(new MigLayout("insets 12, gap 8, wrap 2, hidemode 3", "[][grow,fill,0::]"));
-    Card.named(on, "ports-open", "Lets other programs reach this controller as they do a robot");
+    TitledCard.named(
+        on, "ports-open", "Lets other programs reach this controller as they do a robot");
     on.addActionListener(event -> act(presenter::toggle));
-    Card.named(
+    TitledCard.named(
         remote,
         "ports-remote",
         "Remote control: clients may control the robot. Off is local control: they may only ask");
@@ -112,7 +113,7 @@ public final class PortsView implements View {
     top.add(remote);
     for (PortField each : PortField.values()) {
       JTextField field = new JTextField(presenter.text(each));
-      Card.named(field, "ports-" + each.word(), each.meaning());
+      TitledCard.named(field, "ports-" + each.word(), each.meaning());
       field.getDocument().addDocumentListener(new Typed(() -> typed(each, field)));
       field.addActionListener(event -> act(presenter::toggle));
       JLabel label = new JLabel(each.title());

@@ -11,7 +11,7 @@ import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.ProgramFile;
+import org.pendant.desktop.session.SavedProgram;
 import org.pendant.kit.action.Actions;
 import org.pendant.kit.theme.Palette;
 
@@ -68,7 +68,7 @@ final class ForeignBar extends JPanel {
   }
 
   private static Stream<String> remarks(ProgramDocument document) {
-    return document.onDisk().stream().map(ProgramFile::remarks).flatMap(List::stream);
+    return document.onDisk().stream().map(SavedProgram::remarks).flatMap(List::stream);
   }
 
   private static String sentence(String remark) {

@@ -3,8 +3,8 @@ package org.pendant.desktop.program;
 import java.util.Optional;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.debug.ProgramLaunch;
 import org.pendant.desktop.debug.RunLines;
-import org.pendant.desktop.debug.RunPlan;
 import org.pendant.desktop.debug.RunScript;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.language.source.Source;
@@ -75,22 +75,22 @@ public final class TreeRuns {
    *
    * @throws IllegalArgumentException if {@link #whyNot} has a reason
    */
-  public RunPlan plan(ProgramDocument document, long from) {
+  public ProgramLaunch plan(ProgramDocument document, long from) {
     Source shown = document.script().source();
     Optional<TreeProgram> program = trees.of(document);
     if (program.isEmpty()) {
-      return RunPlan.of(RunScript.whole(shown));
+      return ProgramLaunch.of(RunScript.whole(shown));
     }
     ProgramTree tree = program.get().tree();
     GeneratedScript whole = program.get().script();
     boolean all = from == 0 || isMain(tree, from);
     int waiting = ExternalControl.count(tree);
     if (all && waiting == 0) {
-      return RunPlan.of(new RunScript(shown, RunLines.SAME, TurnLine.of(tree, whole), 0));
+      return ProgramLaunch.of(new RunScript(shown, RunLines.SAME, TurnLine.of(tree, whole), 0));
     }
     String name = program.get().programName();
     Installation installation = program.get().installation();
-    return new RunPlan(
+    return new ProgramLaunch(
         waiting,
         installation,
         sent -> {

@@ -57,13 +57,13 @@ public record Camera(
    *
    * @param aspect width of the picture divided by its height
    */
-  public static Camera of(StandardView view, Outline outline, double aspect) {
+  public static Camera of(StandardView view, SceneBounds outline, double aspect) {
     Vector3 start = outline.balls().getFirst().centreM();
     return new Camera(start, view.azimuthRad(), view.elevationRad(), MAX_M).fitted(outline, aspect);
   }
 
   /** From the same direction, placed so that something fills the picture. */
-  public Camera fitted(Outline outline, double aspect) {
+  public Camera fitted(SceneBounds outline, double aspect) {
     Camera camera = this;
     // Each turn corrects what the change of perspective by the one before has left.
     for (int i = 0; i < FITTING_TURNS; i++) {
@@ -72,7 +72,7 @@ public record Camera(
     return camera;
   }
 
-  private Camera fittedOnce(Outline outline, double aspect) {
+  private Camera fittedOnce(SceneBounds outline, double aspect) {
     double left = Double.POSITIVE_INFINITY;
     double right = Double.NEGATIVE_INFINITY;
     double bottom = Double.POSITIVE_INFINITY;

@@ -37,8 +37,8 @@ public record SceneModel(
     Optional<Ball> payload,
     Scene world,
     Set<String> touched,
-    Trace trace,
-    Theme theme,
+    TcpTrace trace,
+    SceneTheme theme,
     WaypointMarkers waypointMarkers) {
 
   /** Copies the collections. */
@@ -59,8 +59,8 @@ public record SceneModel(
         Optional.empty(),
         Scene.EMPTY,
         Set.of(),
-        Trace.EMPTY,
-        Theme.LIGHT,
+        TcpTrace.EMPTY,
+        SceneTheme.LIGHT,
         WaypointMarkers.NONE);
   }
 
@@ -161,7 +161,7 @@ public record SceneModel(
         waypointMarkers);
   }
 
-  public SceneModel withTrace(Trace way) {
+  public SceneModel withTrace(TcpTrace way) {
     return new SceneModel(
         arm,
         kinematics,
@@ -177,7 +177,7 @@ public record SceneModel(
         waypointMarkers);
   }
 
-  public SceneModel withTheme(Theme colours) {
+  public SceneModel withTheme(SceneTheme colours) {
     return new SceneModel(
         arm,
         kinematics,

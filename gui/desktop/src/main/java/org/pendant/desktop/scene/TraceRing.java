@@ -20,7 +20,7 @@ public final class TraceRing {
   private double lastZ;
   private double lastS = Double.NaN;
   private Pose tool = Pose.ZERO;
-  private Optional<Trace> snapshot = Optional.of(Trace.EMPTY);
+  private Optional<TcpTrace> snapshot = Optional.of(TcpTrace.EMPTY);
 
   /**
    * @param capacity points that are remembered, at least 2
@@ -30,7 +30,7 @@ public final class TraceRing {
       throw new IllegalArgumentException("trace: capacity is " + capacity + ", must be at least 2");
     }
     this.capacity = capacity;
-    ring = new float[Trace.STRIDE * capacity];
+    ring = new float[TcpTrace.STRIDE * capacity];
   }
 
   /** Adds where the tool centre point is at a robot time, s, if it has moved. */
@@ -54,7 +54,7 @@ public final class TraceRing {
       return;
     }
     double elapsedS = timeS - lastS;
-    int at = (int) (count % capacity) * Trace.STRIDE;
+    int at = (int) (count % capacity) * TcpTrace.STRIDE;
     ring[at] = (float) tcpInBase.x();
     ring[at + 1] = (float) tcpInBase.y();
     ring[at + 2] = (float) tcpInBase.z();
@@ -72,27 +72,27 @@ public final class TraceRing {
   public void clear() {
     count = 0;
     lastS = Double.NaN;
-    snapshot = Optional.of(Trace.EMPTY);
+    snapshot = Optional.of(TcpTrace.EMPTY);
   }
 
   /** What is remembered, oldest first; the same object until something is added. */
-  public Trace trace() {
+  public TcpTrace trace() {
     if (snapshot.isEmpty()) {
       snapshot = Optional.of(copy());
     }
     return snapshot.get();
   }
 
-  private Trace copy() {
+  private TcpTrace copy() {
     int size = (int) Math.min(count, capacity);
-    float[] points = new float[Trace.STRIDE * size];
+    float[] points = new float[TcpTrace.STRIDE * size];
     double fastest = 0;
     for (int i = 0; i < size; i++) {
-      int from = (int) ((count - size + i) % capacity) * Trace.STRIDE;
-      System.arraycopy(ring, from, points, Trace.STRIDE * i, Trace.STRIDE);
-      fastest = Math.max(fastest, points[Trace.STRIDE * i + 3]);
+      int from = (int) ((count - size + i) % capacity) * TcpTrace.STRIDE;
+      System.arraycopy(ring, from, points, TcpTrace.STRIDE * i, TcpTrace.STRIDE);
+      fastest = Math.max(fastest, points[TcpTrace.STRIDE * i + 3]);
     }
-    return new Trace(points, fastest, capacity);
+    return new TcpTrace(points, fastest, capacity);
   }
 
   private static double square(double x) {

@@ -34,9 +34,9 @@ public record WaypointMarkers(List<Mark> marks, List<List<Integer>> ways) {
   }
 
   /** Dashed lines from each place to the next one. */
-  public Lines lines(Theme theme) {
+  public Lines lines(SceneTheme theme) {
     Lines lines = new Lines();
-    int rgb = theme == Theme.LIGHT ? LIGHT_RGB : DARK_RGB;
+    int rgb = theme == SceneTheme.LIGHT ? LIGHT_RGB : DARK_RGB;
     for (List<Integer> way : ways) {
       for (int i = 1; i < way.size(); i++) {
         dash(marks.get(way.get(i - 1)).inBase(), marks.get(way.get(i)).inBase(), rgb, lines);

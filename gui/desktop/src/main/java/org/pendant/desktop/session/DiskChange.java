@@ -17,7 +17,7 @@ public final class DiskChange {
   private record Stamp(Path path, long modifiedMs, long bytes) {}
 
   /** Whether the file is there no more, where it was at the last look. */
-  public boolean gone(ProgramFile known) {
+  public boolean gone(SavedProgram known) {
     boolean gone = seen.isPresent() && !Files.exists(known.path());
     if (gone) {
       seen = Optional.empty();
@@ -32,7 +32,7 @@ public final class DiskChange {
    *
    * @throws IOException if it is there but cannot be read
    */
-  public Optional<ProgramFile> look(ProgramFile known) throws IOException {
+  public Optional<SavedProgram> look(SavedProgram known) throws IOException {
     Path path = known.path();
     if (!Files.exists(path)) {
       return Optional.empty();
@@ -44,7 +44,7 @@ public final class DiskChange {
       return Optional.empty();
     }
     seen = now;
-    ProgramFile read = ProgramFile.read(path);
+    SavedProgram read = SavedProgram.read(path);
     boolean back = wasGone;
     wasGone = false;
     return !back && read.text().equals(known.text()) ? Optional.empty() : Optional.of(read);

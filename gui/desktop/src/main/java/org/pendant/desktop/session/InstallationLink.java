@@ -19,7 +19,7 @@ import org.pendant.script.vm.ProgramState;
  * as it is; it follows when the program has ended.
  */
 public final class InstallationLink implements FrameListener, SwitchListener {
-  private final Session session;
+  private final RobotSession session;
   private final ActiveInstallation active;
   private final Executor dispatch;
   private final Consumer<String> tell;
@@ -52,7 +52,7 @@ public final class InstallationLink implements FrameListener, SwitchListener {
    * @param startProgram starts the program in front, as an input may ask for
    */
   public InstallationLink(
-      Session session,
+      RobotSession session,
       ActiveInstallation active,
       Executor dispatch,
       Consumer<String> tell,

@@ -40,7 +40,7 @@ public record ProgramControls(
     }
     SafetyMode safety = state.safety().safetyMode();
     if (safety != SafetyMode.NORMAL && safety != SafetyMode.REDUCED) {
-      return Optional.of("Not during " + Words.of(safety));
+      return Optional.of("Not during " + StateWords.of(safety));
     }
     RobotMode robot = state.safety().robotMode();
     return robot == RobotMode.RUNNING

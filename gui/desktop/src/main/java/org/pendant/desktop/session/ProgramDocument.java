@@ -24,7 +24,7 @@ public final class ProgramDocument {
   private final String untitledName;
   private final Optional<ProgramDocument> tree;
   private Optional<ProgramDocument> generated = Optional.empty();
-  private Optional<ProgramFile> onDisk;
+  private Optional<SavedProgram> onDisk;
   private String savedText;
   private String text;
   private boolean gone;
@@ -47,7 +47,7 @@ public final class ProgramDocument {
 
   private ProgramDocument(
       String untitledName,
-      Optional<ProgramFile> onDisk,
+      Optional<SavedProgram> onDisk,
       String text,
       Optional<ProgramDocument> tree) {
     this.untitledName = untitledName;
@@ -63,7 +63,7 @@ public final class ProgramDocument {
   }
 
   /** A program as it was read. */
-  public static ProgramDocument of(ProgramFile file) {
+  public static ProgramDocument of(SavedProgram file) {
     return new ProgramDocument("", Optional.of(file), file.text(), Optional.empty());
   }
 
@@ -99,7 +99,7 @@ public final class ProgramDocument {
 
   /** Whether it is a program of PolyScope X, which can be shown and run, but not changed. */
   public boolean readOnly() {
-    return onDisk.filter(ProgramFile::readOnly).isPresent();
+    return onDisk.filter(SavedProgram::readOnly).isPresent();
   }
 
   /**
@@ -158,29 +158,29 @@ public final class ProgramDocument {
 
   /** Where it is on disk. */
   public Optional<Path> file() {
-    return onDisk.map(ProgramFile::path);
+    return onDisk.map(SavedProgram::path);
   }
 
   /** What was last read from or written to disk. */
-  public Optional<ProgramFile> onDisk() {
+  public Optional<SavedProgram> onDisk() {
     return onDisk;
   }
 
   /** What would be written now, if there is a file. */
-  public Optional<ProgramFile> toSave() {
+  public Optional<SavedProgram> toSave() {
     return onDisk.map(file -> file.withText(text));
   }
 
   /** The program as Save as writes it: as it was read, except where that cannot be. */
-  public ProgramFile toSaveAs(Path path) {
+  public SavedProgram toSaveAs(Path path) {
     return onDisk
         .map(file -> file.copyTo(path, text))
-        .orElseGet(() -> ProgramFile.create(path, text));
+        .orElseGet(() -> SavedProgram.create(path, text));
   }
 
   /** The text as the controller takes it; offsets are those of the bytes in the file's charset. */
   public Source source() {
-    Charset charset = onDisk.map(ProgramFile::charset).orElse(StandardCharsets.UTF_8);
+    Charset charset = onDisk.map(SavedProgram::charset).orElse(StandardCharsets.UTF_8);
     return Source.of(sourceName(), text.getBytes(charset));
   }
 
@@ -192,7 +192,7 @@ public final class ProgramDocument {
   }
 
   /** {@code file} has been written; the text may have changed since. */
-  public void saved(ProgramFile file) {
+  public void saved(SavedProgram file) {
     onDisk = Optional.of(file);
     savedText = file.text();
     gone = false;
@@ -200,12 +200,12 @@ public final class ProgramDocument {
   }
 
   /** Others have written {@code now} to its file; the text here stays, to replace that. */
-  public void changedOnDisk(ProgramFile now) {
+  public void changedOnDisk(SavedProgram now) {
     saved(onDisk.map(known -> known.withText(now.text())).orElse(now));
   }
 
   /** {@code file} has been read again; its text replaces the present one. */
-  public void reloaded(ProgramFile file) {
+  public void reloaded(SavedProgram file) {
     saved(file);
     setText(file.text());
   }

@@ -59,7 +59,7 @@ public record StopCard(
     facts.add(
         new Fact("Robot time", BigDecimal.valueOf(Math.round(stop.timeS() * 1000), 3) + " s"));
     return new StopCard(
-        Words.capital(Words.of(stop.mode())) + " " + stop.codeText(),
+        StateWords.capital(StateWords.of(stop.mode())) + " " + stop.codeText(),
         stop.message(),
         facts,
         place.map(StopPlace::line).orElse(0),

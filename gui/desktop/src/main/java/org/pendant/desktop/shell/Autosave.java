@@ -11,9 +11,9 @@ import java.util.function.Consumer;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.ProgramFile;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RecoveryFolder;
+import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.kit.background.Background;
 import org.pendant.kit.fault.Faults;
@@ -122,7 +122,7 @@ final class Autosave {
     }
     Path file = left.file().get();
     return ProgramDocument.of(
-        Files.exists(file) ? ProgramFile.read(file) : ProgramFile.create(file, ""));
+        Files.exists(file) ? SavedProgram.read(file) : SavedProgram.create(file, ""));
   }
 
   private void forget(RecoveryFolder.LeftBehind left) {

@@ -23,10 +23,10 @@ import org.pendant.controller.installation.InstallationProblem;
 import org.pendant.controller.message.Operator;
 import org.pendant.desktop.session.OpenFiles;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.ProgramFile;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RecoveryFolder;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.SavedProgram;
 import org.pendant.kit.fault.FaultFile;
 import org.pendant.kit.fault.Faults;
 import org.pendant.kit.settings.ConfigurationFolder;
@@ -74,13 +74,13 @@ public final class Desktop {
       List<Path> files, Optional<PortWishes> ports, Optional<StartInstallation> installation) {
     Desktop desktop = new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()));
     // The arm's files are read while the look is set up.
-    CompletableFuture<Session> session =
+    CompletableFuture<RobotSession> session =
         CompletableFuture.supplyAsync(
             () -> {
               installation
                   .or(desktop::installationOfLastTime)
                   .ifPresent(start -> desktop.start = Optional.of(start));
-              return Session.start(desktop.options(installation));
+              return RobotSession.start(desktop.options(installation));
             });
     Look look = new Look(desktop.settings);
     Programs programs = desktop.lastTime();
@@ -154,7 +154,7 @@ public final class Desktop {
     Optional<ProgramDocument> front = Optional.empty();
     for (Path each : ProgramFiles.openLastTime(settings)) {
       try {
-        ProgramDocument program = ProgramDocument.of(ProgramFile.read(each));
+        ProgramDocument program = ProgramDocument.of(SavedProgram.read(each));
         open.add(program);
         front = last.equals(Optional.of(each)) ? Optional.of(program) : front;
       } catch (IOException e) {
@@ -180,7 +180,11 @@ public final class Desktop {
   }
 
   private void show(
-      Session session, Look look, Programs programs, List<Path> files, Optional<PortWishes> ports) {
+      RobotSession session,
+      Look look,
+      Programs programs,
+      List<Path> files,
+      Optional<PortWishes> ports) {
     DesktopWindow window =
         new DesktopWindow(
             session,
@@ -208,7 +212,7 @@ public final class Desktop {
                     .ifPresent(dark -> EventQueue.invokeLater(() -> look.setSystemDark(dark))));
   }
 
-  private void close(Session session) {
+  private void close(RobotSession session) {
     Faults.guard(session::close);
     Faults.guard(settings::close);
     closed.complete(true);

@@ -17,7 +17,7 @@ import org.pendant.desktop.session.OpenFiles;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RecoveryFolder;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.shell.chrome.Footer;
 import org.pendant.desktop.shell.chrome.Header;
 import org.pendant.desktop.shell.chrome.ProgramMenu;
@@ -45,7 +45,7 @@ final class DesktopWindow {
   /** How many warnings are shown at a time; they take room from the views. */
   private static final int WARNINGS = 3;
 
-  private final Session session;
+  private final RobotSession session;
   private final Look look;
   private final Programs programs;
   private final ActionTable actions;
@@ -81,7 +81,7 @@ final class DesktopWindow {
    * @param closed runs when it has been closed
    */
   DesktopWindow(
-      Session session,
+      RobotSession session,
       Settings settings,
       Look look,
       Programs programs,

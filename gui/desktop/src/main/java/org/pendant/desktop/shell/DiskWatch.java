@@ -9,8 +9,8 @@ import java.util.function.Consumer;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.DiskChange;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.ProgramFile;
 import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.kit.background.Background;
 
@@ -25,14 +25,14 @@ final class DiskWatch {
   private boolean busy;
 
   /** A program and its file, as they were when the look began. */
-  private record Watched(ProgramDocument document, ProgramFile known, DiskChange change) {}
+  private record Watched(ProgramDocument document, SavedProgram known, DiskChange change) {}
 
   /** What has become of a file. */
   private sealed interface Found {
     Watched watched();
 
     /** It says something else, or is back. */
-    record Other(Watched watched, ProgramFile now) implements Found {}
+    record Other(Watched watched, SavedProgram now) implements Found {}
 
     /** It is there no more. */
     record Gone(Watched watched) implements Found {}
@@ -118,11 +118,11 @@ final class DiskWatch {
       }
       case Found.Unreadable(Watched file, String why) ->
           tell.accept("What has changed on disk cannot be read: " + why);
-      case Found.Other(Watched file, ProgramFile now) -> changed(document, now);
+      case Found.Other(Watched file, SavedProgram now) -> changed(document, now);
     }
   }
 
-  private void changed(ProgramDocument document, ProgramFile now) {
+  private void changed(ProgramDocument document, SavedProgram now) {
     if (document.text().equals(now.text())) {
       document.saved(now);
     } else if (document.modified()) {
@@ -138,7 +138,7 @@ final class DiskWatch {
     return "disk-change-" + System.identityHashCode(document);
   }
 
-  private void ask(ProgramDocument document, ProgramFile now) {
+  private void ask(ProgramDocument document, SavedProgram now) {
     if (notices.shows(DocumentSaver.question(document))) {
       // One question at a time: the next look begins anew.
       watched.remove(document);

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.ProgramFile;
+import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.shell.Notices.Choice;
 
 /**
@@ -23,10 +23,10 @@ final class DocumentSaver {
   /** What came of a save. */
   private sealed interface Outcome {
     /** It is on disk. */
-    record Written(ProgramFile file) implements Outcome {}
+    record Written(SavedProgram file) implements Outcome {}
 
     /** Nothing was written, as the file says something else than it did. */
-    record Changed(ProgramFile now) implements Outcome {}
+    record Changed(SavedProgram now) implements Outcome {}
   }
 
   /**
@@ -53,11 +53,11 @@ final class DocumentSaver {
    * @param then hears whether it is on disk now
    */
   void save(ProgramDocument document, Consumer<Boolean> then) {
-    ProgramFile file = document.toSave().orElseThrow();
+    SavedProgram file = document.toSave().orElseThrow();
     queue.add(
         file.path(),
         () -> {
-          Optional<ProgramFile> known =
+          Optional<SavedProgram> known =
               document.onDisk().filter(each -> each.path().equals(file.path()));
           return () -> write(file, known);
         },
@@ -70,7 +70,7 @@ final class DocumentSaver {
    *
    * @param then hears whether it is on disk now
    */
-  void saveAs(ProgramDocument document, ProgramFile file, Consumer<Boolean> then) {
+  void saveAs(ProgramDocument document, SavedProgram file, Consumer<Boolean> then) {
     queue.add(
         file.path(),
         () -> () -> write(file, Optional.empty()),
@@ -79,7 +79,7 @@ final class DocumentSaver {
   }
 
   /** Writes a file that is none of the open ones. */
-  void export(ProgramFile file) {
+  void export(SavedProgram file) {
     queue.add(
         file.path(),
         () -> () -> write(file, Optional.empty()),
@@ -92,9 +92,9 @@ final class DocumentSaver {
    *
    * @param known what it said when it was last read or written; empty if that does not matter
    */
-  private static Outcome write(ProgramFile file, Optional<ProgramFile> known) throws IOException {
+  private static Outcome write(SavedProgram file, Optional<SavedProgram> known) throws IOException {
     if (known.isPresent() && Files.exists(file.path())) {
-      ProgramFile now = now(file.path());
+      SavedProgram now = now(file.path());
       if (!now.text().equals(known.get().text()) && !now.text().equals(file.text())) {
         return new Outcome.Changed(now);
       }
@@ -103,9 +103,9 @@ final class DocumentSaver {
     return new Outcome.Written(file);
   }
 
-  private static ProgramFile now(Path path) throws IOException {
+  private static SavedProgram now(Path path) throws IOException {
     try {
-      return ProgramFile.read(path);
+      return SavedProgram.read(path);
     } catch (IOException e) {
       throw new IOException(
           "what is on disk now cannot be read: " + e.getMessage() + "; Save as writes elsewhere",
@@ -115,17 +115,17 @@ final class DocumentSaver {
 
   private void finished(ProgramDocument document, Outcome outcome, Consumer<Boolean> then) {
     switch (outcome) {
-      case Outcome.Written(ProgramFile file) -> {
+      case Outcome.Written(SavedProgram file) -> {
         document.saved(file);
         notices.close(question(document));
         tellSaved(file.path());
         then.accept(true);
       }
-      case Outcome.Changed(ProgramFile now) -> ask(document, now, then);
+      case Outcome.Changed(SavedProgram now) -> ask(document, now, then);
     }
   }
 
-  private void ask(ProgramDocument document, ProgramFile now, Consumer<Boolean> then) {
+  private void ask(ProgramDocument document, SavedProgram now, Consumer<Boolean> then) {
     notices.close(DiskWatch.question(document));
     notices.ask(
         question(document),

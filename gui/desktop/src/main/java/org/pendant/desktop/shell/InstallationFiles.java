@@ -15,8 +15,8 @@ import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.ProgramFile;
 import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
@@ -195,7 +195,7 @@ final class InstallationFiles {
 
   private void read(Path file) {
     if (isOurs(file)) {
-      Background.run(() -> ProgramFile.read(file), this::opened, this::notOpened);
+      Background.run(() -> SavedProgram.read(file), this::opened, this::notOpened);
     } else {
       Background.run(() -> load(file), read -> imported(file, read), this::notOpened);
     }
@@ -205,7 +205,7 @@ final class InstallationFiles {
     return file.toString().toLowerCase(Locale.ROOT).endsWith(InstallationText.ENDING);
   }
 
-  private void opened(ProgramFile read) {
+  private void opened(SavedProgram read) {
     ProgramDocument document = ProgramDocument.of(read);
     ActiveInstallation trial = new ActiveInstallation();
     trial.open(document);
@@ -343,7 +343,7 @@ final class InstallationFiles {
         .ifPresent(
             path ->
                 Background.run(
-                    () -> ProgramFile.read(path),
+                    () -> SavedProgram.read(path),
                     document::reloaded,
                     failed -> warn.accept("Not read: " + failed.getMessage())));
   }

@@ -7,10 +7,10 @@ import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.safety.SafetyCommand;
+import org.pendant.desktop.session.ArmReadiness;
 import org.pendant.desktop.session.ProgramControls;
 import org.pendant.desktop.session.Programs;
-import org.pendant.desktop.session.Readiness;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.shell.chrome.PaceChoice;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
@@ -18,10 +18,10 @@ import org.pendant.kit.action.ActionTable;
 /** The actions for programs, files, the robot and its time. */
 final class ProgramActions {
   private final ActionTable actions;
-  private final Session session;
+  private final RobotSession session;
   private final ProgramRunner runner;
 
-  ProgramActions(ActionTable actions, Session session, ProgramRunner runner) {
+  ProgramActions(ActionTable actions, RobotSession session, ProgramRunner runner) {
     this.actions = actions;
     this.session = session;
     this.runner = runner;
@@ -82,7 +82,7 @@ final class ProgramActions {
         () ->
             remedy().filter(ProgramActions::powersOff).isPresent()
                 ? "The arm is ready"
-                : Readiness.of(session.state()).hint());
+                : ArmReadiness.of(session.state()).hint());
     actions.add(
         new Action(
             "robot.off",
@@ -145,7 +145,7 @@ final class ProgramActions {
   }
 
   private Optional<Command> remedy() {
-    return Readiness.of(session.state()).command();
+    return ArmReadiness.of(session.state()).command();
   }
 
   private static boolean powersOff(Command command) {

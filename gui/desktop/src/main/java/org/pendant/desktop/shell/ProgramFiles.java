@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.ProgramFile;
 import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.kit.background.Background;
 import org.pendant.kit.export.SaveDialog;
@@ -107,7 +107,7 @@ final class ProgramFiles {
       return;
     }
     Background.run(
-        () -> ProgramFile.read(file),
+        () -> SavedProgram.read(file),
         this::opened,
         failed -> {
           notOpened(failed);
@@ -131,7 +131,7 @@ final class ProgramFiles {
     read.remarks().forEach(warn);
   }
 
-  private void opened(ProgramFile read) {
+  private void opened(SavedProgram read) {
     // Somebody else may have opened it meanwhile.
     Optional<ProgramDocument> already = programs.of(read.path());
     ProgramDocument before = programs.current();
@@ -157,7 +157,7 @@ final class ProgramFiles {
             folder().orElse(home()).resolve(script.name()),
             List.of("script"),
             EditedFiles.besides(script, programs)),
-        chosen -> chosen.ifPresent(path -> saver.export(ProgramFile.create(path, script.text()))));
+        chosen -> chosen.ifPresent(path -> saver.export(SavedProgram.create(path, script.text()))));
   }
 
   /** Saves a program where it is, or asks where. */
@@ -252,7 +252,7 @@ final class ProgramFiles {
         .ifPresent(
             path ->
                 Background.run(
-                    () -> ProgramFile.read(path),
+                    () -> SavedProgram.read(path),
                     document::reloaded,
                     failed -> warn.accept("Not read: " + failed.getMessage())));
   }

@@ -10,11 +10,11 @@ import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
-import org.pendant.desktop.debug.RunPlan;
+import org.pendant.desktop.debug.ProgramLaunch;
 import org.pendant.desktop.debug.RunScript;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.background.Background;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
@@ -31,14 +31,15 @@ import org.pendant.script.vm.ProgramState;
 
 /** Runs the current program, and has the controller do things; refusals are told. */
 final class ProgramRunner {
-  private final Session session;
+  private final RobotSession session;
   private final Programs programs;
   private final Consumer<String> tell;
   private final SourcePlace showSource;
   private Optional<Running> running = Optional.empty();
   private BiConsumer<ProgramDocument, RunScript> beforeRun = (document, script) -> {};
   private Gate gate = (document, from, run) -> run.run();
-  private Texts texts = (document, from) -> RunPlan.of(RunScript.whole(document.script().source()));
+  private Texts texts =
+      (document, from) -> ProgramLaunch.of(RunScript.whole(document.script().source()));
   private final Drivers drivers = new Drivers(AllowedHosts.ANY, Optional.empty());
   private Optional<ScriptRequest> asked = Optional.empty();
   private boolean loading;
@@ -71,10 +72,11 @@ final class ProgramRunner {
      *
      * @param from as for {@link Gate}
      */
-    RunPlan of(ProgramDocument document, long from);
+    ProgramLaunch of(ProgramDocument document, long from);
   }
 
-  ProgramRunner(Session session, Programs programs, Consumer<String> tell, SourcePlace showSource) {
+  ProgramRunner(
+      RobotSession session, Programs programs, Consumer<String> tell, SourcePlace showSource) {
     this.session = session;
     this.programs = programs;
     this.tell = tell;
@@ -170,7 +172,7 @@ final class ProgramRunner {
     gate.pass(document, from, () -> load(document, texts.of(document, from), then));
   }
 
-  private void load(ProgramDocument document, RunPlan plan, Runnable then) {
+  private void load(ProgramDocument document, ProgramLaunch plan, Runnable then) {
     loading = true;
     stopped = false;
     asked =
@@ -196,7 +198,8 @@ final class ProgramRunner {
   }
 
   /** Waits for the driver if there is one to wait for. */
-  private Compiled compiled(RunPlan plan, Optional<ScriptRequest> request) throws IOException {
+  private Compiled compiled(ProgramLaunch plan, Optional<ScriptRequest> request)
+      throws IOException {
     try {
       Optional<ControlScript> sent =
           request.isPresent() ? Optional.of(request.get().await()) : Optional.empty();

@@ -3,7 +3,7 @@ package org.pendant.desktop.shell;
 import java.util.List;
 import java.util.function.Consumer;
 import org.pendant.desktop.session.ProgramControls;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.kit.background.Background;
 import org.pendant.kit.settings.Settings;
@@ -12,7 +12,7 @@ import org.pendant.kit.settings.Settings;
 final class RobotChange {
   private static final String ROBOT = "robot.id";
 
-  private final Session session;
+  private final RobotSession session;
   private final Settings settings;
   private final Notices notices;
   private final Consumer<String> tell;
@@ -24,7 +24,7 @@ final class RobotChange {
    * @param showRobot told the id of the robot that there is
    */
   RobotChange(
-      Session session,
+      RobotSession session,
       Settings settings,
       Notices notices,
       Consumer<String> tell,

@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.pendant.desktop.program.TreeRuns;
 import org.pendant.desktop.session.ProgramControls;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.shell.start.StartChoice;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
@@ -12,12 +12,13 @@ import org.pendant.script.vm.ProgramState;
 
 /** The actions for starting programs that are trees. */
 final class RunFrom {
-  private final Session session;
+  private final RobotSession session;
   private final TreeRuns runs;
   private final LongSupplier selected;
   private final ProgramRunner runner;
 
-  private RunFrom(Session session, TreeRuns runs, LongSupplier selected, ProgramRunner runner) {
+  private RunFrom(
+      RobotSession session, TreeRuns runs, LongSupplier selected, ProgramRunner runner) {
     this.session = session;
     this.runs = runs;
     this.selected = selected;
@@ -32,7 +33,7 @@ final class RunFrom {
    */
   static void addTo(
       ActionTable actions,
-      Session session,
+      RobotSession session,
       TreeRuns runs,
       LongSupplier selected,
       ProgramRunner runner,

@@ -28,9 +28,9 @@ import org.pendant.desktop.scene.JointFrames;
 import org.pendant.desktop.scene.Lens;
 import org.pendant.desktop.scene.PayloadBall;
 import org.pendant.desktop.scene.SceneModel;
-import org.pendant.desktop.scene.Theme;
+import org.pendant.desktop.scene.SceneTheme;
+import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.Touching;
-import org.pendant.desktop.scene.Trace;
 import org.pendant.desktop.scene.TraceRing;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.scene.view.SceneView;
@@ -84,8 +84,8 @@ final class ScenePanel implements View, GhostArm {
       Optional<Joints> ghostRad,
       Optional<Payload> payload,
       boolean frames,
-      Trace trace,
-      Theme theme,
+      TcpTrace trace,
+      SceneTheme theme,
       WaypointMarkers waypointMarkers) {}
 
   /**
@@ -234,8 +234,8 @@ final class ScenePanel implements View, GhostArm {
             ghostRad,
             shows.payload() ? Optional.of(state.readings().payload()) : Optional.empty(),
             shows.frames(),
-            shows.trace() ? trace.trace() : Trace.EMPTY,
-            Palette.dark() ? Theme.DARK : Theme.LIGHT,
+            shows.trace() ? trace.trace() : TcpTrace.EMPTY,
+            Palette.dark() ? SceneTheme.DARK : SceneTheme.LIGHT,
             marks());
     if (seen.equals(Optional.of(now))) {
       return;

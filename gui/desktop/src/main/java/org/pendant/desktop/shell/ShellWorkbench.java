@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.ActionTable;
@@ -14,7 +14,7 @@ import org.pendant.kit.settings.Settings;
 
 /** The window as its views see it. */
 final class ShellWorkbench implements Workbench {
-  private final Session session;
+  private final RobotSession session;
   private final ActionTable actions;
   private final Settings settings;
   private final Consumer<String> tell;
@@ -25,7 +25,7 @@ final class ShellWorkbench implements Workbench {
   private SourcePlace source = (line, column) -> {};
 
   ShellWorkbench(
-      Session session,
+      RobotSession session,
       ActionTable actions,
       Settings settings,
       Consumer<String> tell,
@@ -43,7 +43,7 @@ final class ShellWorkbench implements Workbench {
   }
 
   @Override
-  public Session session() {
+  public RobotSession session() {
     return session;
   }
 

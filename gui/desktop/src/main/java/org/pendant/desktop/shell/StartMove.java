@@ -10,7 +10,7 @@ import org.pendant.controller.command.Reply;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.move.JogHold;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.shell.start.StartArm;
 import org.pendant.kit.background.Background;
 import org.pendant.language.source.ByteText;
@@ -30,7 +30,7 @@ final class StartMove implements StartArm {
 
   private static final double ACCELERATION_RAD_PER_S2 = 0.7;
 
-  private final Session session;
+  private final RobotSession session;
   private final Runnable beforeStart;
   private final JogHold hold;
   private Optional<Move> move = Optional.empty();
@@ -52,7 +52,7 @@ final class StartMove implements StartArm {
    *
    * @param beforeStart follows each move that is about to start, in the dispatch thread
    */
-  StartMove(Session session, Runnable beforeStart) {
+  StartMove(RobotSession session, Runnable beforeStart) {
     this.session = session;
     this.beforeStart = beforeStart;
     hold = new JogHold(session::submit, EventQueue::invokeLater);

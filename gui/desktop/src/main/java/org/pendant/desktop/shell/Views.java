@@ -38,7 +38,7 @@ import org.pendant.desktop.program.TreeRuns;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.shell.run.RunView;
 import org.pendant.desktop.shell.start.StartChoice;
 import org.pendant.desktop.shell.start.StartPlace;
@@ -60,7 +60,7 @@ final class Views {
   private final DebugPresenter debug;
   private final EditorLink link;
   private final PortsView ports;
-  private final Session session;
+  private final RobotSession session;
   private final Consumer<String> tell;
   private final StartMove startMove;
   private final StartChoice start;

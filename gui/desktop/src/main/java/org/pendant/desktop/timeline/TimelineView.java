@@ -22,7 +22,7 @@ import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.Branching;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -87,7 +87,7 @@ public final class TimelineView implements View {
     show();
   }
 
-  private record SessionBranches(Session session) implements BranchControl.Branches {
+  private record SessionBranches(RobotSession session) implements BranchControl.Branches {
     @Override
     public Optional<String> refusal(long frame) {
       return session.branchRefusal(frame);

@@ -2,7 +2,7 @@ package org.pendant.desktop.workbench;
 
 import java.nio.file.Path;
 import java.util.List;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.action.Actions;
 import org.pendant.kit.settings.Settings;
 
@@ -10,7 +10,7 @@ import org.pendant.kit.settings.Settings;
 public interface Workbench {
 
   /** The controller that is worked with. */
-  Session session();
+  RobotSession session();
 
   /** Everything that can be done by key, menu or palette. */
   Actions actions();

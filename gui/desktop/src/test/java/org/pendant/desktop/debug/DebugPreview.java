@@ -13,7 +13,7 @@ import org.pendant.controller.ProgramCommand;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.workbench.View;
 import org.pendant.kit.theme.PreviewLook;
 import org.pendant.script.debug.Breakpoint;
@@ -49,14 +49,14 @@ public final class DebugPreview {
 
   /** Opens the window; the process ends with it. */
   public static void main(String[] args) {
-    Session session = Session.start(ControllerOptions.headless());
+    RobotSession session = RobotSession.start(ControllerOptions.headless());
     ProgramDocument document = ProgramDocument.untitled("sorting.script", PROGRAM);
     Program program = session.load(document.source()).program().orElseThrow();
     EventQueue.invokeLater(() -> open(args, session, document, program));
   }
 
   private static void open(
-      String[] args, Session session, ProgramDocument document, Program program) {
+      String[] args, RobotSession session, ProgramDocument document, Program program) {
     PreviewLook.install(args[0].equals("dark"));
     PreviewWorkbench workbench = new PreviewWorkbench(session);
     DebugPresenter debug = new DebugPresenter(workbench, new Programs(document));
@@ -86,7 +86,7 @@ public final class DebugPreview {
   }
 
   private static void hold(
-      Session session, DebugPresenter debug, ProgramDocument document, Program program) {
+      RobotSession session, DebugPresenter debug, ProgramDocument document, Program program) {
     debug.breakpoints().linesChanged(document, new TreeSet<>(List.of(15, 17)));
     debug.breakpoints().change(Breakpoint.at(15).when("count > 10").fromHit(2));
     debug.breakpoints().change(Breakpoint.at(17).disabled());

@@ -15,9 +15,9 @@ import javax.swing.KeyStroke;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.ProgramFile;
 import org.pendant.desktop.session.Programs;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.SavedProgram;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.theme.PreviewLook;
 
@@ -30,7 +30,7 @@ public final class EditorWindow extends PreviewWorkbench {
   private ScriptEditor editor;
 
   private EditorWindow(ProgramDocument first) {
-    super(Session.start(ControllerOptions.headless()));
+    super(RobotSession.start(ControllerOptions.headless()));
     programs = new Programs(first);
   }
 
@@ -38,7 +38,7 @@ public final class EditorWindow extends PreviewWorkbench {
   public static void main(String[] args) throws IOException {
     List<ProgramDocument> documents = new ArrayList<>();
     for (int i = 1; i < args.length; i++) {
-      documents.add(ProgramDocument.of(ProgramFile.read(Path.of(args[i]))));
+      documents.add(ProgramDocument.of(SavedProgram.read(Path.of(args[i]))));
     }
     if (documents.isEmpty()) {
       documents.add(ProgramDocument.untitled("untitled.script", ""));

@@ -29,18 +29,18 @@ import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.ActiveInstallation;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 
 @Tag("slow")
 final class InstallationViewTest {
   private final ActiveInstallation active = new ActiveInstallation();
-  private Session session;
+  private RobotSession session;
   private PreviewWorkbench workbench;
 
   @BeforeEach
   void start() {
     assumeFalse(GraphicsEnvironment.isHeadless(), "there is no display");
-    session = Session.start(ControllerOptions.headless());
+    session = RobotSession.start(ControllerOptions.headless());
     workbench = new PreviewWorkbench(session);
   }
 

@@ -26,17 +26,17 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.desktop.preview.PreviewWorkbench;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.language.source.Source;
 
 final class IoViewTest {
-  private Session session;
+  private RobotSession session;
   private PreviewWorkbench workbench;
 
   @BeforeEach
   void start() {
     assumeFalse(GraphicsEnvironment.isHeadless(), "there is no display");
-    session = Session.start(ControllerOptions.headless());
+    session = RobotSession.start(ControllerOptions.headless());
     workbench = new PreviewWorkbench(session);
   }
 

@@ -9,7 +9,7 @@ import javax.swing.JFrame;
 import javax.swing.Timer;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.desktop.preview.PreviewWorkbench;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 
 /** Shows the screen to try it by hand: {@code MovePreview light|dark WIDTH HEIGHT [off]}. */
 public final class MovePreview {
@@ -20,11 +20,11 @@ public final class MovePreview {
   /** Opens the window; the process ends with it. */
   public static void main(String[] args) {
     boolean off = args.length > 3 && args[3].equals("off");
-    Session session = Session.start(ControllerOptions.headless().withPower(!off));
+    RobotSession session = RobotSession.start(ControllerOptions.headless().withPower(!off));
     EventQueue.invokeLater(() -> open(args, session));
   }
 
-  private static void open(String[] args, Session session) {
+  private static void open(String[] args, RobotSession session) {
     FlatInterFont.install();
     FlatLaf.setPreferredFontFamily(FlatInterFont.FAMILY);
     FlatLaf.setup(args[0].equals("dark") ? new FlatDarkLaf() : new FlatLightLaf());

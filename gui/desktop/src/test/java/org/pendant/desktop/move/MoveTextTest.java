@@ -18,9 +18,10 @@ final class MoveTextTest {
   void positionsAreWrittenAsScript() {
     assertEquals(
         "[0, -1.570796, 0.5, 100, 0, -0.000002]",
-        ScriptText.of(new Joints(0, -Math.PI / 2, 0.5, 100, -1e-9, -2e-6)));
+        PositionText.of(new Joints(0, -Math.PI / 2, 0.5, 100, -1e-9, -2e-6)));
     assertEquals(
-        "p[0.1, -0.25, 0, 0, 3.141593, 0]", ScriptText.of(new Pose(0.1, -0.25, 0, 0, Math.PI, 0)));
+        "p[0.1, -0.25, 0, 0, 3.141593, 0]",
+        PositionText.of(new Pose(0.1, -0.25, 0, 0, Math.PI, 0)));
   }
 
   @Test

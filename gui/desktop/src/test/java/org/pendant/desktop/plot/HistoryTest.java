@@ -10,8 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.DebugCommand;
 
 final class HistoryTest {
-  private static final Quantity TIME =
-      new Quantity("time", "Test", "Time", "Time", "s", state -> state.timeS());
+  private static final ChartQuantity TIME =
+      new ChartQuantity("time", "Test", "Time", "Time", "s", state -> state.timeS());
 
   private final RecordedArm arm = new RecordedArm();
 
@@ -20,7 +20,7 @@ final class HistoryTest {
     arm.frames(40);
     History history = new History(arm.plotHistory);
     assertTrue(history.follow());
-    Series series = history.of(TIME);
+    TimeSeries series = history.of(TIME);
     assertEquals(10, series.end() - series.first());
     assertEquals(0.08, history.newestS(), 1e-9);
     assertFalse(history.follow());
@@ -34,7 +34,7 @@ final class HistoryTest {
     history.track(TIME);
     arm.frames(40);
     history.follow();
-    Series series = history.of(TIME);
+    TimeSeries series = history.of(TIME);
     for (long number = series.first(); number < series.end(); number++) {
       assertEquals(series.timeS(number), series.value(TIME, number));
     }
@@ -60,7 +60,7 @@ final class HistoryTest {
     arm.frames(40);
     History history = new History(arm.plotHistory);
     history.follow();
-    Series series = history.of(TIME);
+    TimeSeries series = history.of(TIME);
     assertEquals(series.first(), series.firstAtLeast(-1));
     assertEquals(series.end(), series.firstAtLeast(1));
     assertEquals(0.024, series.timeS(series.firstAtLeast(0.0179)), 1e-9);
@@ -83,7 +83,8 @@ final class HistoryTest {
 
   @Test
   void noPeakIsLostHoweverFewPixelsThereAre() {
-    Quantity peak = new Quantity("p", "Test", "Peak", "Peak", "", s -> s.frame() == 1000 ? 7 : 0);
+    ChartQuantity peak =
+        new ChartQuantity("p", "Test", "Peak", "Peak", "", s -> s.frame() == 1000 ? 7 : 0);
     arm.frames(2000);
     History history = new History(arm.plotHistory);
     history.follow();
@@ -105,7 +106,7 @@ final class HistoryTest {
     countUp();
     arm.frames(50);
     history.follow();
-    Series series = history.of(COUNT);
+    TimeSeries series = history.of(COUNT);
     double before = Double.NaN;
     for (long number = series.first(); number < series.end(); number++) {
       double value = series.value(COUNT, number);
@@ -120,7 +121,7 @@ final class HistoryTest {
     assertEquals(50, before);
   }
 
-  private static final Quantity COUNT = RecordedArm.quantity("var:i");
+  private static final ChartQuantity COUNT = RecordedArm.quantity("var:i");
 
   private void countUp() {
     arm.trace("i");

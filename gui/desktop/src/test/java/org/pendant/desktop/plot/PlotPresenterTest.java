@@ -29,7 +29,7 @@ final class PlotPresenterTest {
             remembered.put(name, text);
           }
         };
-    return new PlotPresenter(Quantities.standard(), new History(arm.plotHistory), settings);
+    return new PlotPresenter(ChartQuantities.standard(), new History(arm.plotHistory), settings);
   }
 
   private static List<String> ids(PlotPresenter presenter) {
@@ -86,7 +86,7 @@ final class PlotPresenterTest {
     chart.add(RecordedArm.quantity("torque_1"));
     chart.remove(chart.traces().getFirst().quantity());
     chart.add(RecordedArm.quantity("torque_2"));
-    assertEquals(List.of(1, 0), chart.traces().stream().map(Trace::color).toList());
+    assertEquals(List.of(1, 0), chart.traces().stream().map(ChartTrace::color).toList());
   }
 
   @Test
@@ -105,7 +105,8 @@ final class PlotPresenterTest {
   @Test
   void cursorsTellValuesAndTheirDifference() {
     PlotPresenter presenter = empty();
-    Quantity ramp = new Quantity("ramp", "Test", "Ramp", "Ramp", "m", s -> 10 * s.timeS());
+    ChartQuantity ramp =
+        new ChartQuantity("ramp", "Test", "Ramp", "Ramp", "m", s -> 10 * s.timeS());
     presenter.addChart(ramp);
     arm.frames(600);
     presenter.refresh();

@@ -45,8 +45,8 @@ final class RecordedArm {
   }
 
   /** The quantity of this id. */
-  static Quantity quantity(String id) {
-    Optional<Quantity> found = Quantities.standard().find(id);
+  static ChartQuantity quantity(String id) {
+    Optional<ChartQuantity> found = ChartQuantities.standard().find(id);
     return found.orElseThrow();
   }
 }

@@ -27,8 +27,8 @@ final class ScriptVariablesTest {
     arm.frames(2);
   }
 
-  private static List<String> ids(List<Quantity> quantities) {
-    return quantities.stream().map(Quantity::id).toList();
+  private static List<String> ids(List<ChartQuantity> quantities) {
+    return quantities.stream().map(ChartQuantity::id).toList();
   }
 
   @Test

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.service.PortWishes;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.script.vm.ProgramState;
 
 @Timeout(60)
@@ -36,13 +36,13 @@ final class DesktopPortsTest {
 
   @TempDir Path folder;
 
-  private Session session;
+  private RobotSession session;
   private DesktopPorts ports;
   private PortWishes wishes;
 
   @BeforeEach
   void start() {
-    session = Session.start(ControllerOptions.headless());
+    session = RobotSession.start(ControllerOptions.headless());
     ports = new DesktopPorts(session, folder);
     wishes = FreePorts.wishes(folder);
   }
@@ -149,7 +149,7 @@ final class DesktopPortsTest {
 
   @Test
   void withoutAnyPortTheyCountAsClosed() {
-    Session other = Session.start(ControllerOptions.headless());
+    RobotSession other = RobotSession.start(ControllerOptions.headless());
     try {
       DesktopPorts others = new DesktopPorts(other, folder);
       others.want(Optional.of(wishes));

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.service.PortWishes;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.desktop.preview.PreviewWorkbench;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.settings.Settings;
 
 @Timeout(60)
@@ -23,13 +23,13 @@ final class PortsPresenterTest {
   @TempDir Path folder;
 
   private final Settings settings = new PreviewWorkbench().settings();
-  private Session session;
+  private RobotSession session;
   private DesktopPorts ports;
   private PortsPresenter presenter;
 
   @BeforeEach
   void start() {
-    session = Session.start(ControllerOptions.headless());
+    session = RobotSession.start(ControllerOptions.headless());
     ports = new DesktopPorts(session, folder);
     presenter = new PortsPresenter(ports, settings, folder);
   }

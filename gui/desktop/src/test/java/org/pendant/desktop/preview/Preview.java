@@ -13,7 +13,7 @@ import org.pendant.desktop.io.IoView;
 import org.pendant.desktop.io.SignalLabels;
 import org.pendant.desktop.log.LogView;
 import org.pendant.desktop.plot.PlotView;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.theme.PreviewLook;
@@ -28,20 +28,20 @@ public final class Preview {
 
   /** Opens the window; the process ends with it. */
   public static void main(String[] args) throws IOException {
-    Session session = Session.start(ControllerOptions.headless());
+    RobotSession session = RobotSession.start(ControllerOptions.headless());
     if (args.length > 4) {
       start(session, Path.of(args[4]));
     }
     EventQueue.invokeLater(() -> open(args, session));
   }
 
-  private static void start(Session session, Path file) throws IOException {
+  private static void start(RobotSession session, Path file) throws IOException {
     Source source = Source.of(file.toString(), Files.readAllBytes(file));
     LoadResult loadResult = session.controller().load(source);
     var _ = session.submit(new ProgramCommand.StartProgram(loadResult.program().orElseThrow()));
   }
 
-  private static void open(String[] args, Session session) {
+  private static void open(String[] args, RobotSession session) {
     PreviewLook.install(args[1].equals("dark"));
     View view = viewNamed(args[0]).apply(new PreviewWorkbench(session));
     JFrame frame = new JFrame(view.title());

@@ -6,7 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.action.Actions;
@@ -14,7 +14,7 @@ import org.pendant.kit.settings.Settings;
 
 /** A workbench around some views, for tests and previews; it remembers what it was told. */
 public class PreviewWorkbench implements Workbench {
-  private final Optional<Session> session;
+  private final Optional<RobotSession> session;
   private final Memory settings = new Memory();
   private final ActionTable actions = new ActionTable(settings);
   private final List<String> told = new ArrayList<>();
@@ -35,7 +35,7 @@ public class PreviewWorkbench implements Workbench {
   }
 
   /** A workbench that forgets everything with its end. */
-  public PreviewWorkbench(Session session) {
+  public PreviewWorkbench(RobotSession session) {
     this.session = Optional.of(session);
   }
 
@@ -45,7 +45,7 @@ public class PreviewWorkbench implements Workbench {
   }
 
   @Override
-  public Session session() {
+  public RobotSession session() {
     return session.orElseThrow(() -> new UnsupportedOperationException("there is no session"));
   }
 

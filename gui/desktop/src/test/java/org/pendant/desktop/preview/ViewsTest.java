@@ -30,7 +30,7 @@ import org.pendant.desktop.io.IoView;
 import org.pendant.desktop.io.SignalLabels;
 import org.pendant.desktop.log.LogView;
 import org.pendant.desktop.plot.PlotView;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.theme.Contrast;
@@ -48,13 +48,13 @@ final class ViewsTest {
   /** What a busy computer may add to the log. */
   private static final String LATE = "behind the wall clock";
 
-  private Session session;
+  private RobotSession session;
   private PreviewWorkbench workbench;
 
   @BeforeEach
   void start() {
     assumeFalse(GraphicsEnvironment.isHeadless(), "there is no display");
-    session = Session.start(ControllerOptions.headless());
+    session = RobotSession.start(ControllerOptions.headless());
     workbench = new PreviewWorkbench(session);
   }
 

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.ProgramFile;
+import org.pendant.desktop.session.SavedProgram;
 import org.pendant.project.program.NodeKind;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.StepNames;
@@ -51,7 +51,7 @@ final class ForeignTreeTest {
   void open() throws IOException {
     Path file = folder.resolve("wait.urpx");
     Files.writeString(file, WAIT);
-    document = ProgramDocument.of(ProgramFile.read(file));
+    document = ProgramDocument.of(SavedProgram.read(file));
     program =
         new TreeProgram(
             document,
@@ -178,7 +178,7 @@ final class ForeignTreeTest {
   @Test
   void isShownAnewWhenItsFileHasChanged() throws IOException {
     Files.writeString(folder.resolve("wait.urpx"), WAIT.replace("\"2 s\"", "\"3 s\""));
-    document.reloaded(ProgramFile.read(folder.resolve("wait.urpx")));
+    document.reloaded(SavedProgram.read(folder.resolve("wait.urpx")));
     assertTrue(shown(program.tree()).contains("ur-wait 3 s"), shown(program.tree()));
     assertEquals(Optional.empty(), program.undo());
   }

@@ -32,7 +32,7 @@ import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.theme.Contrast;
 import org.pendant.kit.theme.Look;
 import org.pendant.kit.theme.Theme;
@@ -58,7 +58,7 @@ final class ProgramViewTest {
   }
 
   private void build() {
-    workbench = new PreviewWorkbench(Session.start(ControllerOptions.headless()));
+    workbench = new PreviewWorkbench(RobotSession.start(ControllerOptions.headless()));
     look = new Look(workbench.settings());
     look.install();
     look.setTheme(Theme.LIGHT);

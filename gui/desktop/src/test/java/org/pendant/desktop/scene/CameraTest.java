@@ -197,7 +197,7 @@ final class CameraTest {
   @Test
   void everyStandardViewShowsAllOfEveryArm() {
     for (String id : ArmLibrary.ids()) {
-      Outline outline = Outline.of(Models.of(id));
+      SceneBounds outline = SceneBounds.of(Models.of(id));
       for (StandardView view : StandardView.values()) {
         Camera camera = Camera.of(view, outline, WIDTH / HEIGHT);
         double least = Double.POSITIVE_INFINITY;

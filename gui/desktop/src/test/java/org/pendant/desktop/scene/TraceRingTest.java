@@ -22,7 +22,7 @@ final class TraceRingTest {
     add(ring, 0.1, 1);
     add(ring, 0.3, 2);
 
-    Trace trace = ring.trace();
+    TcpTrace trace = ring.trace();
 
     assertEquals(3, trace.size());
     assertEquals(0, trace.x(0));
@@ -36,7 +36,7 @@ final class TraceRingTest {
       add(ring, 0.01 * i, i);
     }
 
-    Trace trace = ring.trace();
+    TcpTrace trace = ring.trace();
 
     assertEquals(3, trace.size());
     assertEquals(0.05f, trace.x(0));
@@ -50,7 +50,7 @@ final class TraceRingTest {
     add(ring, 0.1, 1);
     add(ring, 0.5, 2);
 
-    Trace trace = ring.trace();
+    TcpTrace trace = ring.trace();
 
     assertEquals(0.4, trace.scaleMPerS(), 1e-6);
     assertEquals(0.25, trace.speedShare(1), 1e-6);
@@ -73,7 +73,7 @@ final class TraceRingTest {
       add(ring, 0.01 * i, i);
     }
 
-    Trace trace = ring.trace();
+    TcpTrace trace = ring.trace();
     assertTrue(trace.opacity(0) < 0.5);
     assertTrue(trace.opacity(0) < trace.opacity(1));
     assertEquals(1, trace.opacity(9));
@@ -83,7 +83,7 @@ final class TraceRingTest {
   void anArmAtRestAddsNothing() {
     TraceRing ring = new TraceRing(10);
     add(ring, 0, 0);
-    Trace before = ring.trace();
+    TcpTrace before = ring.trace();
     add(ring, 0.0001, 1);
 
     assertSame(before, ring.trace());
@@ -98,7 +98,7 @@ final class TraceRingTest {
     add(ring, 0.1, 1);
     ring.add(new Pose(0.1, 0, -0.2, 0, 0, 0), new Pose(0, 0, 0.2, 0, 0, 0), 1.002);
 
-    Trace trace = ring.trace();
+    TcpTrace trace = ring.trace();
 
     assertTrue(trace.begins(0));
     assertFalse(trace.begins(1));

@@ -19,7 +19,7 @@ final class ActiveInstallationTest {
   private final List<Installation> heard = new ArrayList<>();
 
   private static ProgramDocument document(String text) {
-    return ProgramDocument.of(ProgramFile.create(Path.of("cell.pinst"), text));
+    return ProgramDocument.of(SavedProgram.create(Path.of("cell.pinst"), text));
   }
 
   @Test
@@ -37,7 +37,7 @@ final class ActiveInstallationTest {
     active.addListener(() -> heard.add(active.current()));
     active
         .document()
-        .reloaded(ProgramFile.create(Path.of("cell.pinst"), InstallationText.write(MOVED)));
+        .reloaded(SavedProgram.create(Path.of("cell.pinst"), InstallationText.write(MOVED)));
     assertEquals(List.of(MOVED), heard);
     assertFalse(active.document().modified());
   }

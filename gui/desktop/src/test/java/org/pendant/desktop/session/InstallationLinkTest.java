@@ -38,7 +38,7 @@ final class InstallationLinkTest {
   private final BlockingQueue<Installation> changes = new LinkedBlockingQueue<>();
   private final BlockingQueue<Boolean> starts = new LinkedBlockingQueue<>();
   private final ActiveInstallation active = new ActiveInstallation();
-  private Session session;
+  private RobotSession session;
 
   private static Installation installation(String lines) {
     return InstallationText.read("pendant installation 1\n" + lines).installation();
@@ -47,7 +47,7 @@ final class InstallationLinkTest {
   @BeforeEach
   void link() throws Exception {
     session =
-        Session.start(
+        RobotSession.start(
             ControllerOptions.headless()
                 .withInstallation(
                     installation(

@@ -61,7 +61,7 @@ final class ProgramDocumentTest {
         {"application": {"urscript": {"script": "reset_world_model()"}},
          "program": {"programContent": {}, "urscript": {"script": "x = 1"}}}
         """);
-    ProgramDocument document = ProgramDocument.of(ProgramFile.read(file));
+    ProgramDocument document = ProgramDocument.of(SavedProgram.read(file));
     assertTrue(document.isTree());
     assertTrue(document.readOnly());
     assertEquals("Pick", document.bareName());
@@ -79,7 +79,7 @@ final class ProgramDocumentTest {
         assertThrows(IOException.class, () -> document.toSave().orElseThrow().write())
             .getMessage());
     assertTrue(Files.readString(file).startsWith("{\"application\""));
-    ProgramFile copy = document.toSaveAs(folder.resolve("mine.pendant"));
+    SavedProgram copy = document.toSaveAs(folder.resolve("mine.pendant"));
     copy.write();
     document.saved(copy);
     assertFalse(document.readOnly());
@@ -89,19 +89,19 @@ final class ProgramDocumentTest {
   void aBrokenProgramOfPolyScopeXIsRefusedWithItsPlace() throws IOException {
     Path file = folder.resolve("pick.urpx");
     Files.writeString(file, "{\n  \"program\": }");
-    String message = assertThrows(IOException.class, () -> ProgramFile.read(file)).getMessage();
+    String message = assertThrows(IOException.class, () -> SavedProgram.read(file)).getMessage();
     assertTrue(message.startsWith(file + ":2:14: is no JSON: "), message);
     Files.writeString(file, "{\"program\": {}, \"application\": {\"urscript\": {}}}");
     assertEquals(
         file + ": was saved without its script, so that nothing can run",
-        assertThrows(IOException.class, () -> ProgramFile.read(file)).getMessage());
+        assertThrows(IOException.class, () -> SavedProgram.read(file)).getMessage());
   }
 
   @Test
   void savingClearsTheMarkOnlyForWhatWasWritten() throws IOException {
     Path file = folder.resolve("p.script");
     ProgramDocument document = ProgramDocument.untitled("a.script", "one");
-    ProgramFile written = ProgramFile.create(file, "one");
+    SavedProgram written = SavedProgram.create(file, "one");
     written.write();
     document.replace(3, 0, " more");
     document.saved(written);
@@ -114,7 +114,7 @@ final class ProgramDocumentTest {
   void bytesThatAreNoUtf8AreKeptAsTheyAre() throws IOException {
     Path file = folder.resolve("latin.script");
     Files.write(file, new byte[] {'#', (byte) 0xE9, '\n'});
-    ProgramFile read = ProgramFile.read(file);
+    SavedProgram read = SavedProgram.read(file);
     assertEquals("#\u00e9\n", read.text());
     read.withText("#\u00e9!\n").write();
     assertEquals("#\u00e9!\n", new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1));
@@ -129,7 +129,7 @@ final class ProgramDocumentTest {
   void savingAsKeepsCharsetAndLineEnds() throws IOException {
     Path file = folder.resolve("latin.script");
     Files.write(file, "#\u00e9\r\n".getBytes(StandardCharsets.ISO_8859_1));
-    ProgramDocument document = ProgramDocument.of(ProgramFile.read(file));
+    ProgramDocument document = ProgramDocument.of(SavedProgram.read(file));
     Path other = folder.resolve("other.script");
     document.toSaveAs(other).write();
     assertEquals(-1, Files.mismatch(file, other));
@@ -139,7 +139,7 @@ final class ProgramDocumentTest {
   }
 
   private static String refusal(Path file) {
-    return assertThrows(IOException.class, () -> ProgramFile.read(file)).getMessage();
+    return assertThrows(IOException.class, () -> SavedProgram.read(file)).getMessage();
   }
 
   @Test
@@ -159,9 +159,9 @@ final class ProgramDocumentTest {
 
   @Test
   void aProgramWhoseFileIsGoneIsModifiedUntilItIsSaved() throws IOException {
-    ProgramFile file = ProgramFile.create(folder.resolve("p.script"), "one");
+    SavedProgram file = SavedProgram.create(folder.resolve("p.script"), "one");
     file.write();
-    ProgramDocument document = ProgramDocument.of(ProgramFile.read(file.path()));
+    ProgramDocument document = ProgramDocument.of(SavedProgram.read(file.path()));
     DiskChange change = new DiskChange();
     assertFalse(change.gone(file), "before it was ever seen");
     assertEquals(Optional.empty(), change.look(file));
@@ -180,7 +180,7 @@ final class ProgramDocumentTest {
   void lineEndsAreWrittenAsTheyWereRead() throws IOException {
     Path file = folder.resolve("dos.script");
     Files.writeString(file, "a\r\nb\r\n");
-    ProgramFile read = ProgramFile.read(file);
+    SavedProgram read = SavedProgram.read(file);
     assertEquals("a\nb\n", read.text());
     read.withText("a\nc\n").write();
     assertEquals("a\r\nc\r\n", Files.readString(file));
@@ -189,14 +189,14 @@ final class ProgramDocumentTest {
   @Test
   void mixedLineEndsAreLeftAlone() {
     assertEquals(
-        "a\r\nb\n", ProgramFile.of(folder, "a\r\nb\n".getBytes(StandardCharsets.UTF_8)).text());
+        "a\r\nb\n", SavedProgram.of(folder, "a\r\nb\n".getBytes(StandardCharsets.UTF_8)).text());
   }
 
   @Test
   void aFileThatMayNotBeWrittenStaysAsItWas() throws IOException {
     Path file = folder.resolve("here");
     Files.createDirectory(file);
-    assertThrows(IOException.class, ProgramFile.create(file, "x")::write);
+    assertThrows(IOException.class, SavedProgram.create(file, "x")::write);
     assertTrue(Files.isDirectory(file));
     try (var left = Files.list(folder)) {
       assertEquals(List.of(file), left.toList());
@@ -206,7 +206,7 @@ final class ProgramDocumentTest {
   @Test
   void aChangeOnDiskIsNoticedOnce() throws IOException {
     Path file = folder.resolve("p.script");
-    ProgramFile known = ProgramFile.create(file, "one");
+    SavedProgram known = SavedProgram.create(file, "one");
     known.write();
     DiskChange change = new DiskChange();
     assertEquals(Optional.empty(), change.look(known));
@@ -247,9 +247,9 @@ final class ProgramDocumentTest {
   @Test
   void theScriptOfATreeIsNamedBesideTheFileOfTheTree() {
     ProgramDocument tree =
-        ProgramDocument.of(ProgramFile.create(Path.of("folder", "cell.pendant"), "text"));
+        ProgramDocument.of(SavedProgram.create(Path.of("folder", "cell.pendant"), "text"));
     assertEquals(Path.of("folder", "cell.script").toString(), tree.script().source().name());
-    tree.saved(ProgramFile.create(Path.of("other", "b.pendant"), "text"));
+    tree.saved(SavedProgram.create(Path.of("other", "b.pendant"), "text"));
     assertEquals("b.script", tree.script().name());
     assertEquals("", tree.script().text());
   }

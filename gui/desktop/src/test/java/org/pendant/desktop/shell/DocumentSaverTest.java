@@ -21,8 +21,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.ProgramFile;
 import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.SavedProgram;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 @Tag("slow")
@@ -44,7 +44,7 @@ final class DocumentSaverTest {
   void openFile() throws IOException {
     file = folder.resolve("a.script");
     Files.writeString(file, "x = 0\r\n");
-    document = ProgramDocument.of(ProgramFile.read(file));
+    document = ProgramDocument.of(SavedProgram.read(file));
   }
 
   @Test
@@ -144,7 +144,7 @@ final class DocumentSaverTest {
         "{\"application\": {\"urscript\": {\"script\": \"\"}}, \"program\":"
             + " {\"programContent\": {}, \"urscript\": {\"script\": \"x = 1\"}}}";
     Files.writeString(foreign, json);
-    ProgramDocument read = ProgramDocument.of(ProgramFile.read(foreign));
+    ProgramDocument read = ProgramDocument.of(SavedProgram.read(foreign));
     DispatchThread.run(
         () ->
             new ProgramFiles(

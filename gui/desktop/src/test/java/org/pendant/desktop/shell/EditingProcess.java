@@ -15,9 +15,9 @@ import org.pendant.desktop.program.TreeProgram;
 import org.pendant.desktop.program.TreePrograms;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.ProgramFile;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RecoveryFolder;
+import org.pendant.desktop.session.SavedProgram;
 import org.pendant.kit.background.Background;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.ProgramNode;
@@ -47,7 +47,7 @@ final class EditingProcess {
   private EditingProcess(Path file, Path kept, long seed) throws IOException {
     random = new Random(seed);
     ActiveInstallation installation = new ActiveInstallation();
-    programs = new Programs(ProgramDocument.of(ProgramFile.read(file)));
+    programs = new Programs(ProgramDocument.of(SavedProgram.read(file)));
     programs.select(ProgramDocument.untitled(UNTITLED, ""));
     // it ends with the process
     ExecutorService worker =
@@ -115,7 +115,7 @@ final class EditingProcess {
   }
 
   /** As the desktop saves. */
-  private static void save(ProgramDocument document, ProgramFile file) {
+  private static void save(ProgramDocument document, SavedProgram file) {
     Background.run(
         () -> {
           file.write();

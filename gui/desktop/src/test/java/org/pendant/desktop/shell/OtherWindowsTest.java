@@ -18,8 +18,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.OpenFiles;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.ProgramFile;
 import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.SavedProgram;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 final class OtherWindowsTest {
@@ -47,7 +47,7 @@ final class OtherWindowsTest {
   @BeforeEach
   void openTwoWindows() throws Exception {
     file = Files.writeString(folder.resolve("a.script"), "x = 1\n");
-    ProgramFile read = ProgramFile.read(file);
+    SavedProgram read = SavedProgram.read(file);
     first = new Window(ProgramDocument.of(read), folder.resolve("state"));
     second = new Window(ProgramDocument.of(read), folder.resolve("state"));
   }
@@ -105,7 +105,7 @@ final class OtherWindowsTest {
   }
 
   private static ProgramDocument document(Path file) {
-    return ProgramDocument.of(ProgramFile.create(file, "y = 1\n"));
+    return ProgramDocument.of(SavedProgram.create(file, "y = 1\n"));
   }
 
   private void look(BooleanSupplier until) throws Exception {

@@ -20,11 +20,11 @@ import org.pendant.command.FakeDriver;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
-import org.pendant.desktop.debug.RunPlan;
+import org.pendant.desktop.debug.ProgramLaunch;
 import org.pendant.desktop.debug.RunScript;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.fault.ReportedFaults;
 import org.pendant.language.source.Source;
 import org.pendant.project.program.ControlScript;
@@ -37,13 +37,13 @@ final class ProgramRunnerTest {
   @Test
   void aProgramCanBeStartedAfterCompilingOneHasFailedByAFaultOfOurs() throws Exception {
     try (ReportedFaults faults = new ReportedFaults();
-        Session session = Session.start(ControllerOptions.headless())) {
+        RobotSession session = RobotSession.start(ControllerOptions.headless())) {
       ProgramDocument document = ProgramDocument.untitled("a.script", "while True:\n  sync()\nend");
       ProgramRunner runner =
           new ProgramRunner(session, new Programs(document), told::add, (line, column) -> {});
       AtomicInteger starts = new AtomicInteger();
       runner.setTexts(
-          (program, from) -> RunPlan.of(script(program, starts.getAndIncrement() == 0)));
+          (program, from) -> ProgramLaunch.of(script(program, starts.getAndIncrement() == 0)));
 
       EventQueue.invokeAndWait(runner::runOrResume);
       await(runner);
@@ -68,9 +68,9 @@ final class ProgramRunnerTest {
   /**
    * A program with one node that waits for a driver at {@code host}, and then runs what it sends.
    */
-  private static RunPlan waiting(ProgramDocument program, ControlHost host) {
+  private static ProgramLaunch waiting(ProgramDocument program, ControlHost host) {
     Installation installation = Installation.NONE.with(parts -> parts.controlHost = host);
-    return new RunPlan(
+    return new ProgramLaunch(
         1,
         installation,
         sent ->
@@ -84,7 +84,7 @@ final class ProgramRunnerTest {
 
   @Test
   void aProgramStartsWithWhatItsDriverSends() throws Exception {
-    try (Session session = Session.start(ControllerOptions.headless());
+    try (RobotSession session = RobotSession.start(ControllerOptions.headless());
         FakeDriver driver = new FakeDriver("while True:\n  sync()\nend\n")) {
       ProgramDocument document = ProgramDocument.untitled("a.script", "");
       ProgramRunner runner =
@@ -102,7 +102,7 @@ final class ProgramRunnerTest {
   @Test
   void aProgramWithoutItsDriverDoesNotStartAndSaysWhy() throws Exception {
     try (Socket closed = new Socket();
-        Session session = Session.start(ControllerOptions.headless())) {
+        RobotSession session = RobotSession.start(ControllerOptions.headless())) {
       // bound, so that nobody else gets the port, and nothing listens
       closed.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
       ControlHost gone = new ControlHost("127.0.0.1", closed.getLocalPort());
@@ -124,7 +124,7 @@ final class ProgramRunnerTest {
 
   @Test
   void aStartThatWaitsForItsDriverCanBeStopped() throws Exception {
-    try (Session session = Session.start(ControllerOptions.headless());
+    try (RobotSession session = RobotSession.start(ControllerOptions.headless());
         FakeDriver silent = new FakeDriver("")) {
       ProgramDocument document = ProgramDocument.untitled("a.script", "");
       ProgramRunner runner =

@@ -15,7 +15,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.Branching;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.recording.replay.RerunRefused;
 
 @Timeout(60)
@@ -24,7 +24,7 @@ final class BranchControlTest {
   private final LinkedBlockingQueue<Runnable> later = new LinkedBlockingQueue<>();
 
   private BranchControl branchControl(
-      Session session, LookBack lookBack, Optional<String> refusal) {
+      RobotSession session, LookBack lookBack, Optional<String> refusal) {
     return new BranchControl(
         lookBack,
         new BranchControl.Branches() {
@@ -45,7 +45,7 @@ final class BranchControlTest {
 
   @Test
   void asksAndGoesOnFromTheMoment() throws Exception {
-    try (Session session = Session.start(ControllerOptions.headless())) {
+    try (RobotSession session = RobotSession.start(ControllerOptions.headless())) {
       session.setPace(new Pace.Paused());
       LookBack lookBack = new LookBack(session::recording, told::add);
       lookBack.take(session.state());
@@ -69,7 +69,7 @@ final class BranchControlTest {
 
   @Test
   void tellsWhyThereCanBeNone() {
-    try (Session session = Session.start(ControllerOptions.headless())) {
+    try (RobotSession session = RobotSession.start(ControllerOptions.headless())) {
       LookBack lookBack = new LookBack(session::recording, told::add);
       BranchControl branchControl =
           branchControl(session, lookBack, Optional.of("a socket was opened at 1.000 s"));
@@ -82,7 +82,7 @@ final class BranchControlTest {
 
   @Test
   void nothingHappensWhenPeopleThinkBetterOfIt() {
-    try (Session session = Session.start(ControllerOptions.headless())) {
+    try (RobotSession session = RobotSession.start(ControllerOptions.headless())) {
       LookBack lookBack = new LookBack(session::recording, told::add);
       BranchControl branchControl = branchControl(session, lookBack, Optional.empty());
       lookBack.last();

@@ -94,8 +94,8 @@ public final class AnalysedText {
   }
 
   /** The characters of a range of bytes. */
-  public Span span(SourceRange range) {
-    return new Span(offsets.toCharacter(range.start()), offsets.toCharacter(range.end()));
+  public TextSpan span(SourceRange range) {
+    return new TextSpan(offsets.toCharacter(range.start()), offsets.toCharacter(range.end()));
   }
 
   /** The byte at which the character at {@code character} begins. */
@@ -146,12 +146,12 @@ public final class AnalysedText {
   }
 
   /** Where the name at a character comes from. */
-  public Optional<Span> definition(int character) {
+  public Optional<TextSpan> definition(int character) {
     return analysis.definition(toByte(character)).map(this::span);
   }
 
   /** Every place that means the same as the name at a character. */
-  public List<Span> references(int character) {
+  public List<TextSpan> references(int character) {
     return analysis.references(toByte(character)).stream()
         .map(occurrence -> span(occurrence.range()))
         .toList();
@@ -168,7 +168,7 @@ public final class AnalysedText {
   }
 
   private Problem problem(Diagnostic diagnostic) {
-    Span span = span(diagnostic.range());
+    TextSpan span = span(diagnostic.range());
     int line = analysis.source().line(diagnostic.range().start());
     int column = span.start() - (text.lastIndexOf('\n', span.start() - 1) + 1) + 1;
     return new Problem(diagnostic, span, line, column, ByteText.decoded(diagnostic.message()));

@@ -54,9 +54,9 @@ public final class AutoIndent {
   }
 
   /** The edits that move lines one step in or out; blank lines stay when they go in. */
-  public static List<Edit> shifted(List<Span> lines, String text, boolean deeper) {
+  public static List<Edit> shifted(List<TextSpan> lines, String text, boolean deeper) {
     List<Edit> edits = new ArrayList<>();
-    for (Span line : lines) {
+    for (TextSpan line : lines) {
       String content = text.substring(line.start(), line.end());
       int own = blanks(content).length();
       if (deeper && !content.isBlank()) {

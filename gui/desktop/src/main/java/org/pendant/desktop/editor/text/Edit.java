@@ -9,11 +9,11 @@ import java.util.List;
  * @param span what goes; empty to insert
  * @param text what comes
  */
-public record Edit(Span span, String text) {
+public record Edit(TextSpan span, String text) {
 
   /** Puts {@code text} in place of the characters from {@code start} to {@code end}. */
   public static Edit replace(int start, int end, String text) {
-    return new Edit(new Span(start, end), text);
+    return new Edit(new TextSpan(start, end), text);
   }
 
   /** Puts {@code text} at {@code offset}. */

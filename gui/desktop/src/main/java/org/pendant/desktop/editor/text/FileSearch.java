@@ -80,7 +80,7 @@ public record FileSearch(Path folder, SearchQuery query) {
       }
       read++;
       String name = folder.relativize(script).toString();
-      for (Span span : query.in(text.get())) {
+      for (TextSpan span : query.in(text.get())) {
         if (places++ < MAX_PLACES) {
           found.accept(Place.of(name, Optional.of(script), text.get(), span));
         }

@@ -8,7 +8,7 @@ import java.util.List;
  * @param query what is looked for
  * @param matches where it stands in the text, in order
  */
-public record FindState(SearchQuery query, List<Span> matches) {
+public record FindState(SearchQuery query, List<TextSpan> matches) {
   /** Nothing is looked for. */
   public static final FindState NONE = new FindState(SearchQuery.NONE, List.of());
 
@@ -44,7 +44,7 @@ public record FindState(SearchQuery query, List<Span> matches) {
   }
 
   /** What the bar says: how many there are, and which is selected, or what is wrong. */
-  public String summary(Span selected) {
+  public String summary(TextSpan selected) {
     if (query.words().isEmpty()) {
       return "";
     }

@@ -12,7 +12,7 @@ import java.util.Optional;
 public record LineMoves(Edit edit, int shift) {
 
   /** Moves the lines over the one above or below them; nothing at the edge of the text. */
-  public static Optional<LineMoves> moved(String text, List<Span> lines, boolean down) {
+  public static Optional<LineMoves> moved(String text, List<TextSpan> lines, boolean down) {
     int start = lines.getFirst().start();
     int end = lines.getLast().end();
     String moving = text.substring(start, end);
@@ -36,14 +36,14 @@ public record LineMoves(Edit edit, int shift) {
   }
 
   /** Writes the lines once more below themselves; the selection goes there. */
-  public static LineMoves duplicated(String text, List<Span> lines) {
+  public static LineMoves duplicated(String text, List<TextSpan> lines) {
     int end = lines.getLast().end();
     String copy = "\n" + text.substring(lines.getFirst().start(), end);
     return new LineMoves(Edit.insert(end, copy), copy.length());
   }
 
   /** Takes the lines away. */
-  public static Edit deleted(String text, List<Span> lines) {
+  public static Edit deleted(String text, List<TextSpan> lines) {
     int start = lines.getFirst().start();
     int end = lines.getLast().end();
     if (end < text.length()) {

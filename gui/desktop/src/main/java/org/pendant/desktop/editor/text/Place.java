@@ -17,14 +17,14 @@ public record Place(
     String name, Optional<Path> file, int line, int column, int length, String text) {
 
   /** The place of {@code span} in {@code text}. */
-  public static Place of(String name, Optional<Path> file, String text, Span span) {
+  public static Place of(String name, Optional<Path> file, String text, TextSpan span) {
     int start = text.lastIndexOf('\n', span.start() - 1) + 1;
     return new Place(
         name,
         file,
-        Lines.number(text, span.start()),
+        LineIndex.number(text, span.start()),
         span.start() - start + 1,
         span.end() - span.start(),
-        Lines.at(text, span.start()));
+        LineIndex.at(text, span.start()));
   }
 }

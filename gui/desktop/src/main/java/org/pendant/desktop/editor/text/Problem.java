@@ -10,7 +10,7 @@ import org.pendant.language.source.Diagnostic;
  * @param column where it begins in the line, in characters from 1
  * @param message the diagnostic's message for people to read
  */
-public record Problem(Diagnostic diagnostic, Span span, int line, int column, String message) {
+public record Problem(Diagnostic diagnostic, TextSpan span, int line, int column, String message) {
 
   /** Whether it keeps the program from running. */
   public boolean isError() {

@@ -37,8 +37,8 @@ public record SearchQuery(String words, boolean matchCase, boolean wholeWord, bo
    * Where it stands in {@code text}, at most {@link #MAX_MATCHES} places; matches of no length are
    * left out. Nowhere if there is a {@link #complaint}.
    */
-  public List<Span> in(CharSequence text) {
-    List<Span> found = new ArrayList<>();
+  public List<TextSpan> in(CharSequence text) {
+    List<TextSpan> found = new ArrayList<>();
     if (words.isEmpty() || !complaint().isEmpty()) {
       return found;
     }
@@ -46,7 +46,7 @@ public record SearchQuery(String words, boolean matchCase, boolean wholeWord, bo
     try {
       while (found.size() < MAX_MATCHES && matcher.find()) {
         if (matcher.end() > matcher.start()) {
-          found.add(new Span(matcher.start(), matcher.end()));
+          found.add(new TextSpan(matcher.start(), matcher.end()));
         }
       }
     } catch (BoundedText.TooLong e) {
@@ -61,7 +61,7 @@ public record SearchQuery(String words, boolean matchCase, boolean wholeWord, bo
    *
    * @throws IllegalArgumentException if the replacement names a group that there is not
    */
-  public Edit replacement(CharSequence text, Span match, String replacement) {
+  public Edit replacement(CharSequence text, TextSpan match, String replacement) {
     if (!regex) {
       return new Edit(match, replacement);
     }

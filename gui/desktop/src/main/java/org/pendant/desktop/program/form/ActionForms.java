@@ -17,7 +17,7 @@ final class ActionForms {
 
   private ActionForms() {}
 
-  static Form of(FormContext context, ActionStep step) {
+  static NodeForm of(FormContext context, ActionStep step) {
     return switch (step) {
       case ActionStep.Wait wait -> waiting(context, wait.what());
       case ActionStep.SetAction set -> SettingForm.of(context, set.setting());
@@ -40,7 +40,7 @@ final class ActionForms {
     };
   }
 
-  private static Form waiting(FormContext context, WaitFor what) {
+  private static NodeForm waiting(FormContext context, WaitFor what) {
     context.kept().keep(what);
     FormBuilder form =
         new FormBuilder(context, "wait", "Wait", "Continues when the time or signal has come.");
@@ -137,7 +137,7 @@ final class ActionForms {
     };
   }
 
-  private static Form popup(FormContext context, ActionStep.Popup popup) {
+  private static NodeForm popup(FormContext context, ActionStep.Popup popup) {
     FormBuilder form =
         new FormBuilder(context, "popup", "Popup", "Shows a message and waits for Continue.");
     context.kept().keep(popup.isExpression() ? "expression" : "words", popup.text());
@@ -188,7 +188,7 @@ final class ActionForms {
     return new ActionStep.Popup(text, was.isExpression(), was.kind(), was.halts());
   }
 
-  private static Form comment(FormContext context, ActionStep.Comment comment) {
+  private static NodeForm comment(FormContext context, ActionStep.Comment comment) {
     return new FormBuilder(context, "comment", "Comment", "A remark for people; nothing runs.")
         .add(
             new Item.Prose(
@@ -234,7 +234,7 @@ final class ActionForms {
     return names;
   }
 
-  private static Form assignment(FormContext context, ActionStep.Assignment step) {
+  private static NodeForm assignment(FormContext context, ActionStep.Assignment step) {
     context.kept().keep(step);
     return source(context, step.variable(), false)
         .variable(
@@ -252,7 +252,7 @@ final class ActionForms {
         .build();
   }
 
-  private static Form operatorInput(FormContext context, ActionStep.OperatorInput step) {
+  private static NodeForm operatorInput(FormContext context, ActionStep.OperatorInput step) {
     context.kept().keep(step);
     return source(context, step.variable(), true)
         .variable(
@@ -283,7 +283,7 @@ final class ActionForms {
         .build();
   }
 
-  private static Form call(FormContext context, ActionStep.Call call) {
+  private static NodeForm call(FormContext context, ActionStep.Call call) {
     List<String> subs = ProgramNames.subPrograms(context.tree());
     FormBuilder form =
         new FormBuilder(context, "call", "Call", "Runs a sub program, then continues.")
@@ -318,7 +318,7 @@ final class ActionForms {
     return node.step() instanceof Section.SubProgram sub && sub.name().equals(name);
   }
 
-  private static Form scriptLine(FormContext context, ActionStep.ScriptLine line) {
+  private static NodeForm scriptLine(FormContext context, ActionStep.ScriptLine line) {
     return new FormBuilder(
             context, "script-line", "Script", "URScript that runs as it is typed, one line.")
         .add(
@@ -332,7 +332,7 @@ final class ActionForms {
         .build();
   }
 
-  private static Form timer(FormContext context, ActionStep.Timer timer) {
+  private static NodeForm timer(FormContext context, ActionStep.Timer timer) {
     return new FormBuilder(
             context, "timer", "Timer", "A stop watch: a variable that counts seconds.")
         .variable(

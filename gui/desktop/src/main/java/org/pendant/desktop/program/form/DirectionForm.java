@@ -15,7 +15,7 @@ final class DirectionForm {
 
   private DirectionForm() {}
 
-  static Form of(FormContext context, MotionStep.Direction step) {
+  static NodeForm of(FormContext context, MotionStep.Direction step) {
     FormBuilder form =
         new FormBuilder(
             context,

@@ -18,7 +18,7 @@ import org.pendant.project.program.text.ReadProgram;
 final class FileParts {
   private FileParts() {}
 
-  static Form scriptFile(FormContext context, ActionStep.ScriptFile step) {
+  static NodeForm scriptFile(FormContext context, ActionStep.ScriptFile step) {
     FormBuilder form =
         new FormBuilder(
             context,

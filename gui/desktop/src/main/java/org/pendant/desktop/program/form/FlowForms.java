@@ -15,7 +15,7 @@ final class FlowForms {
 
   private FlowForms() {}
 
-  static Form of(FormContext context, FlowStep step) {
+  static NodeForm of(FormContext context, FlowStep step) {
     return switch (step) {
       case FlowStep.If when -> when(context, when);
       case FlowStep.ElseIf other -> otherwise(context, other);
@@ -55,7 +55,7 @@ final class FlowForms {
         : "'" + text.strip() + "' is not a number";
   }
 
-  private static Form when(FormContext context, FlowStep.If when) {
+  private static NodeForm when(FormContext context, FlowStep.If when) {
     FormBuilder form =
         new FormBuilder(context, "if", "If", "Runs its nodes if the condition is true.")
             .condition(
@@ -73,7 +73,7 @@ final class FlowForms {
     return branches(form).build();
   }
 
-  private static Form otherwise(FormContext context, FlowStep.ElseIf other) {
+  private static NodeForm otherwise(FormContext context, FlowStep.ElseIf other) {
     FormBuilder form =
         new FormBuilder(
                 context,
@@ -166,7 +166,7 @@ final class FlowForms {
         .orElse(tree);
   }
 
-  private static Form loop(FormContext context, LoopRule rule) {
+  private static NodeForm loop(FormContext context, LoopRule rule) {
     Kept kept = context.kept();
     kept.keep(rule);
     FormBuilder form =
@@ -230,7 +230,7 @@ final class FlowForms {
     return form.build();
   }
 
-  private static Form choose(FormContext context, String expression) {
+  private static NodeForm choose(FormContext context, String expression) {
     Predicate<ProgramNode> isDefault = child -> child.step() instanceof FlowStep.DefaultCase;
     boolean whole = context.node().children().stream().anyMatch(isDefault);
     FormBuilder form =

@@ -16,7 +16,7 @@ final class ForceForm {
 
   private ForceForm() {}
 
-  static Form of(FormContext context, Force step) {
+  static NodeForm of(FormContext context, Force step) {
     Force force = whole(step);
     boolean simple = force.kind() == ForceKind.SIMPLE;
     FormBuilder form =

@@ -9,7 +9,7 @@ import org.pendant.project.program.ForeignStep;
 final class ForeignForms {
   private ForeignForms() {}
 
-  static Form of(FormContext context, ForeignStep step) {
+  static NodeForm of(FormContext context, ForeignStep step) {
     return switch (step) {
       case ForeignStep.Contributed contributed -> contributed(context, contributed);
       case ForeignStep.Unknown(String element, List<String> data) ->
@@ -24,7 +24,7 @@ final class ForeignForms {
     };
   }
 
-  private static Form contributed(FormContext context, ForeignStep.Contributed step) {
+  private static NodeForm contributed(FormContext context, ForeignStep.Contributed step) {
     return about(context, step)
         .part("Script in its place")
         .add(

@@ -20,7 +20,7 @@ final class FormBuilder {
   private final String kind;
   private final String title;
   private final String about;
-  private final List<Form.Part> parts = new ArrayList<>();
+  private final List<NodeForm.Part> parts = new ArrayList<>();
   private String heading = "";
   private List<Item> items = new ArrayList<>();
 
@@ -44,14 +44,14 @@ final class FormBuilder {
 
   private void close() {
     if (!items.isEmpty()) {
-      parts.add(new Form.Part(heading, items));
+      parts.add(new NodeForm.Part(heading, items));
       items = new ArrayList<>();
     }
   }
 
-  Form build() {
+  NodeForm build() {
     close();
-    return new Form(kind, title, about, parts);
+    return new NodeForm(kind, title, about, parts);
   }
 
   FormBuilder add(Item item) {

@@ -5,7 +5,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
 /** What kind of node it is, what that does, and what is wrong with it as a whole. */
@@ -27,8 +27,8 @@ final class FormHeader extends JPanel {
     setOpaque(false);
     title.setName("form-title");
     title.putClientProperty("FlatLaf.styleClass", "h2");
-    Card.compact(again);
-    Card.named(again, "form-use-again", "Let the node take part in the program again");
+    TitledCard.compact(again);
+    TitledCard.named(again, "form-use-again", "Let the node take part in the program again");
     again.addActionListener(event -> use.run());
     add(title, "wmin 0");
     for (FormText each : List.of(about, suppressed)) {

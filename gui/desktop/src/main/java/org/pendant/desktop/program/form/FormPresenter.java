@@ -21,7 +21,7 @@ final class FormPresenter {
   private final FormFiles files;
   private final Kept kept = new Kept();
   private OptionalLong key = OptionalLong.empty();
-  private Optional<Form> form = Optional.empty();
+  private Optional<NodeForm> form = Optional.empty();
   private Optional<Basis> basis = Optional.empty();
 
   /** What a form has been made from. */
@@ -51,7 +51,7 @@ final class FormPresenter {
 
   /** The form of the selected node as it is now; empty if there is none. */
   @SuppressWarnings("ReferenceEquality") // what is the same object has not changed
-  Optional<Form> form() {
+  Optional<NodeForm> form() {
     boolean same =
         basis
             .filter(each -> each.tree() == host.tree())
@@ -186,7 +186,7 @@ final class FormPresenter {
   }
 
   /** What is wrong at an item, as far as it was found by checking the program. */
-  String problem(Form shown, String name) {
+  String problem(NodeForm shown, String name) {
     if (key.isEmpty()) {
       return "";
     }
@@ -221,14 +221,14 @@ final class FormPresenter {
     };
   }
 
-  private static Optional<String> at(Form shown, NodeProblem problem) {
+  private static Optional<String> at(NodeForm shown, NodeProblem problem) {
     return problem.field().isEmpty()
         ? Optional.empty()
         : shown.itemFor(problem.field()).map(Item::name);
   }
 
   /** What is wrong with the node as a whole, or where the form has no field. */
-  List<String> problems(Form shown) {
+  List<String> problems(NodeForm shown) {
     List<String> messages = new ArrayList<>();
     if (key.isPresent()) {
       for (NodeProblem each : host.problems(key.getAsLong())) {

@@ -26,7 +26,7 @@ final class MotionForms {
 
   private MotionForms() {}
 
-  static Form of(FormContext context, MotionStep step) {
+  static NodeForm of(FormContext context, MotionStep step) {
     return switch (step) {
       case MotionStep.Move move -> move(context, move);
       case MotionStep.Waypoint waypoint -> WaypointForm.of(context, waypoint);
@@ -37,7 +37,7 @@ final class MotionForms {
     };
   }
 
-  private static Form move(FormContext context, MotionStep.Move move) {
+  private static NodeForm move(FormContext context, MotionStep.Move move) {
     boolean joint = move.kind() == MoveKind.JOINT;
 
     context.kept().keep(joint ? "joint" : "tool", move);
@@ -191,7 +191,7 @@ final class MotionForms {
                 }));
   }
 
-  private static Form circle(FormContext context, MotionStep.CircleMove circle) {
+  private static NodeForm circle(FormContext context, MotionStep.CircleMove circle) {
     FormBuilder form =
         new FormBuilder(
                 context,
@@ -251,7 +251,7 @@ final class MotionForms {
     }
   }
 
-  private static Form until(FormContext context, UntilRule rule) {
+  private static NodeForm until(FormContext context, UntilRule rule) {
     context.kept().keep(rule);
     FormBuilder form =
         new FormBuilder(
@@ -340,7 +340,7 @@ final class MotionForms {
     };
   }
 
-  private static Form home(FormContext context, MotionStep.Home home) {
+  private static NodeForm home(FormContext context, MotionStep.Home home) {
     FormBuilder form =
         new FormBuilder(
                 context,

@@ -20,7 +20,7 @@ import org.pendant.desktop.debug.ConditionCheck;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.background.WorkQueue;
 import org.pendant.kit.background.WorkerThread;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.project.program.ProgramNode;
 
@@ -131,8 +131,8 @@ public final class NodeForms {
   }
 
   private void render() {
-    Optional<Form> form = presenter.form();
-    List<String> wanted = form.map(Form::shape).orElse(List.of());
+    Optional<NodeForm> form = presenter.form();
+    List<String> wanted = form.map(NodeForm::shape).orElse(List.of());
     boolean sameNode = presenter.key().equals(shownKey);
     boolean other = !sameNode || !wanted.equals(shape) || sheet.getComponentCount() == 0;
     if (other) {
@@ -166,7 +166,7 @@ public final class NodeForms {
 
   /** What is wrong, found by the check of the program or typed just now. */
   private void showProblems() {
-    Optional<Form> form = presenter.form();
+    Optional<NodeForm> form = presenter.form();
     header.setProblems(form.map(presenter::problems).orElse(List.of()));
     form.ifPresent(
         shown ->
@@ -175,7 +175,7 @@ public final class NodeForms {
   }
 
   /** At an item, or at a number in it. */
-  private String problem(Form form, String name, FieldView view) {
+  private String problem(NodeForm form, String name, FieldView view) {
     if (view instanceof GridView && form.item(name).orElseThrow() instanceof Item.Grid grid) {
       for (Item.Quantity number : grid.numbers()) {
         String problem = presenter.problem(form, number.name());
@@ -188,7 +188,7 @@ public final class NodeForms {
   }
 
   /** Other controls, as far as those that there are do not fit; whoever types goes on typing. */
-  private void rebuild(Optional<Form> form, boolean sameKind) {
+  private void rebuild(Optional<NodeForm> form, boolean sameKind) {
     Component focused = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
     boolean inside = focused != null && SwingUtilities.isDescendingFrom(focused, sheet);
     Map<String, Shown> before = sameKind ? views : Map.of();
@@ -227,22 +227,24 @@ public final class NodeForms {
     return null;
   }
 
-  private void addParts(Form form, Map<String, Shown> before) {
+  private void addParts(NodeForm form, Map<String, Shown> before) {
     FieldViews maker =
         new FieldViews(
             presenter, checks, catalogue, form.kind(), this::showProblems, this::renderLater);
-    for (Form.Part part : form.parts()) {
+    for (NodeForm.Part part : form.parts()) {
       String title = part.title().isEmpty() ? "Settings" : part.title();
-      Card card = new Card(title, "[][grow, fill]");
+      TitledCard card = new TitledCard(title, "[][grow, fill]");
       for (Item item : part.items()) {
         Shown old = before.remove(item.name());
         FieldView view =
-            old != null && old.shape().equals(Form.shapeOf(item)) ? old.view() : maker.view(item);
-        views.put(item.name(), new Shown(Form.shapeOf(item), view));
+            old != null && old.shape().equals(NodeForm.shapeOf(item))
+                ? old.view()
+                : maker.view(item);
+        views.put(item.name(), new Shown(NodeForm.shapeOf(item), view));
         if (view instanceof LineView line && item instanceof Item.Line items) {
           for (int i = 0; i < items.items().size(); i++) {
             Item inner = items.items().get(i);
-            views.put(inner.name(), new Shown(Form.shapeOf(inner), line.views().get(i)));
+            views.put(inner.name(), new Shown(NodeForm.shapeOf(inner), line.views().get(i)));
           }
         }
         add(card, item, view);
@@ -251,7 +253,7 @@ public final class NodeForms {
     }
   }
 
-  private static void add(Card card, Item item, FieldView view) {
+  private static void add(TitledCard card, Item item, FieldView view) {
     switch (item) {
       case Item.Quantity _,
           Item.Text _,

@@ -15,7 +15,7 @@ final class PalletizingForm {
 
   private PalletizingForm() {}
 
-  static Form of(FormContext context, Palletizing step) {
+  static NodeForm of(FormContext context, Palletizing step) {
     Pattern pattern = step.pattern();
     context.kept().keep(pattern);
     FormBuilder form =

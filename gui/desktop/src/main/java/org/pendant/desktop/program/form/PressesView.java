@@ -9,7 +9,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.HoldButton;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 
 /** Buttons beside each other. */
@@ -53,8 +53,8 @@ final class PressesView implements FieldView {
               views.done().run();
             });
       }
-      Card.compact(button);
-      Card.named(button, views.id(press.name()), press.tip());
+      TitledCard.compact(button);
+      TitledCard.named(button, views.id(press.name()), press.tip());
       buttons.add(button);
       row.add(button);
     }

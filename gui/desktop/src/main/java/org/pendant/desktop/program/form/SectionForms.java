@@ -14,7 +14,7 @@ import org.pendant.project.program.Section;
 final class SectionForms {
   private SectionForms() {}
 
-  static Form of(FormContext context, Section step) {
+  static NodeForm of(FormContext context, Section step) {
     return switch (step) {
       case Section.InitialValues values -> initialValues(context, values);
       case Section.BeforeStart _ ->
@@ -63,7 +63,7 @@ final class SectionForms {
     };
   }
 
-  private static Form initialValues(FormContext context, Section.InitialValues values) {
+  private static NodeForm initialValues(FormContext context, Section.InitialValues values) {
     FormBuilder form =
         new FormBuilder(
             context,
@@ -141,7 +141,7 @@ final class SectionForms {
     };
   }
 
-  private static Form subProgram(FormContext context, Section.SubProgram sub) {
+  private static NodeForm subProgram(FormContext context, Section.SubProgram sub) {
     FormBuilder form =
         new FormBuilder(
             context, "sub-program", "Sub program", "Nodes that Call nodes run, by its name.");

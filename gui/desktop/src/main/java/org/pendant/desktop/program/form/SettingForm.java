@@ -19,7 +19,7 @@ final class SettingForm {
 
   private SettingForm() {}
 
-  static Form of(FormContext context, Setting setting) {
+  static NodeForm of(FormContext context, Setting setting) {
     context.kept().keep(setting);
     FormBuilder form =
         new FormBuilder(context, "set", "Set", "Sets an output, the payload or the TCP.");

@@ -7,7 +7,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import org.pendant.desktop.program.form.Item.Option;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 
 /** A choice of few, as buttons beside each other. */
@@ -26,7 +26,7 @@ final class SidesView implements FieldView {
     for (Option each : choice.options()) {
       JToggleButton button = new JToggleButton(each.text());
       button.putClientProperty("FlatLaf.style", "minimumWidth: 0; margin: 2,8,2,8");
-      Card.named(button, row.getName() + "-" + each.value(), words + each.text());
+      TitledCard.named(button, row.getName() + "-" + each.value(), words + each.text());
       button.addActionListener(
           event -> {
             views.presenter().choose(item.name(), each.value());

@@ -11,7 +11,7 @@ import org.pendant.project.program.TemplateStep;
 final class StepForms {
   private StepForms() {}
 
-  static Form of(FormContext context) {
+  static NodeForm of(FormContext context) {
     return switch (context.node().step()) {
       case Section step -> SectionForms.of(context, step);
       case MotionStep step -> MotionForms.of(context, step);

@@ -17,7 +17,7 @@ import org.pendant.project.program.ToolChoice;
 final class TemplateForms {
   private TemplateForms() {}
 
-  static Form of(FormContext context, TemplateStep step) {
+  static NodeForm of(FormContext context, TemplateStep step) {
     return switch (step) {
       case TemplateStep.Palletizing palletizing -> PalletizingForm.of(context, palletizing);
       case PatternPoint point -> point(context, point);
@@ -29,7 +29,7 @@ final class TemplateForms {
     };
   }
 
-  private static Form point(FormContext context, PatternPoint point) {
+  private static NodeForm point(FormContext context, PatternPoint point) {
     String title =
         switch (point.role()) {
           case APPROACH -> "Approach";
@@ -117,7 +117,7 @@ final class TemplateForms {
                     was.blendRadiusM()));
   }
 
-  private static Form part(FormContext context, TemplateStep.Part part) {
+  private static NodeForm part(FormContext context, TemplateStep.Part part) {
     return new FormBuilder(context, "part", "Part of a template", "When the nodes below it run.")
         .add(
             new Item.Choice(
@@ -135,7 +135,7 @@ final class TemplateForms {
         .build();
   }
 
-  private static Form seek(FormContext context, Seek seek) {
+  private static NodeForm seek(FormContext context, Seek seek) {
     SeekChange change = new SeekChange(seek);
     FormBuilder form =
         new FormBuilder(
@@ -210,7 +210,7 @@ final class TemplateForms {
         : "The variable " + name + "_count counts.";
   }
 
-  private static Form screwdriving(FormContext context, Screwdriving was) {
+  private static NodeForm screwdriving(FormContext context, Screwdriving was) {
     context.kept().keep(was.byForce() ? "force" : "speed", was.value());
     FormBuilder form =
         new FormBuilder(
@@ -287,7 +287,7 @@ final class TemplateForms {
         was.tool(), was.byForce(), was.value(), was.loosen(), start, until, timeoutS);
   }
 
-  private static Form conveyor(FormContext context, int conveyor) {
+  private static NodeForm conveyor(FormContext context, int conveyor) {
     List<ConveyorSetup> known = context.installation().conveyors();
     FormBuilder form =
         new FormBuilder(

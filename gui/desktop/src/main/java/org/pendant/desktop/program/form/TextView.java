@@ -7,7 +7,7 @@ import javax.swing.JComponent;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 import org.pendant.kit.icon.Glyph;
-import org.pendant.kit.layout.Card;
+import org.pendant.kit.layout.TitledCard;
 
 /** A line of text, with texts to choose from behind an arrow where there are any. */
 final class TextView implements FieldView {
@@ -28,7 +28,7 @@ final class TextView implements FieldView {
             String::strip,
             views.refused());
     views.named(field, text);
-    Card.named(more, field.getName() + "-more", "Choose one that there is, Down");
+    TitledCard.named(more, field.getName() + "-more", "Choose one that there is, Down");
     more.setFocusable(false);
     more.addActionListener(event -> choose());
     field.addKeyListener(

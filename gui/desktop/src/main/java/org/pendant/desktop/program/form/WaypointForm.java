@@ -26,7 +26,7 @@ final class WaypointForm {
 
   private WaypointForm() {}
 
-  static Form of(FormContext context, Waypoint waypoint) {
+  static NodeForm of(FormContext context, Waypoint waypoint) {
     Kept kept = context.kept();
     kept.keep(waypoint.target());
     kept.keep(waypoint.timing());

@@ -7,8 +7,8 @@ import org.joml.Matrix4fc;
 import org.pendant.desktop.scene.Camera;
 import org.pendant.desktop.scene.Ground;
 import org.pendant.desktop.scene.SceneModel;
-import org.pendant.desktop.scene.Theme;
-import org.pendant.desktop.scene.Trace;
+import org.pendant.desktop.scene.SceneTheme;
+import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.scene.mesh.BoxEdges;
 import org.pendant.desktop.scene.mesh.Finish;
@@ -31,16 +31,16 @@ final class LinePainter implements AutoCloseable {
   private final LineStrip edges = new LineStrip();
   private final LineStrip scale = new LineStrip();
   private final LineStrip ways = new LineStrip();
-  private Trace tracedNow = Trace.EMPTY;
+  private TcpTrace tracedNow = TcpTrace.EMPTY;
   private Optional<EdgesOf> edged = Optional.empty();
   private Optional<ScaleOf> scaled = Optional.empty();
   private Optional<WaysOf> waysNow = Optional.empty();
 
-  private record EdgesOf(Object world, Object touched, Theme theme) {}
+  private record EdgesOf(Object world, Object touched, SceneTheme theme) {}
 
-  private record WaysOf(WaypointMarkers marks, Theme theme) {}
+  private record WaysOf(WaypointMarkers marks, SceneTheme theme) {}
 
-  private record ScaleOf(double reachM, double heightM, int quarters, Theme theme) {}
+  private record ScaleOf(double reachM, double heightM, int quarters, SceneTheme theme) {}
 
   LinePainter(Shaders shaders) {
     line = shaders.line();
@@ -85,7 +85,7 @@ final class LinePainter implements AutoCloseable {
       tracedNow = model.trace();
       trace.load(LineStrip.lines(tracedNow));
     }
-    Theme theme = model.theme();
+    SceneTheme theme = model.theme();
     EdgesOf newEdges = new EdgesOf(model.world(), model.touched(), theme);
     if (!edged.equals(Optional.of(newEdges))) {
       edged = Optional.of(newEdges);

@@ -3,7 +3,7 @@ package org.pendant.desktop.scene.gl;
 import static org.lwjgl.opengl.GL33C.*;
 
 import org.pendant.desktop.scene.SpeedColours;
-import org.pendant.desktop.scene.Trace;
+import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.mesh.Lines;
 
 /** Lines in the memory of the graphics: every two points in a row make a piece. */
@@ -38,7 +38,7 @@ final class LineStrip implements AutoCloseable {
   }
 
   /** The lines of a trace. */
-  static Lines lines(Trace trace) {
+  static Lines lines(TcpTrace trace) {
     Lines lines = new Lines();
     for (int i = 0; i < trace.size(); i++) {
       int rgb = SpeedColours.rgb(trace.speedShare(i));

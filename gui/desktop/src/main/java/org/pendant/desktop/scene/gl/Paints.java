@@ -1,7 +1,7 @@
 package org.pendant.desktop.scene.gl;
 
 import org.joml.Vector3f;
-import org.pendant.desktop.scene.Theme;
+import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.desktop.scene.mesh.Finish;
 
 /** Colours as shaders take them. */
@@ -9,7 +9,7 @@ final class Paints {
   private Paints() {}
 
   /** Colour and gloss of every finish, four numbers each, in the order of their numbers. */
-  static float[] finishes(Theme theme) {
+  static float[] finishes(SceneTheme theme) {
     float[] fours = new float[4 * Finish.values().length];
     for (Finish finish : Finish.values()) {
       int at = 4 * finish.number();

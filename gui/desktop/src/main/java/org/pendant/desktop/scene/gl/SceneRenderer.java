@@ -14,7 +14,7 @@ import org.pendant.desktop.scene.Camera;
 import org.pendant.desktop.scene.Ground;
 import org.pendant.desktop.scene.LinkPlaces;
 import org.pendant.desktop.scene.SceneModel;
-import org.pendant.desktop.scene.Theme;
+import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.scene.mesh.ArmMeshes;
 import org.pendant.desktop.scene.mesh.Detail;
@@ -171,7 +171,7 @@ final class SceneRenderer implements AutoCloseable {
     SceneModel model = sight.model;
     glEnable(GL_CULL_FACE);
     glFrontFace(GL_CW);
-    boolean light = model.theme() == Theme.LIGHT;
+    boolean light = model.theme() == SceneTheme.LIGHT;
     ShaderProgram solid = shaders.solid(sight.quality.shadows());
     solid.use().set("toClip", sight.toClip);
     solid.set("toLight", sight.toMap);

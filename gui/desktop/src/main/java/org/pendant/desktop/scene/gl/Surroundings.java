@@ -7,7 +7,7 @@ import org.joml.Matrix4fc;
 import org.joml.Vector3f;
 import org.pendant.desktop.scene.Ground;
 import org.pendant.desktop.scene.SceneModel;
-import org.pendant.desktop.scene.Theme;
+import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.desktop.scene.mesh.Finish;
 
 /** Draws what has no end: the floor with its grid, planes of the scene, and the sky. */
@@ -31,7 +31,7 @@ final class Surroundings implements AutoCloseable {
   }
 
   /** Where nothing was drawn. */
-  void drawSky(Theme theme) {
+  void drawSky(SceneTheme theme) {
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glDepthFunc(GL_LEQUAL);
@@ -41,7 +41,7 @@ final class Surroundings implements AutoCloseable {
     glDepthFunc(GL_LESS);
   }
 
-  private static void setSky(ShaderProgram program, Theme theme) {
+  private static void setSky(ShaderProgram program, SceneTheme theme) {
     program.set("skyTop", Paints.screen(theme.topRgb()));
     program.set("skyBottom", Paints.screen(theme.bottomRgb()));
   }
@@ -83,7 +83,7 @@ final class Surroundings implements AutoCloseable {
       Matrix4fc toMap,
       int pictureHeight,
       float[] shadow) {
-    Theme theme = model.theme();
+    SceneTheme theme = model.theme();
     float reach = (float) model.arm().reachM();
     int rgb = ground.touched() ? theme.rgb(Finish.TOUCHED) : theme.floorRgb();
     use(plane, theme, toClip, toMap);
@@ -131,13 +131,14 @@ final class Surroundings implements AutoCloseable {
     glDepthMask(true);
   }
 
-  private static void use(ShaderProgram plane, Theme theme, Matrix4fc toClip, Matrix4fc toMap) {
+  private static void use(
+      ShaderProgram plane, SceneTheme theme, Matrix4fc toClip, Matrix4fc toMap) {
     plane.use().set("toClip", toClip);
     plane.set("toLight", toMap);
     plane.setTexture("shadowMap", 0);
     plane.set("axisX", Paints.screen(theme.rgb(Finish.AXIS_X)));
     plane.set("axisY", Paints.screen(theme.rgb(Finish.AXIS_Y)));
-    plane.set("shade", theme == Theme.LIGHT ? 0.36f : 0.55f);
+    plane.set("shade", theme == SceneTheme.LIGHT ? 0.36f : 0.55f);
     setSky(plane, theme);
   }
 

@@ -26,7 +26,7 @@ final class Foot {
     Lathe.cylinder(mesh, footM, 0, plateM, 0.0025, Lathe.AROUND);
     mesh.finish(Finish.SHELL);
     double rootM = Math.min(footM - 0.002, bodyM + Math.max(0.004, 0.3 * (footM - bodyM)));
-    Profile body = new Profile().to(0, plateM / 2);
+    LatheProfile body = new LatheProfile().to(0, plateM / 2);
     if (rootM > bodyM) {
       double neckM = Math.min(topM - 0.004, plateM + 0.25 * (topM - plateM));
       body.to(rootM, plateM / 2).to(rootM, plateM + 0.002, 0.002).to(bodyM, neckM, 0.02);
@@ -44,7 +44,7 @@ final class Foot {
     mesh.finish(Finish.SEAL);
     for (int i = 0; i < SCREWS; i++) {
       double angle = 2 * Math.PI * (i + 0.5) / SCREWS;
-      mesh.at(Side.UP_Z.at(circleM * Math.cos(angle), circleM * Math.sin(angle), 0));
+      mesh.at(AxisDirection.UP_Z.at(circleM * Math.cos(angle), circleM * Math.sin(angle), 0));
       Lathe.cylinder(mesh, radiusM, plateM / 2, plateM + 0.0035, 8e-4, 20);
     }
   }

@@ -43,7 +43,7 @@ final class Housing {
     double roundingM = Math.min(0.3 * radiusM, 0.75 * lidM);
     Lathe.turn(
         mesh,
-        new Profile()
+        new LatheProfile()
             .to(0, seamM)
             .to(r, seamM, EDGE_M)
             .to(r, lengthM, roundingM)
@@ -57,7 +57,7 @@ final class Housing {
     mesh.at(frame).finish(Finish.SHELL);
     Lathe.turn(
         mesh,
-        new Profile()
+        new LatheProfile()
             .to(0, 0)
             .to(radiusM, 0, EDGE_M)
             .to(radiusM, lengthM, roundingM)

@@ -37,12 +37,13 @@ final class JointHousings {
     addBody(
         mesh,
         radiusM,
-        Side.UP_Z.at(0, 0, startM + GAP_M),
+        AxisDirection.UP_Z.at(0, 0, startM + GAP_M),
         shoulder.alongZ().toM() - startM - GAP_M,
         shoulder.alongZ().toM(),
-        Side.UP_Y.at(0, -faces.j2() + GAP_M, 0),
+        AxisDirection.UP_Y.at(0, -faces.j2() + GAP_M, 0),
         faces.j2() - GAP_M);
-    Seal.add(mesh, Side.UP_Z.at(0, 0, startM), Math.min(radiusM, shape.base().topRadiusM()));
+    Seal.add(
+        mesh, AxisDirection.UP_Z.at(0, 0, startM), Math.min(radiusM, shape.base().topRadiusM()));
     return mesh.build();
   }
 
@@ -53,14 +54,14 @@ final class JointHousings {
     addBody(
         mesh,
         wrist.alongZ().radiusM(),
-        Side.UP_Y.at(0, -faces.j5() + GAP_M, 0),
+        AxisDirection.UP_Y.at(0, -faces.j5() + GAP_M, 0),
         wrist.alongY().toM() + faces.j5() - GAP_M,
         wrist.alongY().toM(),
-        Side.UP_Z.at(0, 0, neckM),
+        AxisDirection.UP_Z.at(0, 0, neckM),
         -neckM);
     Seal.add(
         mesh,
-        Side.UP_Z.at(0, 0, neckM - GAP_M),
+        AxisDirection.UP_Z.at(0, 0, neckM - GAP_M),
         Math.min(neckRadiusM(wrist), shape.forearm().far().radiusM()));
     return mesh.build();
   }
@@ -72,14 +73,14 @@ final class JointHousings {
     addBody(
         mesh,
         wrist.alongZ().radiusM(),
-        Side.DOWN_Y.at(0, faces.j6() - GAP_M, 0),
+        AxisDirection.DOWN_Y.at(0, faces.j6() - GAP_M, 0),
         faces.j6() - GAP_M - wrist.alongY().fromM(),
         -wrist.alongY().fromM(),
-        Side.UP_Z.at(0, 0, neckM),
+        AxisDirection.UP_Z.at(0, 0, neckM),
         -neckM);
     Seal.add(
         mesh,
-        Side.UP_Z.at(0, 0, neckM - GAP_M),
+        AxisDirection.UP_Z.at(0, 0, neckM - GAP_M),
         Math.min(neckRadiusM(wrist), shape.wrist1().alongY().radiusM()));
     return mesh.build();
   }
@@ -88,10 +89,10 @@ final class JointHousings {
   Mesh wrist3() {
     double startM = faces.j6() - dh.d6();
     MeshBuilder mesh = new MeshBuilder(detail);
-    new Flange(shape.wrist3()).addTo(mesh, startM + GAP_M);
+    new FlangeMesh(shape.wrist3()).addTo(mesh, startM + GAP_M);
     Seal.add(
         mesh,
-        Side.UP_Z.at(0, 0, startM),
+        AxisDirection.UP_Z.at(0, 0, startM),
         Math.min(shape.wrist3().alongZ().radiusM(), shape.wrist2().alongY().radiusM()));
     return mesh.build();
   }

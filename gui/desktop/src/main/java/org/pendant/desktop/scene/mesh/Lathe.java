@@ -10,17 +10,17 @@ final class Lathe {
 
   private Lathe() {}
 
-  static void turn(MeshBuilder mesh, Profile profile) {
+  static void turn(MeshBuilder mesh, LatheProfile profile) {
     turn(mesh, profile, AROUND);
   }
 
-  static void turn(MeshBuilder mesh, Profile profile, int around) {
+  static void turn(MeshBuilder mesh, LatheProfile profile, int around) {
     turn(mesh, profile.points(mesh.detail()), mesh.detail().around(around));
   }
 
-  private static void turn(MeshBuilder mesh, List<Profile.Point> points, int around) {
+  private static void turn(MeshBuilder mesh, List<LatheProfile.Point> points, int around) {
     int first = -1;
-    for (Profile.Point point : points) {
+    for (LatheProfile.Point point : points) {
       for (int j = 0; j < around; j++) {
         float cos = (float) Math.cos(2 * Math.PI * j / around);
         float sin = (float) Math.sin(2 * Math.PI * j / around);
@@ -38,8 +38,8 @@ final class Lathe {
   /** A cylinder with rounded edges, from {@code fromM} to {@code toM} on the axis. */
   static void cylinder(
       MeshBuilder mesh, double radiusM, double fromM, double toM, double roundingM, int around) {
-    Profile profile =
-        new Profile()
+    LatheProfile profile =
+        new LatheProfile()
             .to(0, fromM)
             .to(radiusM, fromM, roundingM)
             .to(radiusM, toM, roundingM)
@@ -51,12 +51,13 @@ final class Lathe {
   static void ball(MeshBuilder mesh, double radiusM, int around) {
     int meridians = mesh.detail().around(around);
     int parallels = meridians / 2;
-    List<Profile.Point> points = new ArrayList<>();
+    List<LatheProfile.Point> points = new ArrayList<>();
     for (int i = 0; i <= parallels; i++) {
       double angle = Math.PI * i / parallels;
       // exact at the poles: there the ring is one point
       double nr = i % parallels == 0 ? 0 : Math.sin(angle);
-      points.add(new Profile.Point(radiusM * nr, -radiusM * Math.cos(angle), nr, -Math.cos(angle)));
+      points.add(
+          new LatheProfile.Point(radiusM * nr, -radiusM * Math.cos(angle), nr, -Math.cos(angle)));
     }
     turn(mesh, points, meridians);
   }

@@ -35,8 +35,10 @@ final class Limbs {
     MeshBuilder mesh = new MeshBuilder(detail);
     double nearM = faces.j2() + GAP_M;
     double farM = faces.j3() + GAP_M;
-    Housing near = housing(Side.UP_Z.at(0, 0, nearM), limb.near(), limb.near().toM() - nearM);
-    Housing far = housing(Side.UP_Z.at(-length, 0, farM), limb.far(), limb.far().toM() - farM);
+    Housing near =
+        housing(AxisDirection.UP_Z.at(0, 0, nearM), limb.near(), limb.near().toM() - nearM);
+    Housing far =
+        housing(AxisDirection.UP_Z.at(-length, 0, farM), limb.far(), limb.far().toM() - farM);
     Tube tube = limb.tube();
     double nearLidM = lidM(limb.near(), limb.near().toM() - tube.centreZM(), tube);
     double farLidM = lidM(limb.far(), limb.far().toM() - tube.centreZM(), tube);
@@ -53,7 +55,7 @@ final class Limbs {
         far.barrel(farLidM, 0.002));
     Seal.add(
         mesh,
-        Side.UP_Z.at(0, 0, faces.j2()),
+        AxisDirection.UP_Z.at(0, 0, faces.j2()),
         Math.min(limb.near().radiusM(), 0.96 * shape.shoulder().alongZ().radiusM()));
     return mesh.build();
   }
@@ -68,8 +70,9 @@ final class Limbs {
     // The tube may reach lower than the housing was measured; the elbow takes it in.
     double elbowM = Math.min(limb.near().fromM(), tube.centreZM() - tube.nearRadiusM());
     double roundingM = ELBOW_ROUNDING_SHARE * limb.near().radiusM();
-    Housing near = housing(Side.DOWN_Z.at(0, 0, nearM), limb.near(), nearM - elbowM);
-    Housing far = housing(Side.DOWN_Z.at(-length, 0, farM), limb.far(), farM - limb.far().fromM());
+    Housing near = housing(AxisDirection.DOWN_Z.at(0, 0, nearM), limb.near(), nearM - elbowM);
+    Housing far =
+        housing(AxisDirection.DOWN_Z.at(-length, 0, farM), limb.far(), farM - limb.far().fromM());
     near.addWithDome(mesh, roundingM);
     double farLidM = lidM(limb.far(), tube.centreZM() - limb.far().fromM(), tube);
     far.addWithLid(mesh, farLidM);
@@ -84,7 +87,7 @@ final class Limbs {
         far.barrel(farLidM, 0.002));
     Seal.add(
         mesh,
-        Side.UP_Z.at(0, 0, faces.j3()),
+        AxisDirection.UP_Z.at(0, 0, faces.j3()),
         Math.min(limb.near().radiusM(), shape.upperArm().far().radiusM()));
     return mesh.build();
   }
@@ -107,7 +110,8 @@ final class Limbs {
 
   private static void addTube(
       MeshBuilder mesh, Limb limb, LimbRadius radius, Barrel near, Barrel far) {
-    Pipe pipe = new Pipe(Side.DOWN_X.at(0, 0, limb.tube().centreZM()), limb.lengthM(), radius);
+    Pipe pipe =
+        new Pipe(AxisDirection.DOWN_X.at(0, 0, limb.tube().centreZM()), limb.lengthM(), radius);
     double filletM = FILLET_SHARE * limb.tube().middleRadiusM();
     new Tubing(pipe, Optional.of(near), far, filletM, mesh.detail()).addTo(mesh);
   }

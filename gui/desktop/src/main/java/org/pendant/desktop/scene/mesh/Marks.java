@@ -15,8 +15,8 @@ public final class Marks {
   public static Mesh frame(Detail detail) {
     MeshBuilder mesh = new MeshBuilder(detail);
     addArrow(mesh.finish(Finish.AXIS_X), new Matrix4f().rotateY((float) (Math.PI / 2)));
-    addArrow(mesh.finish(Finish.AXIS_Y), Side.UP_Y.at(0, 0, 0));
-    addArrow(mesh.finish(Finish.AXIS_Z), Side.UP_Z.at(0, 0, 0));
+    addArrow(mesh.finish(Finish.AXIS_Y), AxisDirection.UP_Y.at(0, 0, 0));
+    addArrow(mesh.finish(Finish.AXIS_Z), AxisDirection.UP_Z.at(0, 0, 0));
     mesh.at(new Matrix4f()).finish(Finish.TOOL);
     Lathe.ball(mesh, 1.8 * SHAFT, AROUND);
     return mesh.build();
@@ -40,8 +40,8 @@ public final class Marks {
 
   private static void addArrow(MeshBuilder mesh, Matrix4f place) {
     mesh.at(place);
-    Profile profile =
-        new Profile().to(0, 0).to(SHAFT, 0).to(SHAFT, HEAD_FROM).to(HEAD, HEAD_FROM).to(0, 1);
+    LatheProfile profile =
+        new LatheProfile().to(0, 0).to(SHAFT, 0).to(SHAFT, HEAD_FROM).to(HEAD, HEAD_FROM).to(0, 1);
     Lathe.turn(mesh, profile, AROUND);
   }
 }

@@ -58,7 +58,7 @@ public final class WorldMesh {
 
   private static void addSphere(MeshBuilder mesh, SceneObject.Sphere sphere) {
     Vector3 centre = sphere.centreInBaseM();
-    mesh.at(Side.UP_Z.at(centre.x(), centre.y(), centre.z()));
+    mesh.at(AxisDirection.UP_Z.at(centre.x(), centre.y(), centre.z()));
     Lathe.ball(mesh, sphere.radiusM(), MERIDIANS);
   }
 }

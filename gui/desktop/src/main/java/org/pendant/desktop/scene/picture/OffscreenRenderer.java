@@ -9,9 +9,9 @@ import org.pendant.command.service.PictureRenderer;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.world.Scene;
 import org.pendant.desktop.scene.Camera;
-import org.pendant.desktop.scene.Outline;
+import org.pendant.desktop.scene.SceneBounds;
 import org.pendant.desktop.scene.SceneModel;
-import org.pendant.desktop.scene.Theme;
+import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.desktop.scene.Touching;
 import org.pendant.desktop.scene.TraceRing;
 import org.pendant.desktop.scene.gl.OffscreenScene;
@@ -52,9 +52,9 @@ final class OffscreenRenderer implements PictureRenderer {
                 new Touching(world)
                     .names(arm.kinematics(), arm.actualPositionRad(), arm.tool().inFlange()))
             .withTrace(ring.trace())
-            .withTheme(picture.dark() ? Theme.DARK : Theme.LIGHT);
+            .withTheme(picture.dark() ? SceneTheme.DARK : SceneTheme.LIGHT);
     double aspect = (double) picture.widthPx() / picture.heightPx();
-    Camera camera = Camera.of(picture.view(), Outline.of(model), aspect);
+    Camera camera = Camera.of(picture.view(), SceneBounds.of(model), aspect);
     return scene.render(model, camera, picture.widthPx(), picture.heightPx());
   }
 

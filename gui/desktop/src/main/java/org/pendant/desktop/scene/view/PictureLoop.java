@@ -12,7 +12,7 @@ import org.pendant.desktop.scene.gl.Quality;
 /**
  * Draws the newest picture that was asked for, one at a time, elsewhere; whatever was asked for in
  * between is dropped. While pictures follow each other they are drawn as well as there is time for
- * ({@link Pace}); {@link #settle} has the last one drawn again in full.
+ * ({@link AdaptiveQuality}); {@link #settle} has the last one drawn again in full.
  *
  * <p>Belongs to the thread of its executor, the dispatch thread.
  */
@@ -29,7 +29,7 @@ final class PictureLoop {
   private Optional<BufferedImage> shown = Optional.empty();
   private Optional<BufferedImage> spare = Optional.empty();
   private long lastNs = Long.MAX_VALUE;
-  private final Pace pace = new Pace();
+  private final AdaptiveQuality pace = new AdaptiveQuality();
   private boolean busy;
   private boolean ended;
   private boolean settled;

@@ -19,8 +19,8 @@ import org.pendant.command.service.StandardView;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.Camera;
 import org.pendant.desktop.scene.Lens;
-import org.pendant.desktop.scene.Outline;
 import org.pendant.desktop.scene.Picked;
+import org.pendant.desktop.scene.SceneBounds;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.gl.OffscreenScene;
 import org.pendant.desktop.scene.gl.Quality;
@@ -56,8 +56,8 @@ public final class SceneView extends JPanel {
   private transient Optional<BufferedImage> picture = Optional.empty();
 
   private final transient ArmDrag drag = new ArmDrag(this);
-  private final transient Hover hover =
-      new Hover(this::pick, EventQueue::invokeLater, this::repaint);
+  private final transient HoverTracker hover =
+      new HoverTracker(this::pick, EventQueue::invokeLater, this::repaint);
   private final Timer rest = Faults.timer(REST_MS, () -> loop.ifPresent(PictureLoop::settle));
 
   /** Counts the windows it was part of, so that what was started for an earlier one is dropped. */
@@ -111,9 +111,9 @@ public final class SceneView extends JPanel {
     model.ifPresent(
         shown ->
             setCamera(
-                Camera.of(direction, Outline.of(shown), aspect())
+                Camera.of(direction, SceneBounds.of(shown), aspect())
                     .through(lens)
-                    .fitted(Outline.of(shown), aspect())));
+                    .fitted(SceneBounds.of(shown), aspect())));
   }
 
   /** How depth is shown. */
@@ -151,7 +151,7 @@ public final class SceneView extends JPanel {
 
   /** Shows all of the robot, from the same direction. */
   public void fit() {
-    model.ifPresent(shown -> change(current -> current.fitted(Outline.of(shown), aspect())));
+    model.ifPresent(shown -> change(current -> current.fitted(SceneBounds.of(shown), aspect())));
   }
 
   /** Looks at the tool centre point from near by. */

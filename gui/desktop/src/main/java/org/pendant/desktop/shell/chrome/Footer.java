@@ -16,7 +16,7 @@ import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ProgramControls;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.action.ActionButton;
 import org.pendant.kit.action.ActionItem;
 import org.pendant.kit.action.ActionTable;
@@ -34,7 +34,7 @@ public final class Footer extends JPanel {
   private static final String TINY = "cell 4 0, w 34!, h 36:36:";
   private static final List<String> WORDS = List.of("Run", "Pause", "Step", "Stop");
 
-  private final transient Session session;
+  private final transient RobotSession session;
   private final transient ActionTable actions;
   private final ReadinessBar readiness;
   private final SpeedSlider speed;
@@ -53,7 +53,7 @@ public final class Footer extends JPanel {
    *
    * @param send has the controller do something, and tells when it is refused
    */
-  public Footer(Session session, ActionTable actions, Consumer<Command> send) {
+  public Footer(RobotSession session, ActionTable actions, Consumer<Command> send) {
     super(
         new MigLayout(
             "insets 8 12 8 12, gap 8, hidemode 3",

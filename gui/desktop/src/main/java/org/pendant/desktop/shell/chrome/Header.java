@@ -19,7 +19,7 @@ import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.session.Words;
+import org.pendant.desktop.session.StateWords;
 import org.pendant.kit.layout.Squeeze;
 import org.pendant.kit.theme.Badge;
 import org.pendant.kit.theme.Palette;
@@ -181,25 +181,25 @@ public final class Header extends JPanel {
 
   private void showModes(ControllerState now) {
     RobotMode mode = now.safety().robotMode();
-    robotMode.show(words("Robot ", Words.of(mode)), color(mode));
+    robotMode.show(words("Robot ", StateWords.of(mode)), color(mode));
     SafetyMode safety = now.safety().safetyMode();
     safetyMode.show(safetyText(safety), color(safety));
     checksum.show(now.safety().checksum().toString(), Palette::quiet);
     ProgramState program = now.program().state();
     boolean held = now.debug().held();
     programState.show(
-        words("Program ", held ? "in debugger" : Words.of(program)),
+        words("Program ", held ? "in debugger" : StateWords.of(program)),
         color(held ? ProgramState.PAUSED : program));
   }
 
   private String words(String what, String how) {
-    return worded ? what + how : Words.capital(how);
+    return worded ? what + how : StateWords.capital(how);
   }
 
   private String safetyText(SafetyMode mode) {
     return switch (mode) {
-      case NORMAL, REDUCED, RECOVERY, FAULT, VIOLATION -> words("Safety ", Words.of(mode));
-      default -> Words.capital(Words.of(mode));
+      case NORMAL, REDUCED, RECOVERY, FAULT, VIOLATION -> words("Safety ", StateWords.of(mode));
+      default -> StateWords.capital(StateWords.of(mode));
     };
   }
 

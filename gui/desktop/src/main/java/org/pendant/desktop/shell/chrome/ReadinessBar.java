@@ -8,7 +8,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.desktop.session.Readiness;
+import org.pendant.desktop.session.ArmReadiness;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.theme.Badge;
 import org.pendant.kit.theme.Palette;
@@ -18,12 +18,12 @@ import org.pendant.kit.theme.Palette;
 final class ReadinessBar extends JPanel {
   private final Badge light = new Badge("readiness", "Whether the arm is ready for programs");
   private final JButton remedy = new JButton(Glyph.POWER.icon(16));
-  private transient Readiness shown;
+  private transient ArmReadiness shown;
   private boolean worded = true;
 
   ReadinessBar(ControllerState state, Consumer<Command> send) {
     super(new MigLayout("insets 0, gap 8", "[][]", "[center]"));
-    shown = Readiness.of(state);
+    shown = ArmReadiness.of(state);
     remedy.setName("readiness-remedy");
     remedy.addActionListener(event -> shown.command().ifPresent(send));
     add(light, "wmin pref");
@@ -32,7 +32,7 @@ final class ReadinessBar extends JPanel {
   }
 
   void refresh(ControllerState state) {
-    Readiness now = Readiness.of(state);
+    ArmReadiness now = ArmReadiness.of(state);
     if (!now.equals(shown)) {
       shown = now;
       apply();
@@ -62,7 +62,7 @@ final class ReadinessBar extends JPanel {
     remedy.getAccessibleContext().setAccessibleDescription(shown.hint());
   }
 
-  private static Supplier<Color> color(Readiness.Light light) {
+  private static Supplier<Color> color(ArmReadiness.Light light) {
     return switch (light) {
       case READY -> Palette::ok;
       case WAITING -> Palette::warning;

@@ -8,7 +8,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
-import org.pendant.desktop.session.Words;
+import org.pendant.desktop.session.StateWords;
 import org.pendant.language.source.ByteText;
 import org.pendant.models.pose.Pose;
 import org.pendant.script.debug.DebugState;
@@ -79,7 +79,7 @@ record RunFacts(
         Stream.of(counted(popups, "popup"), counted(questions, "question"))
             .filter(each -> !each.isEmpty())
             .collect(Collectors.joining(" and "));
-    return open.isEmpty() ? "" : Words.capital(open) + " open";
+    return open.isEmpty() ? "" : StateWords.capital(open) + " open";
   }
 
   private static String counted(int count, String word) {
@@ -96,7 +96,7 @@ record RunFacts(
 
   private static String stateText(ProgramStatus program, IntUnaryOperator shown) {
     if (program.state() != ProgramState.STOPPED) {
-      return Words.capital(Words.of(program.state()));
+      return StateWords.capital(StateWords.of(program.state()));
     }
     if (program.ending().isEmpty()) {
       return "Stopped; nothing has run yet";

@@ -13,7 +13,7 @@ import javax.swing.JTextArea;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.desktop.session.Readiness;
+import org.pendant.desktop.session.ArmReadiness;
 import org.pendant.desktop.session.StopCard;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.theme.Card;
@@ -94,7 +94,7 @@ final class StopPanel {
       panel.setVisible(card.isPresent());
     }
     if (card.isPresent()) {
-      showRemedy(Readiness.of(state));
+      showRemedy(ArmReadiness.of(state));
     }
   }
 
@@ -116,7 +116,7 @@ final class StopPanel {
     panel.revalidate();
   }
 
-  private void showRemedy(Readiness readiness) {
+  private void showRemedy(ArmReadiness readiness) {
     command = readiness.command();
     remedy.setVisible(!readiness.remedy().isEmpty());
     remedy.setText(readiness.remedy());

@@ -24,9 +24,9 @@ final class AnalysedTextTest {
     int use = ACCENTS.lastIndexOf("speed");
     int origin = ACCENTS.indexOf("speed");
 
-    assertEquals(Optional.of(new Span(origin, origin + 5)), analyse(ACCENTS).definition(use));
+    assertEquals(Optional.of(new TextSpan(origin, origin + 5)), analyse(ACCENTS).definition(use));
     assertEquals(
-        List.of(new Span(origin, origin + 5), new Span(use, use + 5)),
+        List.of(new TextSpan(origin, origin + 5), new TextSpan(use, use + 5)),
         analyse(ACCENTS).references(use));
   }
 

@@ -49,7 +49,7 @@ final class AutoIndentTest {
   @Test
   void linesMoveToTheNextStep() {
     String text = "a\n b\n\n   c\n";
-    List<Span> lines = Lines.touched(text, new Span(0, text.length()));
+    List<TextSpan> lines = LineIndex.touched(text, new TextSpan(0, text.length()));
 
     assertEquals("  a\n  b\n\n    c\n", Edit.apply(text, AutoIndent.shifted(lines, text, true)));
     assertEquals("a\nb\n\n  c\n", Edit.apply(text, AutoIndent.shifted(lines, text, false)));

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 final class CommentToggleTest {
   private static String toggled(String text) {
     return Edit.apply(
-        text, CommentToggle.edits(text, Lines.touched(text, new Span(0, text.length()))));
+        text, CommentToggle.edits(text, LineIndex.touched(text, new TextSpan(0, text.length()))));
   }
 
   @Test

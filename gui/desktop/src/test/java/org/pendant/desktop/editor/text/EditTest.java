@@ -28,14 +28,16 @@ final class EditTest {
   @Test
   void spansAreOrdered() {
     IllegalArgumentException refused =
-        assertThrows(IllegalArgumentException.class, () -> new Span(3, 2));
+        assertThrows(IllegalArgumentException.class, () -> new TextSpan(3, 2));
     assertEquals("span 3..2 is not ordered", refused.getMessage());
   }
 
   @Test
   void aSelectionThatEndsAtTheStartOfALineDoesNotTouchIt() {
-    assertEquals(List.of(new Span(0, 1)), Lines.touched("a\nb\n", new Span(0, 2)));
-    assertEquals(List.of(new Span(0, 1), new Span(2, 3)), Lines.touched("a\nb\n", new Span(1, 3)));
+    assertEquals(List.of(new TextSpan(0, 1)), LineIndex.touched("a\nb\n", new TextSpan(0, 2)));
+    assertEquals(
+        List.of(new TextSpan(0, 1), new TextSpan(2, 3)),
+        LineIndex.touched("a\nb\n", new TextSpan(1, 3)));
   }
 
   @Test

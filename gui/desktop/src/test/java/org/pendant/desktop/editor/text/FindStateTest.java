@@ -26,8 +26,8 @@ final class FindStateTest {
 
   @Test
   void signsOfExpressionsAreOrdinaryUnlessAsked() {
-    assertEquals(List.of(new Span(20, 23)), find("(1)", false, false, false).matches());
-    assertEquals(List.of(new Span(21, 22)), find("(1)", false, false, true).matches());
+    assertEquals(List.of(new TextSpan(20, 23)), find("(1)", false, false, false).matches());
+    assertEquals(List.of(new TextSpan(21, 22)), find("(1)", false, false, true).matches());
   }
 
   @Test
@@ -42,16 +42,16 @@ final class FindStateTest {
   @Test
   void saysHowManyAndWhich() {
     FindState state = find("move", false, false, false);
-    assertEquals("2 of 4", state.summary(new Span(5, 9)));
-    assertEquals("4 matches", state.summary(new Span(0, 0)));
-    assertEquals("No match", find("jog", false, false, false).summary(new Span(0, 0)));
-    assertEquals("", find("", false, false, false).summary(new Span(0, 0)));
+    assertEquals("2 of 4", state.summary(new TextSpan(5, 9)));
+    assertEquals("4 matches", state.summary(new TextSpan(0, 0)));
+    assertEquals("No match", find("jog", false, false, false).summary(new TextSpan(0, 0)));
+    assertEquals("", find("", false, false, false).summary(new TextSpan(0, 0)));
   }
 
   @Test
   void saysWhatIsWrongWithAnExpression() {
     assertEquals(
-        "Unclosed group at the end", find("(a", false, false, true).summary(new Span(0, 0)));
+        "Unclosed group at the end", find("(a", false, false, true).summary(new TextSpan(0, 0)));
   }
 
   @Test

@@ -9,8 +9,8 @@ import org.junit.jupiter.api.Test;
 final class LineMovesTest {
   private static final String TEXT = "one\ntwo\nthree";
 
-  private static List<Span> lines(int start, int end) {
-    return Lines.touched(TEXT, new Span(start, end));
+  private static List<TextSpan> lines(int start, int end) {
+    return LineIndex.touched(TEXT, new TextSpan(start, end));
   }
 
   private static String moved(int start, int end, boolean down) {

@@ -71,7 +71,7 @@ final class FieldAgreementTest {
     }
   }
 
-  private Form form(Place place) {
+  private NodeForm form(Place place) {
     FakeHost host = new FakeHost(place.tree(), state);
     host.setInstallation(installation);
     FormPresenter presenter = new FormPresenter(host, new NoFiles());

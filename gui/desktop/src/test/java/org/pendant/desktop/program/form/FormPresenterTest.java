@@ -129,7 +129,7 @@ final class FormPresenterTest {
     open(EveryNode.tree(state));
     for (ProgramNode node : host.tree().nodes()) {
       select(node);
-      Form form = presenter.form().orElseThrow();
+      NodeForm form = presenter.form().orElseThrow();
       Set<String> names = new HashSet<>();
       form.items().forEach(each -> assertTrue(names.add(each.name()), form.kind() + each.name()));
       assertFalse(form.title().isBlank());
@@ -305,7 +305,7 @@ final class FormPresenterTest {
     long key = presenter.key().getAsLong();
     host.addProblem(new NodeProblem(key, "what", "the condition is missing"));
     host.addProblem(new NodeProblem(key, "", "it is in the wrong place"));
-    Form form = presenter.form().orElseThrow();
+    NodeForm form = presenter.form().orElseThrow();
     assertEquals("the condition is missing", presenter.problem(form, "what.condition"));
     assertEquals("", presenter.problem(form, "what"));
     assertEquals(List.of("it is in the wrong place"), presenter.problems(form));
@@ -316,7 +316,7 @@ final class FormPresenterTest {
     open(node(new ActionStep.Wait(new WaitFor.Analog("analog_in[7]", true, 2))));
     long key = presenter.key().getAsLong();
     host.addProblem(new NodeProblem(key, "what", "there is no analog_in[7]"));
-    Form form = presenter.form().orElseThrow();
+    NodeForm form = presenter.form().orElseThrow();
     assertEquals("there is no analog_in[7]", presenter.problem(form, "what"));
     assertEquals("", presenter.problem(form, "what.signal"));
   }
@@ -327,7 +327,7 @@ final class FormPresenterTest {
     ProgramNode values = host.tree().sections().getFirst();
     host.addProblem(new NodeProblem(values.key(), "values", "'2wrong' is no name"));
     select(values);
-    Form form = presenter.form().orElseThrow();
+    NodeForm form = presenter.form().orElseThrow();
     assertEquals("", presenter.problem(form, "values.0.variable"));
     assertEquals(List.of("'2wrong' is no name"), presenter.problems(form));
   }

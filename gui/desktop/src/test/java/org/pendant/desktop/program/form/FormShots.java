@@ -15,7 +15,7 @@ import javax.swing.JFrame;
 import javax.swing.JScrollPane;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.desktop.preview.PreviewWorkbench;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.theme.PreviewLook;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.check.NodeProblem;
@@ -25,11 +25,11 @@ public final class FormShots {
   private static final int TALLEST = 1700;
 
   private final FakeHost host;
-  private final Session session;
+  private final RobotSession session;
   private JFrame frame;
   private NodeForms forms;
 
-  private FormShots(Session session) {
+  private FormShots(RobotSession session) {
     this.session = session;
     host = new FakeHost(EveryNode.tree(session.state()), session.state());
     host.setInstallation(EveryNode.installation());
@@ -39,7 +39,7 @@ public final class FormShots {
   public static void main(String[] args)
       throws IOException, InterruptedException, InvocationTargetException {
     Path folder = Files.createDirectories(Path.of(args[2]));
-    FormShots shots = new FormShots(Session.start(ControllerOptions.headless()));
+    FormShots shots = new FormShots(RobotSession.start(ControllerOptions.headless()));
     EventQueue.invokeAndWait(() -> shots.open(args[0].equals("dark"), Integer.parseInt(args[1])));
     int number = 0;
     for (ProgramNode node : shots.host.tree().nodes()) {

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.desktop.preview.PreviewWorkbench;
-import org.pendant.desktop.session.Session;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.theme.PreviewLook;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.ProgramNode;
@@ -35,7 +35,7 @@ import org.pendant.project.program.check.NodeProblem;
 /** Forms in a real window, as far as there is a display. */
 @Tag("slow")
 final class NodeFormsTest {
-  private Session session;
+  private RobotSession session;
   private FakeHost host;
   private NodeForms forms;
   private JFrame frame;
@@ -43,7 +43,7 @@ final class NodeFormsTest {
   @BeforeEach
   void open() throws InterruptedException, InvocationTargetException {
     assumeFalse(GraphicsEnvironment.isHeadless(), "there is no display");
-    session = Session.start(ControllerOptions.headless());
+    session = RobotSession.start(ControllerOptions.headless());
     EventQueue.invokeAndWait(
         () -> {
           PreviewLook.install(false);

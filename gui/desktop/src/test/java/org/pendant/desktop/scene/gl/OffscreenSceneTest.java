@@ -24,10 +24,10 @@ import org.pendant.desktop.scene.Ball;
 import org.pendant.desktop.scene.Camera;
 import org.pendant.desktop.scene.Lens;
 import org.pendant.desktop.scene.Models;
-import org.pendant.desktop.scene.Outline;
 import org.pendant.desktop.scene.Picked;
+import org.pendant.desktop.scene.SceneBounds;
 import org.pendant.desktop.scene.SceneModel;
-import org.pendant.desktop.scene.Theme;
+import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.pose.Pose;
 
@@ -54,7 +54,7 @@ final class OffscreenSceneTest {
   }
 
   private static int[] draw(SceneModel model) {
-    return draw(model, Camera.of(StandardView.ISO, Outline.of(model), 1));
+    return draw(model, Camera.of(StandardView.ISO, SceneBounds.of(model), 1));
   }
 
   private static int[] draw(SceneModel model, Camera camera) {
@@ -83,7 +83,7 @@ final class OffscreenSceneTest {
     Map<String, int[]> pictures = new HashMap<>();
     for (String id : ArmLibrary.ids()) {
       int[] picture =
-          draw(Models.of(id), Camera.of(StandardView.ISO, Outline.of(Models.of("ur20")), 1));
+          draw(Models.of(id), Camera.of(StandardView.ISO, SceneBounds.of(Models.of("ur20")), 1));
       assertTrue(colours(picture) > 100, id + " has " + colours(picture) + " colours");
       pictures.put(id, picture);
     }
@@ -109,7 +109,7 @@ final class OffscreenSceneTest {
   @Test
   void upIsUp() {
     SceneModel model = Models.of("ur5e");
-    Camera camera = Camera.of(StandardView.FRONT, Outline.of(model), 1);
+    Camera camera = Camera.of(StandardView.FRONT, SceneBounds.of(model), 1);
     Camera sky = camera.zoomedTo(new Vector3(0, 0, 30), 3);
 
     int[] picture = draw(model, sky);
@@ -123,7 +123,7 @@ final class OffscreenSceneTest {
 
     double light = Arrays.stream(draw(model)).mapToDouble(OffscreenSceneTest::brightness).sum();
     double dark =
-        Arrays.stream(draw(model.withTheme(Theme.DARK)))
+        Arrays.stream(draw(model.withTheme(SceneTheme.DARK)))
             .mapToDouble(OffscreenSceneTest::brightness)
             .sum();
 
@@ -156,7 +156,7 @@ final class OffscreenSceneTest {
             new Vector3(0.2, 0.2, 0.2),
             Material.DEFAULT);
     Scene world = new Scene(List.of(box), Optional.empty(), List.of());
-    Camera camera = Camera.of(StandardView.ISO, Outline.of(model), 1);
+    Camera camera = Camera.of(StandardView.ISO, SceneBounds.of(model), 1);
     int[] untouched = draw(model.withWorld(world, Set.of()), camera);
 
     assertTrue(
@@ -183,7 +183,7 @@ final class OffscreenSceneTest {
   @Test
   void quickPicturesLookAlmostLikeTheBest() {
     SceneModel model = Models.of("ur5e");
-    Camera camera = Camera.of(StandardView.ISO, Outline.of(model), 1);
+    Camera camera = Camera.of(StandardView.ISO, SceneBounds.of(model), 1);
     int[] best = draw(model, camera);
 
     for (Quality quality : Quality.values()) {
@@ -200,7 +200,7 @@ final class OffscreenSceneTest {
   @Test
   void theLensAndThePayloadShow() {
     SceneModel model = Models.of("ur5e");
-    Camera camera = Camera.of(StandardView.ISO, Outline.of(model), 1);
+    Camera camera = Camera.of(StandardView.ISO, SceneBounds.of(model), 1);
     int[] plain = draw(model, camera);
     Pose tcp = model.tcpInBase();
     Ball ball = new Ball(new Vector3(tcp.x(), tcp.y(), tcp.z()), 0.1);
@@ -222,7 +222,7 @@ final class OffscreenSceneTest {
   @Test
   void whatIsPickedIsWhatIsSeen() {
     SceneModel model = Models.of("ur5e");
-    Camera camera = Camera.of(StandardView.ISO, Outline.of(model), 1);
+    Camera camera = Camera.of(StandardView.ISO, SceneBounds.of(model), 1);
     draw(model, camera);
     Pose tcp = model.tcpInBase();
 

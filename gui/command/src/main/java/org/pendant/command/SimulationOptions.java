@@ -1,0 +1,109 @@
+package org.pendant.command;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.box.ArmChoice;
+import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.safety.SafetyConfigurationReader;
+import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneReader;
+import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.json.JsonException;
+
+/** The options that say which arm simulation is used, what is around it and what limits it. */
+final class SimulationOptions {
+  private static final double MAX_NOISE_RAD = 0.01;
+
+  private static final Option SCENE =
+      Option.input("--scene", "FILE.json", "what the arm can touch and carries")
+          .documented(
+              "scene.json",
+              "what the arm can touch and what truly hangs on its flange, see"
+                  + " [scene.md](scene.md)");
+  private static final Option SAFETY =
+      Option.input("--safety", "FILE.json", "safety limits and planes instead of the standard ones")
+          .documented(
+              "safety.json",
+              "safety limits, planes and tool direction in place of the standard ones, see"
+                  + " [safety.md](safety.md)");
+  private static final Option ARM =
+      Option.of(
+              "--arm",
+              new OptionArgument.Choice("dynamic", "ideal"),
+              "with masses and drives, or always exactly on target")
+          .standing("dynamic")
+          .documented(
+              "dynamic",
+              "`dynamic` (default): an arm with masses, friction and drives, see"
+                  + " [simulated-arm.md](simulated-arm.md); `ideal`: one that is always exactly"
+                  + " where it should be, touches nothing and weighs nothing");
+  private static final Option NOISE =
+      Option.of(
+              "--encoder-noise",
+              new OptionArgument.Real("RAD", 0, MAX_NOISE_RAD, false, "rad"),
+              "standard deviation of joint readings")
+          .standing("0")
+          .documented(
+              "RAD",
+              "standard deviation of each reading of a joint encoder, 0 (default) to 0.01 rad");
+
+  /** For the usage text. */
+  static final List<Option> ALL = List.of(SCENE, SAFETY, ARM, NOISE);
+
+  private SimulationOptions() {}
+
+  /** {@code options} with what the command line says about the arm's surroundings. */
+  static ControllerOptions in(ControllerOptions options, Arguments arguments)
+      throws UsageException {
+    ControllerOptions chosen =
+        options.withArm(arm(arguments)).withEncoderNoise(arguments.number(NOISE).orElseThrow());
+    Optional<String> scene = arguments.value(SCENE);
+    if (scene.isPresent()) {
+      chosen = chosen.withScene(scene(scene.get(), arguments.files()));
+    }
+    Optional<String> safety = arguments.value(SAFETY);
+    if (safety.isPresent()) {
+      chosen = chosen.withSafety(safety(safety.get(), options.robotId(), arguments.files()));
+    }
+    return chosen;
+  }
+
+  private static ArmChoice arm(Arguments arguments) throws UsageException {
+    return arguments.word(ARM).orElseThrow().equals("ideal") ? ArmChoice.IDEAL : ArmChoice.DYNAMIC;
+  }
+
+  private static Scene scene(String name, SourceFiles files) throws UsageException {
+    try (InputStream in = Files.newInputStream(files.path("the scene", name))) {
+      return SceneReader.read(name, in);
+    } catch (JsonException e) {
+      throw new UsageException(e.getMessage());
+    } catch (IOException e) {
+      throw unreadable(name, e);
+    }
+  }
+
+  private static SafetyConfiguration safety(String name, String robotId, SourceFiles files)
+      throws UsageException {
+    try (InputStream in = Files.newInputStream(files.path("the safety file", name))) {
+      return SafetyConfigurationReader.read(name, in, ArmLibrary.load(robotId));
+    } catch (JsonException e) {
+      throw new UsageException(e.getMessage());
+    } catch (IOException e) {
+      throw unreadable(name, e);
+    }
+  }
+
+  private static UsageException unreadable(String name, IOException e) {
+    return switch (e) {
+      case NoSuchFileException none -> new UsageException(name + ": no such file");
+      case AccessDeniedException denied -> new UsageException(name + ": no permission to read it");
+      default -> new UsageException(name + ": cannot be read, " + e.getMessage());
+    };
+  }
+}

@@ -1,0 +1,345 @@
+package org.pendant.desktop.installation;
+
+import java.awt.Component;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+import javax.swing.DefaultComboBoxModel;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.Remark;
+import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.Palette;
+
+/**
+ * Fields for the parts of a value. Each change makes another value, which is checked while it is
+ * typed.
+ *
+ * @param <T> immutable
+ */
+final class PartsForm<T> {
+  /** How wide fields become at most. */
+  private static final String FIELD = "growx, wmin 60, wmax 260";
+
+  /** Between buttons, pixels before scaling. */
+  static final int BETWEEN = 6;
+
+  private final String id;
+  private final Function<T, String> refusal;
+  private final Consumer<T> take;
+  private final JPanel panel = new JPanel(new MigLayout("insets 0, gap 8 6, hidemode 3", LABELS));
+  private final List<Follower<T>> followers = new ArrayList<>();
+  private static final String LABELS = "[]12[60:240:260, fill]6[grow, left]";
+  private Optional<T> value = Optional.empty();
+  private boolean showing;
+  private boolean other;
+
+  /** Shows its part of a value. */
+  private interface Follower<T> {
+    void show(T value);
+  }
+
+  /** Another value with what somebody typed; refuses by an IllegalArgumentException. */
+  interface Change<T> {
+    T with(T before, String text);
+  }
+
+  /**
+   * An empty form.
+   *
+   * @param id with which the names of its fields begin
+   * @param refusal why a value cannot be; empty if it can
+   * @param take takes a value that can be
+   */
+  PartsForm(String id, Function<T, String> refusal, Consumer<T> take) {
+    this.id = id;
+    this.refusal = refusal;
+    this.take = take;
+    panel.setOpaque(false);
+  }
+
+  JComponent component() {
+    return panel;
+  }
+
+  /** Shows a value; what is being typed stays. */
+  void show(T next) {
+    value = Optional.of(next);
+    showing = true;
+    followers.forEach(each -> each.show(next));
+    showing = false;
+  }
+
+  /** Shows another thing: what was typed for the last one goes. */
+  void showOther(T next) {
+    other = true;
+    show(next);
+    other = false;
+  }
+
+  private String why(Change<T> change, String text) {
+    if (value.isEmpty()) {
+      return "";
+    }
+    try {
+      return refusal.apply(change.with(value.get(), text));
+    } catch (IllegalArgumentException e) {
+      return e.getMessage();
+    }
+  }
+
+  private void take(Change<T> change, String text) {
+    value.ifPresent(before -> take.accept(change.with(before, text)));
+  }
+
+  /** A field that somebody else places. */
+  EntryField entry(String name, String tip, Function<T, String> text, Change<T> change) {
+    EntryField field =
+        TitledCard.named(
+                new EntryField(8, typed -> why(change, typed), typed -> take(change, typed)),
+                id + "-" + name,
+                tip)
+            .withTip(tip);
+    followers.add(
+        now -> {
+          if (other) {
+            field.show(text.apply(now));
+          } else {
+            field.follow(text.apply(now));
+          }
+        });
+    return field;
+  }
+
+  /** As {@link #entry}, for a number. */
+  EntryField number(
+      String name,
+      String tip,
+      Measure unit,
+      ToDoubleFunction<T> get,
+      BiFunction<T, Double, T> with) {
+    EntryField field =
+        entry(
+            name,
+            tip,
+            now -> unit.text(get.applyAsDouble(now)),
+            (before, text) -> with.apply(before, unit.parse(text)));
+    field.setHorizontalAlignment(JLabel.TRAILING);
+    return field;
+  }
+
+  private String nameOf(String label) {
+    return label.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
+  }
+
+  /** A row for a text. */
+  PartsForm<T> text(String label, Function<T, String> get, BiFunction<T, String, T> with) {
+    row(label, entry(nameOf(label), label, get, with::apply), "");
+    return this;
+  }
+
+  /** A row for a number. */
+  PartsForm<T> numberRow(
+      String label, Measure unit, ToDoubleFunction<T> get, BiFunction<T, Double, T> with) {
+    row(label, number(nameOf(label), label, unit, get, with), unit.symbol());
+    return this;
+  }
+
+  private void row(String label, EntryField field, String unit) {
+    Remark problem = new Remark(field.getName() + "-problem", Palette::error);
+    field.whenRefused(() -> problem.say(field.refusal()));
+    JLabel words = new JLabel(label);
+    words.setLabelFor(field);
+    panel.add(words);
+    panel.add(field, FIELD);
+    panel.add(new JLabel(unit), "wrap");
+    panel.add(problem, "skip 1, span 2, wrap, " + Remark.LAYOUT);
+  }
+
+  /** A row for one of several. */
+  <C> PartsForm<T> choice(
+      String label,
+      Function<T, List<C>> choices,
+      Function<C, String> words,
+      Function<T, C> get,
+      BiFunction<T, C, T> with) {
+    JComboBox<C> box = TitledCard.named(new JComboBox<C>(), id + "-" + nameOf(label), label);
+    box.setRenderer(new Words<>(words));
+    Remark problem = new Remark(box.getName() + "-problem", Palette::error);
+    List<C> shown = new ArrayList<>();
+    followers.add(
+        now -> {
+          List<C> all = new ArrayList<>(choices.apply(now));
+          if (!all.contains(get.apply(now))) {
+            // files may say what is not offered
+            all.addFirst(get.apply(now));
+          }
+          if (!all.equals(shown)) {
+            shown.clear();
+            shown.addAll(all);
+            DefaultComboBoxModel<C> model = new DefaultComboBoxModel<>();
+            all.forEach(model::addElement);
+            box.setModel(model);
+          }
+          box.setSelectedItem(get.apply(now));
+          problem.say("");
+        });
+    box.addActionListener(
+        event -> {
+          int index = box.getSelectedIndex();
+          if (!showing && index >= 0) {
+            C wanted = box.getItemAt(index);
+            choose(problem, before -> with.apply(before, wanted));
+          }
+        });
+    JLabel name = new JLabel(label);
+    name.setLabelFor(box);
+    panel.add(name);
+    panel.add(box, FIELD + ", wrap");
+    panel.add(problem, "skip 1, span 2, wrap, " + Remark.LAYOUT);
+    return this;
+  }
+
+  private void choose(Remark problem, Function<T, T> change) {
+    if (value.isEmpty()) {
+      return;
+    }
+    try {
+      T next = change.apply(value.get());
+      String why = refusal.apply(next);
+      problem.say(why);
+      if (why.isEmpty()) {
+        take.accept(next);
+      } else {
+        show(value.get());
+        problem.say(why);
+      }
+    } catch (IllegalArgumentException e) {
+      show(value.get());
+      problem.say(e.getMessage());
+    }
+  }
+
+  /** A row for yes or no. */
+  PartsForm<T> check(String label, Function<T, Boolean> get, BiFunction<T, Boolean, T> with) {
+    JCheckBox box = TitledCard.named(new JCheckBox(label), id + "-" + nameOf(label), label);
+    box.setOpaque(false);
+    Remark problem = new Remark(box.getName() + "-problem", Palette::error);
+    followers.add(
+        now -> {
+          box.setSelected(get.apply(now));
+          problem.say("");
+        });
+    box.addActionListener(event -> choose(problem, before -> with.apply(before, box.isSelected())));
+    panel.add(box, "skip 1, span 2, wrap");
+    panel.add(problem, "skip 1, span 2, wrap, " + Remark.LAYOUT);
+    return this;
+  }
+
+  /** A row with something that follows the value by itself. */
+  PartsForm<T> add(String label, JComponent component) {
+    JLabel words = new JLabel(label);
+    words.setLabelFor(component);
+    panel.add(words);
+    panel.add(component, "span 2, growx, wmin 0, wmax 260, wrap");
+    return this;
+  }
+
+  /** A row of buttons. */
+  PartsForm<T> buttons(JButton... buttons) {
+    JPanel row = new JPanel(new WrappingRow(BETWEEN));
+    row.setOpaque(false);
+    for (JButton each : buttons) {
+      row.add(each);
+    }
+    panel.add(row, "skip 1, span 2, growx, wmin 0, pad 0 -" + BETWEEN + " 0 0, wrap");
+    return this;
+  }
+
+  /** A heading above what comes next. */
+  PartsForm<T> heading(String text) {
+    JLabel label = new JLabel(text);
+    label.putClientProperty("FlatLaf.styleClass", "semibold");
+    panel.add(label, "span, gaptop 8, wrap");
+    return this;
+  }
+
+  /** A quiet sentence. */
+  PartsForm<T> note(String text) {
+    Remark remark = new Remark(id + "-note", Palette::quiet);
+    remark.say(text);
+    panel.add(remark, "span, wrap, " + Remark.LAYOUT);
+    return this;
+  }
+
+  /** A sentence that depends on the value; empty for none. */
+  PartsForm<T> remark(Function<T, String> words) {
+    Remark remark = new Remark(id + "-remark", Palette::warning);
+    followers.add(now -> remark.say(words.apply(now)));
+    panel.add(remark, "span, wrap, " + Remark.LAYOUT);
+    return this;
+  }
+
+  /** Something over the whole width. */
+  PartsForm<T> wide(JComponent component) {
+    panel.add(component, "span, growx, wrap");
+    return this;
+  }
+
+  /** A grid of fields with one place for what is wrong with any of them. */
+  PartsForm<T> grid(JPanel grid, List<EntryField> fields) {
+    Remark problem = new Remark(id + "-grid-problem", Palette::error);
+    Runnable tell =
+        () ->
+            problem.say(
+                fields.stream()
+                    .filter(each -> !each.refusal().isEmpty())
+                    .map(
+                        each ->
+                            each.getAccessibleContext().getAccessibleName() + ": " + each.refusal())
+                    .findFirst()
+                    .orElse(""));
+    fields.forEach(each -> each.whenRefused(tell));
+    wide(grid);
+    panel.add(problem, "span, wrap, " + Remark.LAYOUT);
+    return this;
+  }
+
+  /** Runs with each value that is shown. */
+  PartsForm<T> follow(Consumer<T> follower) {
+    followers.add(follower::accept);
+    return this;
+  }
+
+  /** What a choice is called. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class Words<C> extends DefaultListCellRenderer {
+    private final transient Function<C, String> words;
+
+    Words(Function<C, String> words) {
+      this.words = words;
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // the list holds nothing else
+    public Component getListCellRendererComponent(
+        JList<?> list, Object item, int index, boolean selected, boolean focused) {
+      String text = item == null ? "" : words.apply((C) item);
+      return super.getListCellRendererComponent(list, text, index, selected, focused);
+    }
+  }
+}

@@ -1,9 +1,0 @@
-package org.pendant.desktop.plot;
-
-/**
- * A stretch of time that the pointer is drawing.
- *
- * @param fromS where it began, s
- * @param toS where the pointer is, s
- */
-record Span(double fromS, double toS) {}

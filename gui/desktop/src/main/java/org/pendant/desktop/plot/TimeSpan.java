@@ -1,0 +1,9 @@
+package org.pendant.desktop.plot;
+
+/**
+ * A stretch of time that the pointer is drawing.
+ *
+ * @param fromS where it began, s
+ * @param toS where the pointer is, s
+ */
+record TimeSpan(double fromS, double toS) {}

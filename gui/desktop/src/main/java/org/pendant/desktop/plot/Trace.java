@@ -1,8 +1,0 @@
-package org.pendant.desktop.plot;
-
-/**
- * A quantity on a chart.
- *
- * @param color number of its colour in the palette; they differ on one chart
- */
-record Trace(Quantity quantity, int color) {}

@@ -1,0 +1,80 @@
+package org.pendant.desktop.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.world.SceneObject;
+import org.pendant.controller.world.Vector3;
+import org.pendant.models.arm.DhLengths;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Transforms;
+
+/**
+ * Roughly what an arm, its tool and its trace fill, for cameras that should show all of it.
+ *
+ * @param balls each of them is to be seen whole; at least one
+ */
+public record SceneBounds(List<Ball> balls) {
+  /** Radius of a housing as a share of the length of the stretched arm. */
+  private static final double HOUSING_SHARE = 0.075;
+
+  /** More points of a trace than this say nothing more. */
+  private static final int MAX_OF_TRACE = 200;
+
+  /** Copies the list. */
+  public SceneBounds {
+    balls = List.copyOf(balls);
+    if (balls.isEmpty()) {
+      throw new IllegalArgumentException("outline: has no balls, must have at least one");
+    }
+  }
+
+  /** The outline of the arm of a model as it stands. */
+  public static SceneBounds of(SceneModel model) {
+    DhLengths dh = model.arm().dh();
+    double housingM = HOUSING_SHARE * (dh.d1() - dh.a2() - dh.a3() + dh.d5());
+    double[][] frames = new double[Joints.COUNT][Transforms.SIZE];
+    model.kinematics().frames(model.positionRad().toArray(), frames);
+    List<Ball> balls = new ArrayList<>();
+    balls.add(new Ball(new Vector3(0, 0, 0), housingM));
+    for (double[] frame : frames) {
+      balls.add(new Ball(new Vector3(frame[9], frame[10], frame[11]), housingM));
+    }
+    // The upper arm stands out along the axis of the shoulder, about as far as the wrist.
+    for (int i = 0; i < 2; i++) {
+      balls.add(new Ball(along(frames[i], dh.d4()), housingM));
+    }
+    Pose tcp = model.tcpInBase();
+    balls.add(new Ball(new Vector3(tcp.x(), tcp.y(), tcp.z()), housingM));
+    addObjects(model, balls);
+    TcpTrace trace = model.trace();
+    for (int i = 0; i < trace.size(); i += 1 + trace.size() / MAX_OF_TRACE) {
+      balls.add(new Ball(new Vector3(trace.x(i), trace.y(i), trace.z(i)), 0));
+    }
+    return new SceneBounds(balls);
+  }
+
+  /** What stands so near that it belongs to the picture. */
+  private static void addObjects(SceneModel model, List<Ball> balls) {
+    double nearM = model.arm().reachM();
+    for (SceneObject object : model.world().objects()) {
+      Optional<Ball> ball =
+          switch (object) {
+            case SceneObject.Sphere sphere ->
+                Optional.of(new Ball(sphere.centreInBaseM(), sphere.radiusM()));
+            case SceneObject.Box box -> {
+              Pose pose = box.poseInBase();
+              Vector3 centre = new Vector3(pose.x(), pose.y(), pose.z());
+              yield Optional.of(new Ball(centre, box.sizeM().length() / 2));
+            }
+            case SceneObject.Plane plane -> Optional.empty();
+          };
+      ball.filter(each -> each.centreM().length() + each.radiusM() < nearM).ifPresent(balls::add);
+    }
+  }
+
+  private static Vector3 along(double[] frame, double z) {
+    return new Vector3(frame[9] + z * frame[2], frame[10] + z * frame[5], frame[11] + z * frame[8]);
+  }
+}

@@ -1,0 +1,89 @@
+package org.pendant.desktop.scene;
+
+/**
+ * The way that the tool centre point took, in the base frame; immutable. A {@link TraceRing} makes
+ * them.
+ */
+public final class TcpTrace {
+  /** No way at all. */
+  public static final TcpTrace EMPTY = new TcpTrace(new float[0], 0, 1);
+
+  /** Numbers of a point: x, y, z, m, and its speed, m/s, below 0 where a new line begins. */
+  static final int STRIDE = 4;
+
+  /** The oldest points fade, so that none of them vanishes suddenly: this share of all. */
+  private static final float FADING_SHARE = 0.35f;
+
+  private static final double MIN_SCALE_M_PER_S = 0.01;
+
+  /** A speed that is hardly above a step of the scale belongs to it. */
+  private static final double ROUNDING = 0.98;
+
+  private final float[] points;
+  private final double scaleMPerS;
+  private final int capacity;
+
+  /**
+   * @param fastestMPerS speed of the fastest point, m/s
+   * @param capacity after how many more points a point is forgotten
+   */
+  TcpTrace(float[] points, double fastestMPerS, int capacity) {
+    this.points = points;
+    scaleMPerS = scaleMPerS(fastestMPerS);
+    this.capacity = capacity;
+  }
+
+  /** How many points there are. */
+  public int size() {
+    return points.length / STRIDE;
+  }
+
+  /** Position of point {@code i}, m. */
+  public float x(int i) {
+    return points[STRIDE * i];
+  }
+
+  /** Position of point {@code i}, m. */
+  public float y(int i) {
+    return points[STRIDE * i + 1];
+  }
+
+  /** Position of point {@code i}, m. */
+  public float z(int i) {
+    return points[STRIDE * i + 2];
+  }
+
+  /** Whether no line leads from the point before to point {@code i}. */
+  public boolean begins(int i) {
+    return i == 0 || points[STRIDE * i + 3] < 0;
+  }
+
+  /** Speed on the way to point {@code i} as a share, 0 to 1, of {@link #scaleMPerS}. */
+  public float speedShare(int i) {
+    float speed = Math.max(points[STRIDE * i + 3], 0);
+    return (float) (speed / scaleMPerS);
+  }
+
+  /** How well point {@code i} is still seen: 1, or less, down to 0, as it is about to go. */
+  public float opacity(int i) {
+    int left = capacity - (size() - 1 - i);
+    return Math.clamp(left / (FADING_SHARE * capacity), 0, 1);
+  }
+
+  /**
+   * Speed that is drawn in the colour of the fastest, m/s: 1, 2, 4 or 8 of some power of ten, so
+   * that colours keep their meaning while the trace grows.
+   */
+  public double scaleMPerS() {
+    return scaleMPerS;
+  }
+
+  private static double scaleMPerS(double fastestMPerS) {
+    double scale = MIN_SCALE_M_PER_S;
+    for (int step = 0; scale < ROUNDING * fastestMPerS; step++) {
+      // 1, 2, 4, 8, 10, 20 ...
+      scale *= step % 4 == 3 ? 1.25 : 2;
+    }
+    return scale;
+  }
+}

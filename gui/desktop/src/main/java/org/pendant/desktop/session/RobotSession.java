@@ -1,0 +1,273 @@
+package org.pendant.desktop.session;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.locks.ReentrantLock;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.Pace;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.WallClock.Lateness;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.io.IoCommand;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.fault.Faults;
+import org.pendant.language.source.Source;
+import org.pendant.protocols.toolserial.ToolSerialLine;
+import org.pendant.recording.Recording;
+import org.pendant.recording.replay.Rerun;
+import org.pendant.recording.replay.RerunRefused;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Program;
+
+/**
+ * The controller that the desktop works with, and the thread that drives it at the chosen pace. Any
+ * thread may call it; no call waits for a frame except {@link #restart} and {@link #close}.
+ * Programs can be run once more up to any frame, and go on otherwise from there: {@link #branch}.
+ *
+ * <p>What is chained to a reply runs in the frame loop unless an executor is named: views chain
+ * with {@code SwingUtilities::invokeLater}.
+ */
+public final class RobotSession implements AutoCloseable {
+  private final List<FrameListener> listeners = new CopyOnWriteArrayList<>();
+  private final List<SwitchListener> switchListeners = new CopyOnWriteArrayList<>();
+  private final ProgramOrigin origin = new ProgramOrigin();
+  private final ReentrantLock switching = new ReentrantLock();
+  private volatile DrivenController driven;
+  private volatile Optional<Branching> branching = Optional.empty();
+  private boolean closed;
+
+  private RobotSession(ControllerOptions options) {
+    listeners.add(origin);
+    driven = new DrivenController(SwitchedOn.with(options), Pace.REAL_TIME, listeners);
+  }
+
+  /**
+   * Switches a controller on, in real time.
+   *
+   * @throws IllegalArgumentException if the robot or an input is not known
+   */
+  public static RobotSession start(ControllerOptions options) {
+    return new RobotSession(options);
+  }
+
+  /** How the controller was switched on. */
+  public ControllerOptions options() {
+    return driven.options();
+  }
+
+  /** The controller; another one after {@link #restart}, so nobody should keep it. */
+  public Controller controller() {
+    return driven.controller();
+  }
+
+  /**
+   * The newest snapshot. After {@link #restart} frames, log lines and popups count from 0 again.
+   */
+  public ControllerState state() {
+    return driven.controller().state();
+  }
+
+  /**
+   * What the controller did in the last minutes; it stays as it is while the controller goes on, so
+   * ask again for what is newer. Costs next to nothing. After {@link #restart} there is another
+   * one, which begins with the new controller; that of a branch has the run up to its frame.
+   */
+  public Recording recording() {
+    return driven.ring().recording();
+  }
+
+  /** Leaves a command for the next frame; while robot time is paused it is carried out at once. */
+  public CompletableFuture<Reply> submit(Command command) {
+    return driven.submit(command);
+  }
+
+  /** Parses, checks and compiles a program; slow, so not for the dispatch thread. */
+  public LoadResult load(Source source) {
+    return driven.controller().load(source);
+  }
+
+  /**
+   * Starts a program from its beginning; a secondary one runs to its end beside the present one.
+   */
+  public CompletableFuture<Reply> run(Program program) {
+    Optional<ProgramsFolder> folder = Optional.of(ProgramsFolder.of(program.source().name()));
+    return program.secondary()
+        ? submit(new ProgramCommand.RunSecondary(program, folder))
+        : origin.expect(() -> submit(new ProgramCommand.StartProgram(program, folder)));
+  }
+
+  /** How many programs have started that {@link #run} did not start: others have sent them. */
+  public long strangersStarted() {
+    return origin.strangers();
+  }
+
+  /** Whether the program that runs, or ran last, came from others. */
+  public boolean strangerLast() {
+    return origin.strangerLast();
+  }
+
+  /** Pauses the program. */
+  public CompletableFuture<Reply> pause() {
+    return submit(new ProgramCommand.PauseProgram());
+  }
+
+  /** Goes on with a paused program. */
+  public CompletableFuture<Reply> resume() {
+    return submit(new ProgramCommand.ResumeProgram());
+  }
+
+  /** Ends the program. */
+  public CompletableFuture<Reply> stop() {
+    return submit(new ProgramCommand.StopProgram());
+  }
+
+  /** How robot time goes by. */
+  public Pace pace() {
+    return driven.clock().pace();
+  }
+
+  /** Changes how robot time goes by. */
+  public void setPace(Pace pace) {
+    driven.clock().setPace(pace);
+  }
+
+  /** Lets one frame of 2 ms pass while robot time is paused; otherwise nothing happens. */
+  public void stepFrame() {
+    driven.clock().grant(1);
+  }
+
+  /** How punctual the frames are, since the controller was switched on. */
+  public Lateness lateness() {
+    return driven.clock().lateness();
+  }
+
+  /** Has {@code listener} see every frame, also those of controllers to come. */
+  public void addFrameListener(FrameListener listener) {
+    listeners.add(listener);
+  }
+
+  /** Ends {@link #addFrameListener}. */
+  public void removeFrameListener(FrameListener listener) {
+    listeners.remove(listener);
+  }
+
+  /** Has {@code listener} told when the controller is switched off and another one on. */
+  public void addSwitchListener(SwitchListener listener) {
+    switchListeners.add(listener);
+  }
+
+  /** The serial line of the tool connector; another one after {@link #restart}. */
+  public ToolSerialLine toolSerial() {
+    return driven.tool();
+  }
+
+  /** What ended the frame loop although nobody asked for it: a fault of ours. */
+  public Optional<Throwable> failure() {
+    return driven.loop().failure();
+  }
+
+  /**
+   * Switches the controller off and another one on, such as for a different robot. Programs end.
+   * Waits for the running frame, so not for the dispatch thread.
+   *
+   * @throws IllegalArgumentException if the robot or an input is not known; nothing has changed
+   */
+  public void restart(ControllerOptions options) {
+    // Made first: where that fails, the old one goes on.
+    SwitchedOn next = SwitchedOn.with(options);
+    cancelBranch();
+    switching.lock();
+    try {
+      exchange(next, pace());
+    } finally {
+      switching.unlock();
+    }
+  }
+
+  private void exchange(SwitchedOn next, Pace pace) {
+    switchListeners.forEach(each -> Faults.guard(each::switchingOff));
+    driven.close();
+    origin.goBack(next.controller().state().frame());
+    driven = new DrivenController(next, pace, listeners);
+    // clients that had taken signals are gone with the ports; a new controller knows of none
+    for (String owner : next.journal().owners()) {
+      var _ = driven.submit(new IoCommand.ReleaseSignals(owner));
+    }
+    switchListeners.forEach(each -> Faults.guard(each::switchedOn));
+  }
+
+  /** Why there can be no branch from the end of a frame; empty if there can. */
+  public Optional<String> branchRefusal(long frame) {
+    return driven.journal().refusal(frame);
+  }
+
+  /**
+   * Begins to branch from the end of a frame of the present run: another controller with the same
+   * options runs up to it, with the same commands in the same frames and as fast as the processor
+   * goes, and takes the place of the present one as after {@link #restart}. Robot time is paused
+   * then, so that people can look and change something before it goes on. Until that moment the
+   * present controller goes on; a branch that was begun before is cancelled.
+   *
+   * @param frame 0 to that of the newest snapshot
+   * @throws RerunRefused if the run cannot be repeated so far; nothing has changed
+   */
+  public Branching branch(long frame) throws RerunRefused {
+    DrivenController from = driven;
+    return branch(from, Rerun.to(frame, from.journal()));
+  }
+
+  /**
+   * As {@link #branch(long)}; refused in the end if the new controller does not stand as the old
+   * one did.
+   *
+   * @param recorded a snapshot of the present run
+   */
+  public Branching branch(ControllerState recorded) throws RerunRefused {
+    DrivenController from = driven;
+    return branch(from, Rerun.to(recorded, from.journal()));
+  }
+
+  private Branching branch(DrivenController from, Rerun rerun) {
+    cancelBranch();
+    Branching begun = Branching.begin(rerun, () -> branchOff(from, rerun));
+    branching = Optional.of(begun);
+    return begun;
+  }
+
+  private void branchOff(DrivenController from, Rerun rerun) throws RerunRefused {
+    SwitchedOn next = SwitchedOn.again(from.options(), from.controller().builtins(), rerun);
+    switching.lock();
+    try {
+      if (closed || driven != from) {
+        next.close();
+        throw new RerunRefused("the controller was switched off meanwhile");
+      }
+      exchange(next, new Pace.Paused());
+    } finally {
+      switching.unlock();
+    }
+  }
+
+  private void cancelBranch() {
+    branching.ifPresent(Branching::cancel);
+  }
+
+  /** Switches the controller off. */
+  @Override
+  public void close() {
+    cancelBranch();
+    switching.lock();
+    try {
+      closed = true;
+      switchListeners.forEach(each -> Faults.guard(each::switchingOff));
+      driven.close();
+    } finally {
+      switching.unlock();
+    }
+  }
+}
