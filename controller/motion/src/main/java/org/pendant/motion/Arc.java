@@ -1,8 +1,8 @@
 package org.pendant.motion;
 
 /**
- * Part of a circle in space, or a straight piece where the circle is too large to tell. It is given
- * by where it begins, in which direction, and how it bends, so that nearly straight ones are exact.
+ * Circular arc in space, or a straight piece where the circle is too large to tell. It is given by
+ * where it begins, in which direction, and how it bends, so that nearly straight ones are exact.
  */
 final class Arc {
   /** Sine of the angle between tangent and chord below which a piece counts as straight. */

@@ -6,8 +6,8 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /**
- * An arc of the TCP (manual 15.28). As on a straight line, an angle of the tool counts as a length
- * where that is longer, unless the tool only follows the tangent.
+ * Arc path: the TCP moves along a circular arc (manual 15.28). As on a straight line, an angle of
+ * the tool counts as a length where that is longer, unless the tool only follows the tangent.
  */
 final class ArcPath implements ToolCurvePath {
   /** Farthest turn of the tool between two points that joints are followed over, rad. */

@@ -8,8 +8,8 @@ import org.pendant.models.pose.StraightLine;
 import org.pendant.models.text.FloatText;
 
 /**
- * Lays an arc through three points (manual 15.28): from where the TCP is, through one point, to
- * another. When the middle one lies on the straight line between the others, so does the path.
+ * Route along an arc through three points (manual 15.28): from where the TCP is, through one point,
+ * to another. When the middle one lies on the straight line between the others, so does the path.
  *
  * @param via the middle point, in the base frame; only its position counts
  * @param goal pose of the TCP at the end, in the base frame; only its position counts if the

@@ -1,9 +1,9 @@
 package org.pendant.motion;
 
 /**
- * How the acceleration comes and goes in a blend that changes the speed by a given amount: all at
- * once and evenly, or without a jump, {@code 6 u (1 - u)} times the mean over the share u of its
- * time. The jerk of the latter is highest at both ends.
+ * Speed change in a blend: how the acceleration comes and goes, all at once and evenly, or without
+ * a jump, {@code 6 u (1 - u)} times the mean over the share u of its time. The jerk of the latter
+ * is highest at both ends.
  *
  * @param rampS how long the acceleration of the moves takes to grow to its limit, s; 0 for at once
  */

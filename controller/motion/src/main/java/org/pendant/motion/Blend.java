@@ -8,8 +8,8 @@ import org.pendant.models.pose.Poses;
 import org.pendant.motion.profile.ProfileLimits;
 
 /**
- * How one path is left and the next one entered near the waypoint between them. Between two
- * straight lines of the same TCP the blend runs through tool space, otherwise through joint space.
+ * Blend: the curve from one path to the next near the waypoint between them. Between two straight
+ * lines of the same TCP the blend runs through tool space, otherwise through joint space.
  */
 final class Blend {
   private static final int N = Joints.COUNT;

@@ -7,11 +7,11 @@ import org.pendant.motion.profile.Profile;
 import org.pendant.motion.profile.ProfileLimits;
 
 /**
- * How fast a waypoint may be approached when it is known how the path leads on behind it: what the
- * blend there can take up, and slow enough for the arm to keep to all the corners behind and to
- * come to rest at the end. Where that takes longer than a stop the arm slows down to one instead,
- * and so it does between paths of different kinds or of different TCPs: there the next move begins
- * before the first one rests ({@link Overlap}).
+ * Corner speed: how fast a waypoint may be approached when it is known how the path continues after
+ * it: what the blend there can take up, and slow enough for the arm to keep to all the corners that
+ * follow and to come to rest at the end. Where that takes longer than a stop the arm slows down to
+ * one instead, and so it does between paths of different kinds or of different TCPs: there the next
+ * move begins before the first one rests ({@link Overlap}).
  */
 final class Corner {
   /** What going through a corner may cost over a stop there, s; rounding aside. */

@@ -3,9 +3,9 @@ package org.pendant.motion;
 import org.pendant.models.pose.Pose;
 
 /**
- * Round a corner on a circle, or on two that touch where the ways before and behind it differ; its
- * parameter is the length of the way, m. The tool turns over from one way's even turning to the
- * other's.
+ * Rounding of a corner by a circle, or by two that touch where the lengths before and after it
+ * differ; its parameter is the distance along the path, m. The tool turns over from one way's even
+ * turning to the other's.
  *
  * <p>Two arcs with given ends and directions are chosen so that both have the same distance to the
  * point where their tangents meet. (K. Bolton, "Biarc curves", Computer-Aided Design 7, 1975.)

@@ -3,7 +3,10 @@ package org.pendant.motion;
 import java.util.Optional;
 import org.pendant.models.pose.Pose;
 
-/** At an even speed to the end of a path, or up to a curve near it and along that. */
+/**
+ * Motion up to a corner: at an even speed to the end of a path, or up to a curve near it and along
+ * that.
+ */
 final class CornerMotion implements Motion {
   private final MotionPath before;
   private final double begin;

@@ -1,9 +1,9 @@
 package org.pendant.motion;
 
 /**
- * A polynomial for each of several coordinates that joins two points with given speeds. The cubic
- * one is the parabola of even acceleration where the speeds allow that; the smooth one begins and
- * ends without acceleration.
+ * Hermite polynomial for each of several coordinates that joins two points with given speeds. The
+ * cubic one is the parabola of even acceleration where the speeds allow that; the smooth one begins
+ * and ends without acceleration.
  */
 final class Hermite {
   private static final int MAX_TERMS = 6;

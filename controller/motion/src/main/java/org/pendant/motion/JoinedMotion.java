@@ -3,7 +3,10 @@ package org.pendant.motion;
 import java.util.Optional;
 import org.pendant.models.pose.Pose;
 
-/** The rest of a move up to where the next takes over, the blend between them, and the next. */
+/**
+ * Joined motion: the rest of a move up to where the next takes over, the blend between them, and
+ * the next.
+ */
 final class JoinedMotion implements Motion {
   private final PathMotion first;
   private final double firstBeginS;

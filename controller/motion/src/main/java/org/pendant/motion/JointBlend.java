@@ -3,7 +3,7 @@ package org.pendant.motion;
 import java.util.Optional;
 import org.pendant.models.pose.Pose;
 
-/** Leads from one path to the next through joint space. */
+/** Blend in joint space, from one path to the next. */
 final class JointBlend implements Motion {
   private final Hermite joints;
   private final Pose waypoint;

@@ -9,7 +9,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /**
- * A straight line in joint space: all joints turn in proportion (manual 15.29). Its unit is rad of
+ * Straight line in joint space: all joints turn in proportion (manual 15.29). Its unit is rad of
  * the leading axis, the joint that turns farthest.
  */
 final class JointLine implements MotionPath {

@@ -5,7 +5,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Six numbers of the frame loop, one a joint, that change from frame to frame. Changing them
+ * Six numbers of the frame loop, one per joint, that change from frame to frame. Changing them
  * allocates nothing; a value of them that lasts is made on demand, and once only as long as they
  * stay as they are.
  */

@@ -6,7 +6,10 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.text.FloatText;
 import org.pendant.models.time.FrameTime;
 
-/** Whether joints can turn as fast as a motion needs, and what to say when they cannot. */
+/**
+ * Joint speed check: whether joints can turn as fast as a motion needs, and the message when they
+ * cannot.
+ */
 final class JointSpeedCheck {
   /** Room for the mean speed of a frame, which may exceed the speeds at both of its ends. */
   private static final double MEAN_SPEED_TOLERANCE = 1.01;

@@ -4,8 +4,8 @@ import java.util.Optional;
 import org.pendant.models.pose.Pose;
 
 /**
- * A planned motion: joint positions as a closed form over the motion's own time, which runs slower
- * than the clock when the speed is scaled down and stands still in a pause.
+ * Motion: joint positions as a closed form over the motion's own time, which runs slower than the
+ * clock when the speed is scaled down and stands still in a pause.
  */
 public interface Motion {
 

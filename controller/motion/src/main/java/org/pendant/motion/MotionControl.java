@@ -6,7 +6,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /**
- * Owns the motion that is under way and the target it yields, one a frame.
+ * Motion control: owns the active trajectory and the setpoint it yields in each frame.
  *
  * <p>The motion's own time advances by the speed scaling times the frame. Pausing, stopping and the
  * speed slider change only that scaling, in ramps, so the path is the same whatever happens on the

@@ -1,7 +1,7 @@
 package org.pendant.motion;
 
 /**
- * Why a motion cannot go on; the arm stops beside its path.
+ * Motion failure: why a motion cannot continue; the arm stops beside its path.
  *
  * @param code stable kebab-case identifier
  * @param message what, the value, what was expected

@@ -5,9 +5,8 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /**
- * A way of the arm from one point to another, without any time. A point on it is given by how far
- * it is from the begin, in the path's own unit: rad of the joint that turns farthest, or m of the
- * TCP.
+ * Path of the arm from one point to another, without time. A point on it is given by how far it is
+ * from the begin, in the path's own unit: rad of the joint that turns farthest, or m of the TCP.
  *
  * <p>Keeps scratch space: one user at a time, and questions best go on from one to the next.
  */

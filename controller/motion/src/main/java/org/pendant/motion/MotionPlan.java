@@ -2,7 +2,7 @@ package org.pendant.motion;
 
 import org.pendant.models.arm.Joints;
 
-/** Makes a motion as soon as it is known where it begins. */
+/** Motion plan: makes a motion as soon as it is known where it begins. */
 @FunctionalInterface
 public interface MotionPlan {
   /**

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.pendant.models.arm.Joints;
 
 /**
- * One point of a motion, per joint: position in rad, and its first and second derivative by the
+ * Sample of a motion, per joint: position in rad, and its first and second derivative by the
  * motion's own time in rad/s and rad/s². Motions write into it.
  */
 public final class MotionSample {

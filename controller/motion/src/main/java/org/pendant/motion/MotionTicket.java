@@ -3,7 +3,7 @@ package org.pendant.motion;
 import java.util.List;
 import java.util.Optional;
 
-/** What whoever asked for a motion holds: whether it has ended, and how. */
+/** Motion ticket: tells the caller that asked for a motion whether it has ended, and how. */
 public final class MotionTicket {
   private final MotionQueue motionQueue;
   private boolean finished;

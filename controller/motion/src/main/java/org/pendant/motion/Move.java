@@ -5,7 +5,7 @@ import org.pendant.motion.profile.Profile;
 import org.pendant.motion.profile.ProfileLimits;
 
 /**
- * A move as a program asks for it: where to, how fast, and how near to its goal the next move may
+ * Move as a program asks for it: where to, how fast, and how near to its goal the next move may
  * take over.
  *
  * @param route the path, once it is known where it begins

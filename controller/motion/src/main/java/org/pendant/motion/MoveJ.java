@@ -6,8 +6,8 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /**
- * A straight line in joint space from rest to rest: all joints start and stop together, in
- * proportion (manual 15.29).
+ * Joint move: a straight line in joint space from rest to rest; all joints start and stop together,
+ * in proportion (manual 15.29).
  *
  * <p>Speed and acceleration are those of the leading axis, the joint that turns farthest. A speed
  * that would drive any joint beyond its limit is lowered beforehand, a duration that would is

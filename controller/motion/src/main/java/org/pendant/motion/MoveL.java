@@ -5,7 +5,7 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
-/** A straight line of the TCP from rest to rest (manual 15.30). */
+/** Linear move: a straight line of the TCP from rest to rest (manual 15.30). */
 public final class MoveL implements Motion {
   /** Angular speed and acceleration, in rad, for one m/s and one m/s². */
   public static final double ROTATION_FACTOR = ToolPath.ROTATION_FACTOR;

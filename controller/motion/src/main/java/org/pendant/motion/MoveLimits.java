@@ -3,7 +3,7 @@ package org.pendant.motion;
 import org.pendant.motion.profile.ProfileLimits;
 
 /**
- * How fast a move may be; for a joint move in rad, for a linear one in m.
+ * Speed and acceleration limits of a move; for a joint move in rad, for a linear one in m.
  *
  * @param acceleration of the leading axis or the tool, per s²; above 0, or 0 when a duration is
  *     given and no acceleration

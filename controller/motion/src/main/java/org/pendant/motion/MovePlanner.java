@@ -7,7 +7,7 @@ import org.pendant.motion.profile.Profile;
 import org.pendant.motion.profile.ProfileLimits;
 
 /**
- * Makes motions of moves, and joins each with the one before it.
+ * Move planner: makes motions of moves, and joins each with the one before it.
  *
  * <p>Where a move has a blend radius r, the next may take over where its path enters the sphere of
  * that radius around its goal. From the speeds v there, the blend takes {@code 2 d / v} seconds, d

@@ -5,8 +5,9 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.time.FrameTime;
 
 /**
- * A carried arm that a safety function holds: all joints slow down in proportion and stay. What has
- * come between them and where offsets want them meanwhile is closed smoothly afterwards.
+ * Stop of an arm that offsets carry and a safety function stops: all joints slow down in proportion
+ * and stay. What has come between them and where offsets want them meanwhile is closed smoothly
+ * afterwards.
  */
 final class OffsetHold {
   /** How fast the fastest joint may close the gap, rad/s. */

@@ -11,7 +11,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /**
- * Where the joints are to be when offsets carry the TCP aside from its path. Speeds and
+ * Offset target: where the joints are to be when offsets displace the TCP from its path. Speeds and
  * accelerations are differences between frames.
  */
 final class OffsetTarget {

@@ -5,9 +5,10 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /**
- * Two moves of any kind, of which the second begins before the first has come to rest: how far each
- * of them is away from the waypoint between them adds up, joint by joint. Both keep their own laws
- * of time, so this takes less time than a stop by as much as they share, whatever their paths are.
+ * Overlap of two moves of any kind, of which the second begins before the first has come to rest:
+ * how far each of them is away from the waypoint between them adds up, joint by joint. Both keep
+ * their own laws of time, so this takes less time than a stop by as much as they share, whatever
+ * their paths are.
  */
 final class Overlap implements Motion {
   private static final int N = Joints.COUNT;

@@ -1,7 +1,7 @@
 package org.pendant.motion;
 
 /**
- * The most that an arm can do along a whole path.
+ * Path caps: the highest speed and acceleration that an arm is capable of along a whole path.
  *
  * @param rate highest first derivative of the path's parameter by time, per s, above 0
  * @param rate2 highest second derivative, per s², above 0

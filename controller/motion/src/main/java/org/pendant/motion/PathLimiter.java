@@ -1,6 +1,9 @@
 package org.pendant.motion;
 
-/** What keeps a motion below limits that its plan does not know: time on its path runs slower. */
+/**
+ * Path limiter: keeps a motion below limits that its plan does not know, by letting time on its
+ * path run slower.
+ */
 @FunctionalInterface
 public interface PathLimiter {
   /** Limits nothing. */

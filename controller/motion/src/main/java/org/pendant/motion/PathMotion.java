@@ -6,10 +6,10 @@ import org.pendant.motion.profile.Profile;
 import org.pendant.motion.profile.ProfileLimits;
 
 /**
- * A path with a time law, from any point of the path to its end, where it rests. One with a blend
- * radius may be taken over by the next move. Either it has two laws, up to there and from there on,
- * which is what happens when none takes over; or one that leads to rest anyway, to which the next
- * move adds its own.
+ * Motion along a path: a time law from any point of the path to its end, where it rests. One with a
+ * blend radius may be taken over by the next move. Either it has two laws, up to there and from
+ * there on, which is what happens when none takes over; or one that leads to rest anyway, to which
+ * the next move adds its own.
  */
 public final class PathMotion implements Motion {
   private final MotionPath path;

@@ -1,9 +1,9 @@
 package org.pendant.motion;
 
 /**
- * What carries the TCP aside from the path that moves follow: a conveyor, an offset, a force.
- * Called once a frame while it is active, paused or not, but not while a safety function holds the
- * arm; allocates nothing.
+ * Path offset: what displaces the TCP from the path that moves follow: a conveyor, an offset, a
+ * force. Called once a frame while it is active, paused or not, but not while a safety function
+ * holds the arm; allocates nothing.
  */
 public interface PathOffset {
   /** Whether it carries the TCP now. */

@@ -8,10 +8,10 @@ import org.pendant.models.pose.Transforms;
 import org.pendant.motion.profile.ProfileLimits;
 
 /**
- * How a process move takes over from another tool move: the corner is rounded on a circle that
- * touches both ways, at the speed in which it is reached (manual 15.31). Where one way leads
- * straight into the next there is nothing to round. The arm stops at waypoints where that is
- * quicker, or no circle touches both ways.
+ * Process move corner: how a process move takes over from another tool move: the corner is rounded
+ * on a circle that touches both paths, at the speed in which it is reached (manual 15.31). Where
+ * one way leads straight into the next there is nothing to round. The arm stops at waypoints where
+ * that is quicker, or no circle touches both ways.
  */
 final class ProcessCorner {
   /** Change of direction, and of turning in rad/m, that counts as none. */

@@ -1,6 +1,8 @@
 package org.pendant.motion;
 
-/** What keeps changes of the speed on a path, such as pauses, within limits of their own. */
+/**
+ * Ramp limiter: keeps changes of the speed on a path, such as pauses, within limits of their own.
+ */
 @FunctionalInterface
 public interface RampLimiter {
   /** Limits nothing. */

@@ -4,7 +4,9 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
-/** The paths that moves take, whether the arm can follow them to their ends or not. */
+/**
+ * Route planner: the paths that moves take, whether the arm can follow them to their ends or not.
+ */
 public final class Routes {
   private Routes() {}
 

@@ -3,7 +3,10 @@ package org.pendant.motion;
 import java.util.Optional;
 import org.pendant.models.pose.Pose;
 
-/** The end of a move that nothing blends with after all: from its hand-over to rest. */
+/**
+ * Settling motion: the end of a move that nothing blends with after all, from its hand-over to
+ * rest.
+ */
 final class Settling implements Motion {
   private final PathMotion move;
 

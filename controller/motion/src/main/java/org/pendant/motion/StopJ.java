@@ -5,8 +5,8 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /**
- * All joints slow down evenly and stop at the same moment (manual 15.51); the fastest one with the
- * deceleration asked for.
+ * Joint stop: all joints slow down evenly and stop at the same moment (manual 15.51); the fastest
+ * one with the deceleration asked for.
  */
 public final class StopJ implements Motion {
   private final Joints from;

@@ -9,7 +9,10 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.models.pose.StraightLine;
 
-/** The tool slows down to rest and keeps its direction, turning included (manual 15.52). */
+/**
+ * Linear stop: the tool slows down to rest and keeps its direction, turning included (manual
+ * 15.52).
+ */
 public final class StopL implements Motion {
   /** Largest angle (rad) between the ends of the line the stop is laid on; it is then extended. */
   private static final double LINE_ANGLE_RAD = 1;

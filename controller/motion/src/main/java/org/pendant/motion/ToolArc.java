@@ -5,8 +5,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.StraightLine;
 
 /**
- * The TCP follows an arc and the tool turns evenly about one axis; the parameter is in the unit of
- * the path.
+ * Tool arc: the TCP follows an arc and the tool turns evenly about one axis; the parameter is in
+ * the unit of the path.
  */
 final class ToolArc implements ToolCurve {
   private final Arc arc;

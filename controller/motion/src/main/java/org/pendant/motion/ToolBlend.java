@@ -4,10 +4,10 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Rotations;
 
 /**
- * Leads from one straight line of the TCP to the next near the corner between them; its parameter
- * is the time since its begin. Position and orientation follow polynomials, the orientation as a
- * rotation vector relative to the orientation in the corner, so that the blend touches both lines'
- * even turning.
+ * Tool blend curve: leads from one straight line of the TCP to the next near the corner between
+ * them; its parameter is the time since its start. Position and orientation follow polynomials, the
+ * orientation as a rotation vector relative to the orientation in the corner, so that the blend
+ * touches both lines' even turning.
  */
 final class ToolBlend implements ToolCurve {
   /** Step of the central difference that yields {@link #bend}, s. */

@@ -3,7 +3,7 @@ package org.pendant.motion;
 import java.util.Optional;
 import org.pendant.models.pose.Pose;
 
-/** Leads from one straight line of the TCP to the next. */
+/** Tool blend motion: leads from one straight line of the TCP to the next. */
 final class ToolBlendMotion implements Motion {
   private final ToolPathFollower follower;
   private final double durationS;

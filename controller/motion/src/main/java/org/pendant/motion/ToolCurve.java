@@ -1,6 +1,9 @@
 package org.pendant.motion;
 
-/** A smooth way of the TCP in the base frame, over a parameter of its own. Allocates nothing. */
+/**
+ * Tool curve: a smooth path of the TCP in the base frame, over a parameter of its own. Allocates
+ * nothing.
+ */
 public interface ToolCurve {
   /**
    * The transformation (see {@link org.pendant.models.pose.Transforms}) at a point.

@@ -10,8 +10,8 @@ import org.pendant.motion.profile.Profile;
 import org.pendant.motion.profile.ProfileLimits;
 
 /**
- * The TCP goes on along a straight line, or the tool about an axis through it, until a client ends
- * it.
+ * Tool jog: the TCP moves along a straight line, or the tool about an axis through it, until a
+ * client ends it.
  */
 public final class ToolJog implements Motion {
   /** Farther than any arm reaches, m, and more turns than anybody waits for, rad. */

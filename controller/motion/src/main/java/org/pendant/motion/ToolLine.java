@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.StraightLine;
 
-/** A straight line of the TCP on which the orientation turns evenly; its parameter is in m. */
+/** Straight line of the TCP on which the orientation turns evenly; its parameter is in m. */
 final class ToolLine implements ToolCurve {
   private final StraightLine line;
   private final double perLength;

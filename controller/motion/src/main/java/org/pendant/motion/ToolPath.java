@@ -8,7 +8,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.StraightLine;
 
 /**
- * A straight line of the TCP, its orientation turning evenly the shorter way round (manual 15.30).
+ * Tool path: a straight line of the TCP, its orientation turning evenly the shorter way round
+ * (manual 15.30).
  *
  * <p>The manual limits the tool's speed only. So that a turn on the spot is finite too, an angle
  * counts as a length of {@code 1 / }{@value #ROTATION_FACTOR} m for each rad where that is longer

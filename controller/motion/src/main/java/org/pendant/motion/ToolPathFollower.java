@@ -9,7 +9,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /**
- * Turns points on a way of the TCP into joint positions, speeds and accelerations.
+ * Tool path follower: turns points on a path of the TCP into joint positions, speeds and
+ * accelerations.
  *
  * <p>Positions come from the closed inverse, continued from the last point. Speeds solve {@code J
  * qd = twist}; accelerations solve {@code J qdd = twist' - J' qd}, where the last term follows from

@@ -5,7 +5,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /**
- * How strongly the payload may pull at the tool by being accelerated (manual 15.53).
+ * Tool wrench limit: how strongly the payload may pull at the tool by being accelerated (manual
+ * 15.53).
  *
  * @param frameInFlange where force and moment count, in the flange frame
  * @param limits of the forces along the frame's axes, N, and the moments about them, Nm; each above

@@ -1,5 +1,5 @@
 /**
- * How targets for the joints come about: motions are closed forms over time, asked for a point
+ * Motion: trajectories as closed forms over time, from which the setpoint of the joints is taken
  * every frame. Open {@link org.pendant.motion.MotionControl} first, then {@link
  * org.pendant.motion.Motion} and its kinds.
  */

@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.pendant.models.time.FrameTime;
 
 /**
- * How fast the TCP wants to give way: along a compliant axis as a mass does that is pushed by the
- * wanted wrench, by what the tool feels, and by friction (an admittance). Where the tool rests the
- * two wrenches are equal and opposite.
+ * Admittance: how fast the TCP gives way along a compliant axis: as a mass does that is pushed by
+ * the wanted wrench, by what the tool feels, and by friction. Where the tool rests the two wrenches
+ * are equal and opposite.
  */
 final class Compliance {
   /** Damping before a program sets it (manual 15.16). */

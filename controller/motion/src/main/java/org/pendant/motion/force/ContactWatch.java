@@ -3,9 +3,9 @@ package org.pendant.motion.force;
 import org.pendant.models.pose.Wrench;
 
 /**
- * Notices that the force on the tool changes, and when that began (manual 16.66). What counts is
- * the difference from a slow mean of the force, so that a payload that is declared wrongly is no
- * contact.
+ * Contact detector: notices that the force on the tool changes, and when that began (manual 16.66).
+ * What counts is the difference from a slow mean of the force, so that a payload that is declared
+ * wrongly is no contact.
  */
 public final class ContactWatch {
   /** Frames that are looked back at, the newest included; as many as positions are kept for. */

@@ -12,8 +12,8 @@ import org.pendant.models.pose.Transforms;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Watches that the TCP stays near where it is to be, along and about the axes that do not give way
- * (manual 15.12). A frame in which it does allocates nothing.
+ * Deviation monitor: checks that the TCP stays near its target along and about the axes that are
+ * not compliant (manual 15.12). A frame in which it does allocates nothing.
  */
 final class DeviationWatch {
   /** Limits below this count as this much: an arm that moves lags behind a little, m. */

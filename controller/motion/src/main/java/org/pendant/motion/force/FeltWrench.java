@@ -8,9 +8,9 @@ import org.pendant.models.pose.Wrench;
 import org.pendant.models.time.FrameTime;
 
 /**
- * What pushes the tool at its TCP, and what it will be a moment later if it goes on changing as it
- * does. Looking ahead is what brakes a tool that meets a hard surface: the force grows with the
- * speed there.
+ * Felt wrench: what pushes the tool at its TCP, and what it will be a moment later if it continues
+ * to change as it does. Looking ahead is what brakes a tool that meets a hard surface: the force
+ * grows with the speed there.
  */
 final class FeltWrench {
   /** How far it looks ahead, s. */

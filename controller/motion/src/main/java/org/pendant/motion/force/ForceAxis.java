@@ -1,7 +1,7 @@
 package org.pendant.motion.force;
 
 /**
- * What force mode does along or about one axis of its task frame.
+ * Axis of force mode: what it does along or about one axis of its task frame.
  *
  * @param compliant whether the TCP gives way there until the wrench is right
  * @param wrench what the tool is to press with, N or Nm; counts if compliant

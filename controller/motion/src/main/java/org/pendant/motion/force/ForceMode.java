@@ -18,9 +18,9 @@ import org.pendant.motion.PlanningException;
 import org.pendant.motion.StopJ;
 
 /**
- * The TCP gives way along some axes until the tool presses with a wanted wrench (manual 15.12). It
- * is carried aside from the path of moves, which go on meanwhile; the speed slider does not slow
- * giving way. A pause or a stop ends giving way until the program goes on.
+ * Force mode: the TCP gives way along some axes until the tool presses with a wanted wrench (manual
+ * 15.12). It is carried aside from the path of moves, which go on meanwhile; the speed slider does
+ * not slow giving way. A pause or a stop ends giving way until the program goes on.
  *
  * <p>Belongs to the thread of the frame loop.
  */

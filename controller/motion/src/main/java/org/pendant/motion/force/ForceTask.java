@@ -5,7 +5,7 @@ import java.util.List;
 import org.pendant.models.pose.Pose;
 
 /**
- * What force mode is asked for (manual 15.12).
+ * Force mode task: axes, wrench and limits that force mode is asked for (manual 15.12).
  *
  * @param kind how the task frame is read
  * @param taskFrame in the base frame; of {@link FrameKind#TOOL} it does not count

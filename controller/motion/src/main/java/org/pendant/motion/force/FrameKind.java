@@ -1,6 +1,6 @@
 package org.pendant.motion.force;
 
-/** How force mode reads its task frame (manual 15.12). */
+/** Frame kind: how force mode reads its task frame (manual 15.12). */
 public enum FrameKind {
   /** Type 1: y points from the TCP to the origin of the task frame. */
   POINT,

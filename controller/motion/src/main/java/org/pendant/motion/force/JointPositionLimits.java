@@ -2,7 +2,7 @@ package org.pendant.motion.force;
 
 import org.pendant.models.arm.Joints;
 
-/** Between which positions each joint must stay. */
+/** Joint position limits: the range in which each joint must stay. */
 public interface JointPositionLimits {
   /** The smallest position of each joint, rad; minus infinity for none. */
   Joints jointMinRad();

@@ -1,6 +1,6 @@
 package org.pendant.motion.force;
 
-/** Where the arm is, as its sensors say. */
+/** Measured arm: where the arm is according to its sensors. */
 public interface MeasuredArm {
   /**
    * Writes the positions of the joints into six numbers, rad.

@@ -4,7 +4,10 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Rotations;
 import org.pendant.models.pose.Transforms;
 
-/** The axes of force mode's task frame in the base frame, as they are in a frame of the loop. */
+/**
+ * Task axes: the axes of force mode's task frame in the base frame, as they are in a frame of the
+ * loop.
+ */
 final class TaskAxes {
   /** The nearest that the origin may be to point the y axis at, m (manual 15.12, type 1). */
   static final double NEAREST_POINT_M = 0.01;

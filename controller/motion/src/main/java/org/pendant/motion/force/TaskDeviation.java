@@ -1,8 +1,8 @@
 package org.pendant.motion.force;
 
 /**
- * How far the TCP is from where it should be, along or about an axis of force mode's task frame
- * that does not give way (manual 15.12).
+ * Task deviation: how far the TCP is from its target, along or about a non-compliant axis of force
+ * mode's task frame (manual 15.12).
  *
  * @param axis 0 to 2 for along x, y, z, 3 to 5 for about them
  * @param amount m or rad, at least 0

@@ -4,7 +4,10 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Rotations;
 import org.pendant.models.pose.Transforms;
 
-/** How a conveyor carries what lies on it, over its travel: in m, or in rad for a round one. */
+/**
+ * Conveyor belt geometry: how a conveyor carries what lies on it, over its travel: in m, or in rad
+ * for a round one.
+ */
 sealed interface Belt {
 
   /**

@@ -3,8 +3,8 @@ package org.pendant.motion.offset;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Follows a travel that may be running already or change suddenly: within a limited acceleration
- * the gap is closed as fast as possible, and from then on there is none.
+ * Catch-up law: follows a travel that may be running already or change suddenly: within a limited
+ * acceleration the gap is closed as fast as possible, and from then on there is none.
  */
 final class CatchUp {
   private static final double FRAME_S = FrameTime.FRAME_S;

@@ -5,9 +5,9 @@ import org.pendant.models.pose.Pose;
 import org.pendant.motion.PathOffset;
 
 /**
- * The TCP goes along with a conveyor: what moves say is meant for the belt as it stood when
- * tracking began (manual 15.50, 15.56, 15.57). Neither the speed slider nor a pause slows a belt
- * down.
+ * Conveyor tracking: the TCP moves along with a conveyor; what moves say is meant for the belt as
+ * it stood when tracking began (manual 15.50, 15.56, 15.57). Neither the speed slider nor a pause
+ * slows a belt down.
  *
  * <p>The manual does not say how a running belt is caught up with: here the tool speeds up as
  * {@code movel} does by default until it is where it has to be.

@@ -3,7 +3,7 @@ package org.pendant.motion.offset;
 import org.pendant.models.pose.Transforms;
 
 /**
- * The frame that follows a path: x along its tangent, y across it and the tool's z axis, z
+ * Motion frame: follows a path with x along its tangent, y across it and the tool's z axis, z
  * completes them (manual 15.37). Where the tool rests, or moves along its own z axis, it stays as
  * it was.
  */

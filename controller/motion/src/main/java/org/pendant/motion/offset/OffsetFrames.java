@@ -4,7 +4,10 @@ import java.util.Arrays;
 import org.pendant.models.pose.Rotations;
 import org.pendant.models.pose.Transforms;
 
-/** Lays an offset over a TCP in one of the frames, and says what it is in another. */
+/**
+ * Offset frames: applies an offset given in one of the frames to a TCP, and expresses it in
+ * another.
+ */
 final class OffsetFrames {
   private final MotionFrame along;
   private final double[] path = new double[Transforms.SIZE];

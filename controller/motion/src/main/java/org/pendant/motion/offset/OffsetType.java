@@ -1,6 +1,9 @@
 package org.pendant.motion.offset;
 
-/** In which frame a path offset is meant; in the manual's order, from 1 on (manual 15.37). */
+/**
+ * Offset type: in which frame a path offset is meant; in the manual's order, from 1 on (manual
+ * 15.37).
+ */
 public enum OffsetType {
   /** Along the axes of the base. */
   BASE,

@@ -5,7 +5,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.motion.PathOffset;
 
 /**
- * An offset that a program lays over the path of its moves (manual 15.34 to 15.39). Filter and
+ * Path offset that a program adds to the path of its moves (manual 15.34 to 15.39). Filter and
  * limits stay when it is disabled and enabled again.
  *
  * <p>The manual leaves open what an offset along the path is before the tool has moved: here there

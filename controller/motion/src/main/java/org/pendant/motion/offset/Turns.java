@@ -1,7 +1,7 @@
 package org.pendant.motion.offset;
 
 /**
- * Products of rotation matrices, of which each is the first nine entries of an array; see {@link
+ * Rotation products of matrices that are each the first nine entries of an array; see {@link
  * org.pendant.models.pose.Rotations}.
  */
 final class Turns {

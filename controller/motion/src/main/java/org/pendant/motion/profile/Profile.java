@@ -3,8 +3,8 @@ package org.pendant.motion.profile;
 import java.util.Arrays;
 
 /**
- * Distance over time in phases of even jerk; mostly made by {@link ProfileLimits}. It is asked at
- * times of the caller's choice and never integrated, so errors do not add up.
+ * Motion profile: distance over time in phases of even jerk; mostly made by {@link ProfileLimits}.
+ * It is asked at times of the caller's choice and never integrated, so errors do not add up.
  */
 public final class Profile {
   /** Halvings of the time that bring it down to a few rounding errors. */

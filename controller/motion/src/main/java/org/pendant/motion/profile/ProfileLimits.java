@@ -1,7 +1,8 @@
 package org.pendant.motion.profile;
 
 /**
- * What a profile may not exceed, and the profiles that come as near to that as they can.
+ * Profile limits: what a profile may not exceed, and the profiles that come as near to that as they
+ * can.
  *
  * <p>A change of speed by d takes the time {@code d / a} with even acceleration. With limited jerk
  * j it takes {@code d / a + a / j} if the acceleration a is reached, which it is when {@code d j >=

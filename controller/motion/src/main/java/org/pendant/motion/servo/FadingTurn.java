@@ -4,9 +4,10 @@ import org.pendant.models.pose.Rotations;
 import org.pendant.models.pose.Transforms;
 
 /**
- * How an orientation that turns already gets to another one: what it does fades out evenly, and
- * what is then missing is added smoothly, {@code R(t) = exp(w h(t)) exp(k g(t)) R(0)} with the
- * first angular velocity w, the missing rotation vector k, and {@code g = 3 u^2 - 2 u^3}.
+ * Fading rotation: how an orientation that turns already gets to another one: what it does fades
+ * out evenly, and what is then missing is added smoothly, {@code R(t) = exp(w h(t)) exp(k g(t))
+ * R(0)} with the first angular velocity w, the missing rotation vector k, and {@code g = 3 u^2 - 2
+ * u^3}.
  */
 final class FadingTurn {
   private final double[] start;

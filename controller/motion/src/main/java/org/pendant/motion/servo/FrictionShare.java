@@ -3,7 +3,7 @@ package org.pendant.motion.servo;
 import org.pendant.models.arm.Joints;
 
 /**
- * How much of its friction each motor overcomes.
+ * Friction compensation: how much of its friction each motor overcomes.
  *
  * @param viscous of what grows with the speed, 0 to 1
  * @param coulomb of dry friction, 0 to 1

@@ -14,9 +14,9 @@ import org.pendant.motion.MotionSample;
 import org.pendant.motion.StopJ;
 
 /**
- * Each joint is drawn to its goal (manual 15.44): {@code qdd = gain (goal - (q + lookahead qd))},
- * within what the arm can do. A joint that runs after a goal of constant speed is behind it by the
- * lookahead time.
+ * Joint servo motion: each joint is drawn to its goal (manual 15.44): {@code qdd = gain (goal - (q
+ * + lookahead qd))}, within what the arm can do. A joint that runs after a goal of constant speed
+ * is behind it by the lookahead time.
  *
  * <p>The acceleration is even within each frame of the motion's own time.
  */

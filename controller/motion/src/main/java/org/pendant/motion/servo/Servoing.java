@@ -10,9 +10,9 @@ import org.pendant.motion.MotionPlan;
 import org.pendant.motion.PlanningException;
 
 /**
- * Makes the motions of one arm that have no end of their own. A program streams them, so a new one
- * takes over from the one before at its speed; left alone they end by themselves. Belongs to the
- * thread of the frame loop.
+ * Servo planner: makes the motions of one arm that have no end of their own. A program streams
+ * them, so a new one takes over from the one before at its speed; left alone they end by
+ * themselves. Belongs to the thread of the frame loop.
  */
 public final class Servoing {
   /** How long such a motion goes on if nothing ends it, s: longer than anybody waits. */

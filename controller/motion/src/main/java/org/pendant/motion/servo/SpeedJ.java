@@ -10,7 +10,10 @@ import org.pendant.motion.MotionPlan;
 import org.pendant.motion.MotionSample;
 import org.pendant.motion.StopJ;
 
-/** All joint speeds change evenly to constant ones and arrive at the same moment (manual 15.48). */
+/**
+ * Joint speed motion: all joint speeds change evenly to constant ones and arrive at the same moment
+ * (manual 15.48).
+ */
 final class SpeedJ implements Motion {
   private final Joints from;
   private final Joints begin;

@@ -9,7 +9,7 @@ import org.pendant.motion.MotionPlan;
 import org.pendant.motion.MotionSample;
 import org.pendant.motion.ToolPathFollower;
 
-/** The velocity of the TCP changes evenly to a constant one (manual 15.49). */
+/** Tool speed motion: the velocity of the TCP changes evenly to a constant one (manual 15.49). */
 final class SpeedL implements Motion {
   private final ToolPathFollower follower;
   private final double returnS;

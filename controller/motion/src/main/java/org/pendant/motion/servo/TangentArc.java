@@ -1,8 +1,8 @@
 package org.pendant.motion.servo;
 
 /**
- * The arc of a circle that leaves a point in a given direction and leads to another point; a
- * straight line if that lies straight ahead. Its parameter is the way along it, m.
+ * Tangent arc: leaves a point in a given direction and leads to another point; a straight line if
+ * that lies straight ahead. Its parameter is the way along it, m.
  */
 final class TangentArc {
   /** Angle between direction and chord, rad, below which the arc is a line. */

@@ -13,8 +13,8 @@ import org.pendant.motion.StopL;
 import org.pendant.motion.ToolPathFollower;
 
 /**
- * Makes motions that bring the TCP to a velocity. A program may ask for one every frame, so they
- * share one curve and one follower: only the newest motion may be sampled.
+ * Tool speed planner: makes motions that bring the TCP to a velocity. A program may ask for one
+ * every frame, so they share one curve and one follower: only the newest motion may be sampled.
  */
 final class ToolSpeeds {
   private static final int N = Joints.COUNT;

@@ -3,8 +3,8 @@ package org.pendant.motion.servo;
 import org.pendant.models.arm.Joints;
 
 /**
- * Torques that the motors add to those that hold the arm's own weight and the declared payload
- * (manual 15.2).
+ * Torque setpoint: torques that the motors add to those that carry the arm's own weight and the
+ * declared payload (manual 15.2).
  *
  * @param torqueNm added at each joint, Nm
  * @param friction how much of their friction the motors overcome

@@ -7,8 +7,8 @@ import org.pendant.models.time.FrameTime;
 import org.pendant.motion.ToolCurve;
 
 /**
- * A way of the TCP whose velocity changes evenly from one to another and then stays; its parameter
- * is time in s, which goes on from call to call, or back by less than a frame.
+ * Twist ramp: a path of the TCP whose velocity changes evenly from one to another and then stays;
+ * its parameter is time in s, which increases from call to call, or decreases by less than a frame.
  *
  * <p>The position is a closed form. The orientation has none while the axis of turning changes: it
  * is turned on in steps of a frame by the mean angular velocity of each, which is exact to the

@@ -3,7 +3,7 @@ package org.pendant.motion.toolpath;
 import java.util.List;
 import org.pendant.motion.ToolCurve;
 
-/** Ways one after another, each going on where and in the direction in which the last one ends. */
+/** Chain of segments, each continuing where and in the direction in which the last one ends. */
 final class Chain implements ToolCurve {
   private final List<Piece> pieces;
 

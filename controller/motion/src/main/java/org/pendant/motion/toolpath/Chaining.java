@@ -6,8 +6,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.motion.ToolCurve;
 
 /**
- * Joins legs to a chain that can be passed without a sudden turn: where two of them meet in a
- * corner it is rounded, or the tool stops there.
+ * Chain builder: joins legs to a chain that can be passed without a sudden turn: where two of them
+ * meet in a corner it is rounded, or the tool stops there.
  *
  * <p>A corner with a blend radius is rounded within it. Points within a toolpath need none: there a
  * corner of at most {@value #SHALLOW_RAD} rad is rounded so little that the tool stays within

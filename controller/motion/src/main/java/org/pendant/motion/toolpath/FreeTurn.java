@@ -9,11 +9,11 @@ import org.pendant.models.kinematics.Singularity;
 import org.pendant.models.pose.Transforms;
 
 /**
- * Chooses how a tool that is free to turn about its z-axis does so along a chain (manual 20.6, doc
- * 5): from point to point so that the joints move little and stay away from their limits and from
- * singularities. In the limit of many points this is the gradient flow on the null space of the
- * five constrained directions. (B. Siciliano et al., "Robotics: Modelling, Planning and Control",
- * Springer 2009, section 3.5.1.)
+ * Free tool rotation: chooses how a tool that is free to turn about its z-axis does so along a
+ * chain (manual 20.6, doc 5): from point to point so that the joints move little and stay away from
+ * their limits and from singularities. In the limit of many points this is the gradient flow on the
+ * null space of the five constrained directions. (B. Siciliano et al., "Robotics: Modelling,
+ * Planning and Control", Springer 2009, section 3.5.1.)
  */
 final class FreeTurn {
   private static final int MAX_POINTS = 2000;

@@ -3,7 +3,7 @@ package org.pendant.motion.toolpath;
 import org.pendant.motion.ToolCurve;
 
 /**
- * A way from one waypoint to the next.
+ * Leg of a toolpath: leads from one waypoint to the next.
  *
  * @param curve in the work frame
  * @param length the parameter at its end, above 0: metres, or more where the tool mostly turns

@@ -7,7 +7,7 @@ import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.pose.Pose;
 import org.pendant.motion.MotionControl;
 
-/** How fast a tool that stands still goes over the part on the flange. */
+/** Remote TCP speed: how fast a tool that stands still moves over the part on the flange. */
 final class RemoteSpeed {
   private RemoteSpeed() {}
 

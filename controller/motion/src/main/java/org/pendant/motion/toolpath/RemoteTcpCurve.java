@@ -5,10 +5,11 @@ import org.pendant.models.pose.Transforms;
 import org.pendant.motion.ToolCurve;
 
 /**
- * The way of the flange that carries a part along a tool which stands still: {@code C W⁻¹} for the
- * tool at C in the base and at W in the flange. With R the rotation of the flange, p the place of
- * the tool in the flange and (v, w) how it changes there, the flange turns with {@code -R w} and
- * moves with {@code R (w x p - v)}; the second derivatives follow by the product rule.
+ * Remote TCP curve: the path of the flange that carries a part along a tool which stands still:
+ * {@code C W⁻¹} for the tool at C in the base and at W in the flange. With R the rotation of the
+ * flange, p the place of the tool in the flange and (v, w) how it changes there, the flange turns
+ * with {@code -R w} and moves with {@code R (w x p - v)}; the second derivatives follow by the
+ * product rule.
  */
 final class RemoteTcpCurve implements ToolCurve {
   private final ToolCurve inFlange;

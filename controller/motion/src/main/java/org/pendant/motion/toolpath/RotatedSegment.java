@@ -5,7 +5,7 @@ import org.pendant.motion.ToolCurve;
 
 /**
  * Rotated segment: a segment on which the tool also rotates about its own z-axis: with t the angle,
- * z the axis and w the turning of the way it turns with {@code w + t' z}.
+ * z the axis and w the angular rate of the segment it turns with {@code w + t' z}.
  */
 final class RotatedSegment implements ToolCurve {
   private final ToolCurve plain;

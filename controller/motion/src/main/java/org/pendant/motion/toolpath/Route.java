@@ -13,8 +13,8 @@ import org.pendant.motion.PlanningException;
 import org.pendant.motion.toolpath.nc.NcPoint;
 
 /**
- * Makes legs of queued motions. A tool that is free to turn about its z-axis is not turned about it
- * at all here, only its axis follows what was asked for.
+ * Leg planner: makes legs of queued motions. A tool that is free to turn about its z-axis is not
+ * turned about it at all here, only its axis follows what was asked for.
  */
 final class Route {
   /** Legs of one run. */

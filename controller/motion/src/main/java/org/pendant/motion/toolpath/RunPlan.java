@@ -17,8 +17,8 @@ import org.pendant.motion.ToolCurve;
 import org.pendant.motion.ToolPathFollower;
 
 /**
- * A run that has been planned and looked at along all of its way, so that nothing moves that cannot
- * be finished.
+ * Run plan: a run that has been planned and checked along all of its path, so that nothing moves
+ * that cannot be finished.
  *
  * @param motion empty if the tool is at the end already
  * @param endInWork where it takes the tool, in the work frame

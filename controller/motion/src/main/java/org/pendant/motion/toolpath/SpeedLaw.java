@@ -3,10 +3,10 @@ package org.pendant.motion.toolpath;
 import java.util.Arrays;
 
 /**
- * The fastest way along a chain from rest to rest with even accelerations: each piece within its
- * own speed and acceleration, each junction no faster than what comes behind it can be slowed down
- * from. Two passes over the junctions find their speeds, backwards for braking and forwards for
- * speeding up.
+ * Speed law: the fastest time law along a chain from rest to rest with even accelerations: each
+ * piece within its own speed and acceleration, each junction no faster than the pieces after it
+ * allow the tool to slow down from. Two passes over the junctions find their speeds, backwards for
+ * braking and forwards for speeding up.
  */
 final class SpeedLaw {
   private final int phases;

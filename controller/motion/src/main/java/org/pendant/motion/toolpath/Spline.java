@@ -1,9 +1,9 @@
 package org.pendant.motion.toolpath;
 
 /**
- * The smoothest curve through values at even distances that begins and ends level: cubic pieces
- * whose first and second derivatives agree. (C. de Boor, "A Practical Guide to Splines", Springer
- * 2001, chapter IV.)
+ * Spline: the smoothest curve through values at even distances that begins and ends level: cubic
+ * pieces whose first and second derivatives agree. (C. de Boor, "A Practical Guide to Splines",
+ * Springer 2001, chapter IV.)
  */
 final class Spline {
   private final double[] values;

@@ -8,7 +8,7 @@ import org.pendant.motion.MotionFailure;
 import org.pendant.motion.MotionSample;
 import org.pendant.motion.ToolPathFollower;
 
-/** A run of queued motions, from rest to rest. */
+/** Toolpath motion: a run of queued motions, from rest to rest. */
 final class ToolpathMotion implements Motion {
   private final Chain chain;
   private final SpeedLaw law;

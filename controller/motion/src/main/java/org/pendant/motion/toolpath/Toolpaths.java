@@ -17,8 +17,8 @@ import org.pendant.motion.toolpath.nc.NcPath;
 import org.pendant.motion.toolpath.nc.NcReader;
 
 /**
- * The motions that a program queues, what has run of them, and the toolpaths that it has loaded
- * (manual 20). Belongs to the frame loop.
+ * Toolpath queue: the motions that a program queues, which of them have run, and the toolpaths that
+ * it has loaded (manual 20). Belongs to the frame loop.
  */
 public final class Toolpaths {
   /** How far the arm may be from its path, or from where the last run has left it, m. */

@@ -2,7 +2,7 @@ package org.pendant.motion.toolpath.nc;
 
 import org.pendant.motion.PlanningException;
 
-/** A toolpath file that has been found, and can be read. */
+/** Toolpath file that has been found, and can be read. */
 public interface NcFile {
   /** The last part of its name, for messages. */
   String shortName();

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.pendant.motion.PlanningException;
 
-/** Takes a line of a toolpath file apart into words. */
+/** Toolpath line parser: splits a line of a toolpath file into words. */
 final class NcLine {
   /** Digits, sign and point of the longest number that is read. */
   private static final int MAX_NUMBER = 24;

@@ -3,7 +3,7 @@ package org.pendant.motion.toolpath.nc;
 import java.util.List;
 
 /**
- * What a toolpath file says.
+ * Toolpath: the content of a toolpath file.
  *
  * @param file its name, for messages
  * @param points in their order, at least one

@@ -3,7 +3,7 @@ package org.pendant.motion.toolpath.nc;
 import org.pendant.models.pose.Pose;
 
 /**
- * A point that a toolpath leads to in a straight line.
+ * Toolpath point that is reached in a straight line.
  *
  * @param inPart pose of the tool in the part: the tool turned by B about y and then by C about z;
  *     its z-axis points from the tip into the tool

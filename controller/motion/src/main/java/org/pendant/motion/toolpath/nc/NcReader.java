@@ -10,7 +10,7 @@ import org.pendant.models.pose.Rotations;
 import org.pendant.motion.PlanningException;
 
 /**
- * Reads a toolpath file: G01 and G00 with X, Y, Z in mm, B, C in degrees and F in mm/min, all of
+ * Toolpath reader: reads G01 and G00 with X, Y, Z in mm, B, C in degrees and F in mm/min, all of
  * them in force until they change. What a robot has no use for (spindle, coolant, tool change, work
  * offset, homing) is ignored; whatever else is not known is refused with file, line and reason.
  */

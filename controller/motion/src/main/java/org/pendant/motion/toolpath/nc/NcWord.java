@@ -1,7 +1,7 @@
 package org.pendant.motion.toolpath.nc;
 
 /**
- * A letter with its number.
+ * Word of a toolpath file: a letter with its number.
  *
  * @param letter in upper case
  * @param text as it stands in the file
