@@ -89,7 +89,7 @@ final class ActiveTrajectory {
   }
 
   /**
-   * The part of the last frame behind the hand-over of a motion that was to last a time, in frames
+   * The part of the last frame after the hand-over of a motion that was to last a time, in frames
    * of its own; 0 where all of the frame is, since every motion lasts one at least.
    */
   double overrun() {
@@ -110,7 +110,7 @@ final class ActiveTrajectory {
     active = anew;
   }
 
-  /** The motion goes on at speeds in its own time, before it has been sampled; rad/s. */
+  /** The motion continues at speeds in its own time, before it has been sampled; rad/s. */
   void goOnAt(Joints ownSpeedRadPerS, double scaling) {
     ownSpeedRadPerS.copyTo(sample.speed);
     time.goOnAt(scaling);
@@ -204,8 +204,9 @@ final class ActiveTrajectory {
   }
 
   /**
-   * Whether whoever waits for the motion goes on now, to say what comes next: a frame before a move
-   * may be left for another, or when a motion without an end has lasted as long as it was asked to.
+   * Whether the caller that waits for the motion continues now, to say what comes next: a frame
+   * before a move may be left for another, or when a motion without an end has lasted as long as it
+   * was asked to.
    */
   boolean handOverDue() {
     Motion motion = motion();
@@ -216,7 +217,7 @@ final class ActiveTrajectory {
     return motion.leaving().isPresent() ? frames + 1 > atFrame : frames + spent >= atFrame;
   }
 
-  /** Whether a motion that slows down from now on comes to rest behind its hand-over. */
+  /** Whether a motion that slows down from now on comes to rest after its hand-over. */
   boolean handsOverBeforeRest() {
     if (time.scaling() == 0) {
       return false;

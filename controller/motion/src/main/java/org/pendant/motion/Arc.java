@@ -11,7 +11,7 @@ final class Arc {
   private final double[] from;
   private final double[] tangent;
 
-  /** From the begin towards the centre, of length 1; zero for a straight piece. */
+  /** From the start towards the centre, of length 1; zero for a straight piece. */
   private final double[] inwards = new double[3];
 
   private final double radius;
@@ -59,7 +59,7 @@ final class Arc {
     return radius;
   }
 
-  /** A point, {@code at} metres from the begin; written to {@code place} from {@code offset} on. */
+  /** A point, {@code at} metres from the start; written to {@code place} from {@code offset} on. */
   void place(double at, double[] place, int offset) {
     double turn = at / radius;
     double half = Math.sin(0.5 * turn);

@@ -31,7 +31,7 @@ final class ArcPath implements ToolCurvePath {
   /**
    * An arc.
    *
-   * @param begin joint positions at its begin, rad
+   * @param begin joint positions at its start, rad
    * @param length of the curve, in the unit of its parameter, above 0
    * @param turnRad how far direction or tool turn on it, the larger of both
    * @param waypoint pose of the TCP at its end, in the base frame

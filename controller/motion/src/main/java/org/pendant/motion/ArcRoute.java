@@ -34,7 +34,7 @@ public record ArcRoute(
   /**
    * The path.
    *
-   * @param from joint positions at its begin, rad
+   * @param from joint positions at its start, rad
    * @param start pose of the TCP there, in the base frame
    * @throws PlanningException when no circle leads through the points
    */

@@ -26,7 +26,7 @@ final class Blend {
   /** The way left on the first path where it is left. */
   private final double left;
 
-  /** How far behind the waypoint the blend may end, and before the goal the next may begin. */
+  /** How far after the waypoint the blend may end, and before the goal the next may begin. */
   private final double mostEntered;
 
   private final double nextLeft;
@@ -83,7 +83,7 @@ final class Blend {
     return overlaps;
   }
 
-  /** How far behind the waypoint it may end. */
+  /** How far after the waypoint it may end. */
   double mostEntered() {
     return mostEntered;
   }
@@ -158,7 +158,7 @@ final class Blend {
       double end = nextSegment.end();
       slow = highest(0, bent, exit -> slowsDown(rate, exit, end, limits));
     }
-    // where the arm comes too fast for both, it rather brakes harder behind the corner
+    // where the arm comes too fast for both, it rather brakes harder after the corner
     return bend(rate, slow, strongest) <= ROUNDING ? slow : Math.max(slow, gentlest);
   }
 

@@ -52,7 +52,7 @@ final class ControlSource {
     torqueDriven = false;
   }
 
-  /** Nobody leads the arm. */
+  /** Nothing leads the arm. */
   void clear() {
     guided = false;
     torqueDriven = false;

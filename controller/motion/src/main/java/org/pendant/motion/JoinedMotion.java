@@ -22,7 +22,7 @@ final class JoinedMotion implements Motion {
    * Joins two moves.
    *
    * @param firstBeginS where the first one is, s in its own time, before its hand-over
-   * @param blend from the point of the hand-over to the begin of {@code next}
+   * @param blend from the point of the hand-over to the start of {@code next}
    */
   JoinedMotion(PathMotion first, double firstBeginS, Motion blend, PathMotion next) {
     this(first, firstBeginS, blend, next, 0);

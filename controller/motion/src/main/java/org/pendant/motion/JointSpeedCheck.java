@@ -69,7 +69,7 @@ final class JointSpeedCheck {
     return Optional.empty();
   }
 
-  /** The path goes on only where the joint stands a turn further back. */
+  /** The path continues only where the joint stands a turn further back. */
   private static MotionFailure rangeEnds(int joint, double atRad) {
     return new MotionFailure(
         MotionFailure.RANGE_ENDS,

@@ -13,8 +13,8 @@ public interface Motion {
   double durationS();
 
   /**
-   * The point at a time of its own, which goes on from one call to the next, or back by less than a
-   * frame. At {@link #durationS} it is the goal itself.
+   * The point at a time of its own, which continues from one call to the next, or back by less than
+   * a frame. At {@link #durationS} it is the goal itself.
    *
    * @param timeS 0 to {@link #durationS}
    * @param sample overwritten
@@ -26,8 +26,8 @@ public interface Motion {
   Optional<Pose> waypoint();
 
   /**
-   * When whoever asked for the motion goes on, s in its own time: where it can blend into the next,
-   * otherwise its end.
+   * When the caller that asked for the motion continues, s in its own time: where it can blend into
+   * the next, otherwise its end.
    */
   default double handOverS() {
     return durationS();
@@ -42,8 +42,8 @@ public interface Motion {
   }
 
   /**
-   * What the arm does when nobody takes the motion over in the frame after the hand-over; empty for
-   * going on to its own end.
+   * What the arm does when no move takes the motion over in the frame after the hand-over; empty
+   * for continuing to its own end.
    */
   default Optional<MotionPlan> ending() {
     return Optional.empty();
@@ -61,7 +61,7 @@ public interface Motion {
    * rest as soon as any next move may need it.
    *
    * @param timeS how far it is, s in its own time
-   * @return empty if it has no blend radius, or is not yet behind the blend that it began with
+   * @return empty if it has no blend radius, or is not yet after the blend that it began with
    */
   default Optional<Motion> cutShort(double timeS) {
     return Optional.empty();

@@ -65,8 +65,8 @@ public final class MotionControl {
   }
 
   /**
-   * Starts a motion that begins at rest. If the arm still comes to rest from one that nobody waits
-   * for, it starts right after that.
+   * Starts a motion that begins at rest. If the arm still comes to rest from one that no caller
+   * waits for, it starts right after that.
    *
    * @throws PlanningException when it cannot be planned, or another thread's motion is under way
    */
@@ -112,7 +112,7 @@ public final class MotionControl {
   }
 
   /**
-   * From now on the arm is guided by hand: a motion that nobody waits for is dropped, and so are
+   * From now on the arm is guided by hand: a motion that no caller waits for is dropped, and so are
    * offsets; none can start, and {@link #guide} says where the target is.
    *
    * @throws PlanningException when a thread's motion is under way
@@ -268,7 +268,7 @@ public final class MotionControl {
   }
 
   /**
-   * Whether an arm that slows down from now on comes to rest behind the point where its move is
+   * Whether an arm that slows down from now on comes to rest after the point where its move is
    * handed over, so that whoever asked for it has to say before where it leads on.
    */
   public boolean handsOverBeforeRest() {
@@ -381,12 +381,12 @@ public final class MotionControl {
     return motionQueue.moving() || controlSource.torqueDriven();
   }
 
-  /** Whether the motion is held, by a pause or a stop, or is to be held as soon as it begins. */
+  /** Whether a pause or a stop keeps the motion at rest, or will as soon as it begins. */
   public boolean paused() {
     return time.paused();
   }
 
-  /** Whether a move that nobody waits for any more goes on to its waypoint. */
+  /** Whether a move that no caller waits for any more continues to its waypoint. */
   public boolean arriving() {
     return motionQueue.arriving();
   }

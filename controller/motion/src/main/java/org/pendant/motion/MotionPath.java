@@ -6,9 +6,9 @@ import org.pendant.models.pose.Pose;
 
 /**
  * Path of the arm from one point to another, without time. A point on it is given by how far it is
- * from the begin, in the path's own unit: rad of the joint that turns farthest, or m of the TCP.
+ * from the start, in the path's own unit: rad of the joint that turns farthest, or m of the TCP.
  *
- * <p>Keeps scratch space: one user at a time, and questions best go on from one to the next.
+ * <p>Keeps scratch space: one user at a time, and questions best continue from one to the next.
  */
 public interface MotionPath {
   /** How long it is. */
@@ -25,7 +25,7 @@ public interface MotionPath {
    */
   Optional<MotionFailure> sample(double at, double rate, double rate2, MotionSample sample);
 
-  /** Joint positions at its begin, rad. */
+  /** Joint positions at its start, rad. */
   Joints begin();
 
   /** Joint positions at its end, rad, as far as they can be told without going there. */
@@ -55,7 +55,7 @@ public interface MotionPath {
    */
   double lengthWithinEnd(double radiusM);
 
-  /** How far from the begin the path leaves a sphere around the begin for the first time. */
+  /** How far from the start the path leaves a sphere around the start for the first time. */
   double lengthWithinBegin(double radiusM);
 
   /** The highest rate that no joint is too slow for, as far as that is known beforehand. */

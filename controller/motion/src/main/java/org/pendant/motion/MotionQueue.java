@@ -21,7 +21,7 @@ final class MotionQueue {
   private Optional<MotionTicket> owner = Optional.empty();
   private Optional<Pending> pending = Optional.empty();
 
-  /** Whoever asked for the motion goes on now, and may blend into another. */
+  /** The caller that asked for the motion continues now, and may blend into another. */
   private boolean handedOver;
 
   /** Plans a move that has not begun to move, as often as more becomes known of what follows it. */
@@ -115,14 +115,14 @@ final class MotionQueue {
     return Optional.of(ticket);
   }
 
-  /** Whether a move goes on from the one that is under way, rather than after it. */
+  /** Whether a move continues from the one that is under way, rather than after it. */
   private boolean takesOver(Move move) {
     return handedOver
         && !time.releasing()
         && move.mayFollow(activeTrajectory.motion().leaving().orElseThrow().move());
   }
 
-  /** Whether something has the arm that no move can blend with, and that nobody waits for. */
+  /** Whether something has the arm that no move can blend with, and that no caller waits for. */
   private boolean endlessly() {
     return controlSource.torqueDriven()
         || (handedOver && activeTrajectory.motion().leaving().isEmpty());
@@ -219,9 +219,9 @@ final class MotionQueue {
   }
 
   /**
-   * The arm cannot go on where a motion was to take over: that ends in the next frame.
+   * The arm cannot continue where a motion was to take over: that ends in the next frame.
    *
-   * @throws PlanningException {@code why}, if the arm could go on but not as it was asked to
+   * @throws PlanningException {@code why}, if the arm could continue but not as it was asked to
    */
   private void lose(PlanningException why, MotionTicket ticket) throws PlanningException {
     if (!MotionFailure.isOfPath(why.failure().code())) {
@@ -260,14 +260,14 @@ final class MotionQueue {
     unforeseen = Optional.empty();
   }
 
-  /** All joints stop from what they do now; nobody waits for it. */
+  /** All joints stop from what they do now; no caller waits for it. */
   void stop(double decelerationRadPerS2) {
     Joints from = path.position().joints();
     begin(new StopJ(from, path.speed().joints(), decelerationRadPerS2), Optional.empty(), true);
   }
 
   /**
-   * Ends what has been handed over and nobody has taken over; before a frame goes on.
+   * Ends what has been handed over and no move has taken over; before a frame continues.
    *
    * @return why it does not end as it should
    */
@@ -283,14 +283,16 @@ final class MotionQueue {
     return failure;
   }
 
-  /** A motion without an end rests in a pause, and whoever keeps it up goes on after that. */
+  /**
+   * A motion without an end rests in a pause, and the client that keeps it up continues after that.
+   */
   private boolean heldInPause() {
     return time.paused()
         && activeTrajectory.present()
         && activeTrajectory.motion().ending().isPresent();
   }
 
-  /** Nobody has taken the motion over: it ends as it says itself. */
+  /** No move has taken the motion over: it ends as it says itself. */
   private Optional<MotionFailure> endUncontinued() {
     Optional<MotionPlan> ending = activeTrajectory.active().flatMap(Motion::ending);
     if (ending.isPresent()) {

@@ -25,7 +25,7 @@ public final class MotionSample {
     frames = ofLinks;
   }
 
-  /** Nobody knows yet how the links stand. */
+  /** It is not known yet how the links stand. */
   void forgetFrames() {
     frames = UNKNOWN;
   }

@@ -29,7 +29,7 @@ public final class MotionTicket {
     motionQueue.endEarly(this);
   }
 
-  /** Nobody waits any more: the arm comes to rest on its path. */
+  /** No caller waits any more: the arm comes to rest on its path. */
   public void cancel() {
     motionQueue.release(this);
   }

@@ -40,7 +40,7 @@ public record Move(
     /**
      * The path.
      *
-     * @param from joint positions at its begin, rad
+     * @param from joint positions at its start, rad
      * @throws PlanningException when there is none
      */
     MotionPath from(Joints from) throws PlanningException;

@@ -19,7 +19,7 @@ public final class MoveJ implements Motion {
   /**
    * Plans a move.
    *
-   * @param from joint positions at its begin, rad
+   * @param from joint positions at its start, rad
    * @param goal joint positions at its end, rad, within the ranges of the arm
    * @param waypoint pose of the TCP at its end, in the base frame
    * @param limits in rad

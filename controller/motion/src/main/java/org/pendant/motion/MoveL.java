@@ -15,8 +15,8 @@ public final class MoveL implements Motion {
   /**
    * Plans a move.
    *
-   * @param from joint positions at its begin, rad
-   * @param start pose of the TCP at its begin, in the base frame
+   * @param from joint positions at its start, rad
+   * @param start pose of the TCP at its start, in the base frame
    * @param goal pose of the TCP at its end, in the base frame
    * @param tcpInFlange the TCP offset
    * @param limits in m

@@ -11,11 +11,11 @@ import org.pendant.motion.profile.ProfileLimits;
  *
  * <p>Where a move has a blend radius r, the next may take over where its path enters the sphere of
  * that radius around its goal. From the speeds v there, the blend takes {@code 2 d / v} seconds, d
- * being the way that is left to the goal, and comes out on the next path as far behind the goal as
+ * being the way that is left to the goal, and comes out on the next path as far after the goal as
  * its speed there demands: for two straight lines that is a parabola. What the blend needs in
  * acceleration bounds the speed in which the sphere is entered. Between paths of different kinds,
  * and where a stop is quicker than that, the first move slows down to rest instead, and the next
- * begins before it does. If nobody takes over the arm comes to rest at the goal.
+ * begins before it does. If no move takes over the arm comes to rest at the goal.
  */
 final class MovePlanner {
   /** The shortest run-up before a blend, as part of the way. */
@@ -51,7 +51,7 @@ final class MovePlanner {
    * The motion of a move that takes over from another.
    *
    * @param leaving the other one
-   * @param leavingS where it is, s in its own time, not behind its hand-over
+   * @param leavingS where it is, s in its own time, not after its hand-over
    * @return empty if the move is left out because the blends overlap (manual 15.29)
    */
   static Optional<Motion> blended(

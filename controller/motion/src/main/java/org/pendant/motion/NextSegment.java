@@ -44,7 +44,7 @@ final class NextSegment {
     return end.getAsDouble();
   }
 
-  /** The highest rate, up to a limit, from which it can go on. */
+  /** The highest rate, up to a limit, from which it can continue. */
   double fastestBegin(double entered, double most) throws PlanningException {
     double free = Math.max(0, path.length() - entered - nextLeft);
     double toRest = limits.fastestBegin(free, 0);

@@ -62,9 +62,9 @@ final class OffsetHold {
   }
 
   /**
-   * Leads from where the joints were held to where offsets want them.
+   * Leads from where the joints were stopped to where offsets want them.
    *
-   * @param held where they are, rad
+   * @param held where they stand, rad
    * @param wanted where they are to be, rad; changed to where they shall be in this frame
    */
   void leadBack(double[] held, double[] wanted) {

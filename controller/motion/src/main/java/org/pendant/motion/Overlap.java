@@ -24,7 +24,7 @@ final class Overlap implements Motion {
   private final MotionSample added = new MotionSample();
 
   /**
-   * The end of a move from where it may be taken over, and the begin of the next.
+   * The end of a move from where it may be taken over, and the start of the next.
    *
    * @param next from rest in the waypoint
    * @param sharedS how long before the end of the first one the next begins, s

@@ -25,7 +25,7 @@ public interface PathLimits {
         }
       };
 
-  /** Points of a path, asked for from its begin to its end. */
+  /** Points of a path, asked for from its start to its end. */
   @FunctionalInterface
   interface Points {
     /**

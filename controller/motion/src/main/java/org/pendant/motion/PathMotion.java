@@ -111,7 +111,7 @@ public final class PathMotion implements Motion {
     return durationS() - handOverS;
   }
 
-  /** When it is so far from its begin on its path, s; no later than the hand-over. */
+  /** When it is so far from its start on its path, s; no later than the hand-over. */
   double timeAt(double distance) {
     return Math.min(approach.timeAt(distance), handOverS);
   }

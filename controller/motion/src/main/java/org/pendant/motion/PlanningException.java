@@ -1,8 +1,8 @@
 package org.pendant.motion;
 
 /**
- * Planning exception: a motion cannot be planned. Carries the failure to whoever asked for the
- * motion, and no Java stack trace: it describes what was asked for, not this code.
+ * Planning exception: a motion cannot be planned. Carries the failure to the caller that asked for
+ * the motion, and no Java stack trace: it describes what was asked for, not this code.
  */
 public final class PlanningException extends Exception {
   private static final long serialVersionUID = 1L;

@@ -231,7 +231,7 @@ final class ProcessCorner {
     return Math.min(fastestForWrench, Math.sqrt(Math.min(across, turning)));
   }
 
-  /** The highest speed (m/s), up to a limit, behind the corner from which the next can go on. */
+  /** The highest speed (m/s), up to a limit, after the corner from which the next can continue. */
   private double fastestOnward(double most) throws PlanningException {
     return nextSegment.fastestBegin(beginsAfter, most / metresAfter) * metresAfter;
   }

@@ -40,7 +40,7 @@ public final class Routes {
   /**
    * A straight line of the TCP that an arm has limited means for.
    *
-   * @param start pose of the TCP at its begin, in the base frame
+   * @param start pose of the TCP at its start, in the base frame
    * @param goal pose of the TCP at its end, in the base frame
    */
   public static MotionPath line(
@@ -56,7 +56,7 @@ public final class Routes {
   /**
    * A straight line of the TCP.
    *
-   * @param start pose of the TCP at its begin, in the base frame
+   * @param start pose of the TCP at its start, in the base frame
    * @param goal pose of the TCP at its end, in the base frame
    */
   public static MotionPath line(

@@ -17,7 +17,7 @@ public final class StopJ implements Motion {
    * A stop.
    *
    * @param positionRad where it begins, rad
-   * @param speedRadPerS speeds at its begin, rad/s
+   * @param speedRadPerS speeds at its start, rad/s
    * @param decelerationRadPerS2 of the fastest joint, above 0
    */
   public StopJ(Joints positionRad, Joints speedRadPerS, double decelerationRadPerS2) {

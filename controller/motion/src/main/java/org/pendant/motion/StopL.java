@@ -26,8 +26,8 @@ public final class StopL implements Motion {
   /**
    * Plans a stop.
    *
-   * @param positionRad joint positions at its begin, rad
-   * @param speedRadPerS joint speeds at its begin, rad/s
+   * @param positionRad joint positions at its start, rad
+   * @param speedRadPerS joint speeds at its start, rad/s
    * @param tcpInFlange the TCP offset
    * @param decelerationMPerS2 of the TCP, m/s², above 0
    * @param angularDecelerationRadPerS2 of the tool's turning, rad/s², above 0; the slower of the

@@ -23,7 +23,7 @@ final class TimeScaling {
   /** In the last frame a limit of the arm allowed less than there would have been. */
   private boolean limited;
 
-  /** Nobody wants the motion any more: it ends where the scaling reaches 0. */
+  /** No caller wants the motion any more: it ends where the scaling reaches 0. */
   private boolean releasing;
 
   /** A motion begins at the scaling that it is to have. */
@@ -41,8 +41,9 @@ final class TimeScaling {
 
   /**
    * The scaling at which a motion takes over from whatever moves the arm: what is there, so that no
-   * joint jumps and a ramp of the slider goes on; but no less than wanted where a limit or an end
-   * that nobody wants any more has kept it down, or there was none, so that it does not crawl up.
+   * joint jumps and a ramp of the slider continues; but no less than wanted where a limit or an end
+   * that no caller wants any more has kept it down, or there was none, so that it does not crawl
+   * up.
    *
    * @param unscaled whether the arm moves without scaling now
    * @param share of what the joints can do that the arm moves at; an unscaled speed counts as no
@@ -136,7 +137,7 @@ final class TimeScaling {
   void resume() {
     paused = false;
     if (!releasing) {
-      // what comes to rest for good goes on as hard as it began
+      // what comes to rest for good continues as hard as it began
       rampRadPerS2 = MotionControl.SCALING_ACCELERATION_RAD_PER_S2;
     }
   }

@@ -18,7 +18,7 @@ final class ToolArc implements ToolCurve {
   /**
    * A curve.
    *
-   * @param turn orientations only: of the begin, and of where the parameter is {@code span}
+   * @param turn orientations only: of the start, and of where the parameter is {@code span}
    * @param metres on the arc for each unit of the parameter
    */
   ToolArc(Arc arc, double metres, StraightLine turn, double span) {

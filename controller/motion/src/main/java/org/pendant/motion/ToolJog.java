@@ -23,8 +23,8 @@ public final class ToolJog implements Motion {
   /**
    * Plans a move.
    *
-   * @param from joint positions at its begin, rad
-   * @param start pose of the TCP at its begin, in the base frame
+   * @param from joint positions at its start, rad
+   * @param start pose of the TCP at its start, in the base frame
    * @param twistInBase what the TCP does per unit of the way: 1 m along an axis or 1 rad about one
    * @param tcpInFlange the TCP offset
    * @param limits in m; for a turn {@value MoveL#ROTATION_FACTOR} times the numbers, in rad

@@ -39,7 +39,7 @@ final class ToolPath implements ToolCurvePath {
   /**
    * A line.
    *
-   * @param begin joint positions at its begin, rad
+   * @param begin joint positions at its start, rad
    * @param start pose of the TCP there, in the base frame
    * @param goal pose of the TCP at its end, in the base frame
    */
@@ -112,7 +112,7 @@ final class ToolPath implements ToolCurvePath {
   }
 
   /**
-   * By how much the velocity of the TCP changes for each m/s on this line when it goes on along
+   * By how much the velocity of the TCP changes for each m/s on this line when it continues along
    * another with a part of its rate; turning counts as on a path.
    */
   double bendInto(ToolPath next, double part) {

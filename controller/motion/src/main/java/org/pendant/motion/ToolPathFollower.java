@@ -47,7 +47,7 @@ public final class ToolPathFollower {
    * Follows a curve.
    *
    * @param curve of the TCP in the base frame
-   * @param from joint positions at its begin, rad
+   * @param from joint positions at its start, rad
    */
   public ToolPathFollower(ArmDescription arm, ToolCurve curve, Pose tcpInFlange, Joints from) {
     this.curve = curve;

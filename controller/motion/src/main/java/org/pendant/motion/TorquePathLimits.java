@@ -26,7 +26,7 @@ public final class TorquePathLimits {
   /** Points at which a path is looked at, its ends included. */
   static final int POINTS = 9;
 
-  /** Parts between two of these points, at whose ends a path is held against speed limits. */
+  /** Parts between two of these points, at whose ends a path is checked against speed limits. */
   private static final int PARTS = 8;
 
   /** Share of a speed limit that is planned with: the path is not looked at everywhere. */

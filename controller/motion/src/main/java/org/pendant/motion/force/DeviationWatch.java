@@ -51,7 +51,7 @@ final class DeviationWatch {
     setTool(Pose.ZERO);
   }
 
-  /** Another task counts from now on; what has lasted until now goes on. */
+  /** Another task counts from now on; what has lasted until now continues. */
   void setTask(ForceTask wanted) {
     task = wanted;
     findHarmless();

@@ -31,7 +31,7 @@ final class FeltWrench {
   private boolean hasBefore;
 
   /**
-   * A wrench that nobody has felt yet.
+   * A wrench that has not been felt yet.
    *
    * @param atFlangeInBase on the tool, at the flange's origin along the axes of the base
    */

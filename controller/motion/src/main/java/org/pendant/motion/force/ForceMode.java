@@ -19,8 +19,8 @@ import org.pendant.motion.StopJ;
 
 /**
  * Force mode: the TCP gives way along some axes until the tool presses with a wanted wrench (manual
- * 15.12). It is carried aside from the path of moves, which go on meanwhile; the speed slider does
- * not slow giving way. A pause or a stop ends giving way until the program goes on.
+ * 15.12). It is carried aside from the path of moves, which continue meanwhile; the speed slider
+ * does not slow giving way. A pause or a stop ends giving way until the program continues.
  *
  * <p>Belongs to the thread of the frame loop.
  */
@@ -83,7 +83,7 @@ public final class ForceMode implements PathOffset {
   }
 
   /**
-   * Gives way from now on. If force mode is on already it goes on with the other task, from the
+   * Gives way from now on. If force mode is on already it continues with the other task, from the
    * speed that it has; the path is then where the TCP is, unless a move is under way.
    *
    * @param tcpInBase where the TCP is to be now

@@ -44,7 +44,7 @@ public final class PathOffsetting implements PathOffset {
     return enabled;
   }
 
-  /** Sets the offset; what is applied already goes on from there in another frame. */
+  /** Sets the offset; what is applied already continues from there in another frame. */
   public void set(Pose offset, OffsetType inFrame) {
     if (inFrame != type) {
       type = inFrame;

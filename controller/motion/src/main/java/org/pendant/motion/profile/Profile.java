@@ -65,7 +65,7 @@ public final class Profile {
     return endSpeed;
   }
 
-  /** Distance covered at a time; 0 before the begin, all of it from the end on. */
+  /** Distance covered at a time; 0 before the start, all of it from the end on. */
   public double position(double timeS) {
     if (timeS <= 0) {
       return 0;

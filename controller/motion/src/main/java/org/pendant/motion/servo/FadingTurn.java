@@ -22,7 +22,7 @@ final class FadingTurn {
   /**
    * A turn.
    *
-   * @param start transformation at its begin; its position does not count
+   * @param start transformation at its start; its position does not count
    * @param spinRadPerS angular velocity there, three numbers along the axes of the base
    * @param end transformation at its end
    * @param leastS how long it takes at least, s

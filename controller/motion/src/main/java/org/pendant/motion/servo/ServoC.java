@@ -20,8 +20,9 @@ import org.pendant.motion.profile.ProfileLimits;
 
 /**
  * Circular servo motion: the TCP goes to a pose on an arc that continues its current direction. The
- * program goes on at a radius before the pose; when nothing follows, the tool comes to rest in it.
- * A pose that lies behind, or too near for the arc, is approached in a straight line after a stop.
+ * program continues at a radius before the pose; when nothing follows, the tool comes to rest in
+ * it. A pose that lies behind, or too near for the arc, is approached in a straight line after a
+ * stop.
  */
 final class ServoC implements Motion {
   /** Slower than this, m/s, the tool has no direction to continue. */

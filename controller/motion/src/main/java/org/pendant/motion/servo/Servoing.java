@@ -15,7 +15,7 @@ import org.pendant.motion.PlanningException;
  * themselves. Belongs to the thread of the frame loop.
  */
 public final class Servoing {
-  /** How long such a motion goes on if nothing ends it, s: longer than anybody waits. */
+  /** How long such a motion continues if nothing ends it, s: longer than any caller waits. */
   static final double ENDLESS_S = 1e9;
 
   private final ArmDescription arm;
@@ -37,7 +37,7 @@ public final class Servoing {
    * @param speedRadPerS wanted, rad/s
    * @param accelerationRadPerS2 of the joint whose speed changes most, above 0; also when nothing
    *     follows and the arm comes to rest
-   * @param returnS when the program goes on, s, at least 0; empty for when the speed is reached
+   * @param returnS when the program continues, s, at least 0; empty for when the speed is reached
    */
   public MotionPlan speedJ(
       Joints speedRadPerS, double accelerationRadPerS2, OptionalDouble returnS) {
@@ -108,7 +108,7 @@ public final class Servoing {
    * @param tcpInFlange the TCP offset
    * @param accelerationMPerS2 along the way, above 0
    * @param speedMPerS along the way, above 0
-   * @param radiusM how far before the goal the program goes on, m, at least 0
+   * @param radiusM how far before the goal the program continues, m, at least 0
    */
   public MotionPlan servoC(
       Pose goalInBase,

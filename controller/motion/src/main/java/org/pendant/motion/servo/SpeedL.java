@@ -20,7 +20,7 @@ final class SpeedL implements Motion {
    * A motion on a curve whose parameter is time.
    *
    * @param rampS how long the velocity changes, s
-   * @param returnS when the program goes on, s; empty for when the velocity is reached
+   * @param returnS when the program continues, s; empty for when the velocity is reached
    * @param ending when nothing follows then
    */
   SpeedL(ToolPathFollower follower, double rampS, OptionalDouble returnS, MotionPlan ending) {

@@ -44,7 +44,7 @@ final class ToolSpeeds {
   /**
    * A motion that replaces the one before.
    *
-   * @param from joint positions at its begin, rad
+   * @param from joint positions at its start, rad
    * @param speed joint speeds there, rad/s
    * @param wanted velocity of the TCP in m/s and rad/s along the axes of the base
    */

@@ -23,7 +23,7 @@ final class TwistRamp implements ToolCurve {
   private final double[] end = new double[N];
   private double rampS;
 
-  /** The orientation {@link #steps} frames after the begin, and a frame before that. */
+  /** The orientation {@link #steps} frames after the start, and a frame before that. */
   private double[] turned = new double[Transforms.SIZE];
 
   private double[] turnedBefore = new double[Transforms.SIZE];
@@ -36,7 +36,7 @@ final class TwistRamp implements ToolCurve {
   /**
    * Begins another way.
    *
-   * @param tcpInBase transformation at its begin
+   * @param tcpInBase transformation at its start
    * @param fromTwist velocity there, m/s and rad/s along the axes of the base
    * @param toTwist velocity after the ramp
    * @param lastsS duration of the ramp, s, at least 0

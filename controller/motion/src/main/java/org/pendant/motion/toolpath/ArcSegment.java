@@ -17,7 +17,7 @@ final class ArcSegment implements ToolCurve {
 
   private final double[] centre = new double[3];
 
-  /** From the centre to the begin. */
+  /** From the centre to the start. */
   private final double[] out = new double[3];
 
   /** A quarter of a turn further. */
@@ -61,7 +61,7 @@ final class ArcSegment implements ToolCurve {
     if (!(square > STRAIGHT * STRAIGHT * aa * bb)) {
       return Optional.empty();
     }
-    // c = ((|a|² b - |b|² a) x n) / 2 |n|², from the begin (triangle's circumcentre)
+    // c = ((|a|² b - |b|² a) x n) / 2 |n|², from the start (triangle's circumcentre)
     double[] mixed = new double[3];
     for (int i = 0; i < 3; i++) {
       mixed[i] = aa * b[i] - bb * a[i];

@@ -7,7 +7,7 @@ import org.pendant.motion.ToolCurve;
 
 /**
  * Corner segment: a blend from one segment to the next past the corner between them. It touches
- * both segments a distance l (in the parameter, which goes from 0 to 2 l) before and behind the
+ * both segments a distance l (in the parameter, which goes from 0 to 2 l) before and after the
  * corner. The place follows the cubic that has the ends and directions of both, between straight
  * lines a parabola. The orientation is {@code exp(u² l w2) exp(-(1-u)² l w1) R}, u going from 0 to
  * 1, R the orientation in the corner and w1, w2 how the tool turns on both ways: its turning is
@@ -33,7 +33,7 @@ final class CornerSegment implements ToolCurve {
    * @param in the way that ends in the corner
    * @param inLength its length
    * @param out the way that begins there
-   * @param reach how far before and behind the corner it touches them, above 0
+   * @param reach how far before and after the corner it touches them, above 0
    */
   CornerSegment(ToolCurve in, double inLength, ToolCurve out, double reach) {
     this.reach = reach;
@@ -73,7 +73,7 @@ final class CornerSegment implements ToolCurve {
     Rotations.vectorToMatrix(f * twist[3], f * twist[4], f * twist[5], matrix);
   }
 
-  /** The turning of the way before, turned on by that of the way behind. */
+  /** The turning of the way before, turned on by that of the way after. */
   private void turnOn(double u) {
     turning(u * u * reach, after, late);
     for (int row = 0; row < 3; row++) {

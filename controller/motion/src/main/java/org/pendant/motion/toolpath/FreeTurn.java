@@ -52,7 +52,7 @@ final class FreeTurn {
   }
 
   /**
-   * The angle along a chain, 0 at its begin.
+   * The angle along a chain, 0 at its start.
    *
    * @param from joint positions there, rad
    */

@@ -22,7 +22,7 @@ import org.pendant.motion.ToolPathFollower;
  *
  * @param motion empty if the tool is at the end already
  * @param endInWork where it takes the tool, in the work frame
- * @param from joint positions at its begin, rad
+ * @param from joint positions at its start, rad
  */
 public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
   /** How far apart the points are that are looked at, m. */
