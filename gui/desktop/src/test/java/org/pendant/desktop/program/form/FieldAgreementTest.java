@@ -14,6 +14,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
@@ -33,6 +34,7 @@ import org.pendant.project.program.check.ProgramCheck;
 import org.pendant.script.function.Builtins;
 
 /** Every number that forms take, and what the check of programs says of it. */
+@Tag("slow")
 final class FieldAgreementTest {
   private final ControllerState state = new Controller(ControllerOptions.headless()).state();
   private final Installation installation = EveryNode.installation();
