@@ -2,7 +2,7 @@ package org.pendant.controller;
 
 import java.util.function.BooleanSupplier;
 
-/** Paces the frames. */
+/** Clock of the frame loop: paces the frames. */
 public sealed interface Clock permits SteerableClock, VirtualClock, WallClock {
   /** What is to be done next. */
   enum Due {

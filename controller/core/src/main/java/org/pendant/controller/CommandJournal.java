@@ -3,9 +3,9 @@ package org.pendant.controller;
 import org.pendant.controller.command.Command;
 
 /**
- * Is told every command that reaches a controller, in the thread that drives it and right before
- * the command is carried out. The same commands at the same places make another controller with the
- * same options do the same. Must be short.
+ * Command journal: is told every command that reaches a controller, in the thread that drives it
+ * and right before the command is carried out. The same commands at the same places make another
+ * controller with the same options do the same. Must be short.
  */
 @FunctionalInterface
 public interface CommandJournal {

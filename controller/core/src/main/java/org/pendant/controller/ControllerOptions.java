@@ -22,8 +22,8 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 
 /**
- * How a controller is switched on. Immutable: each {@code with} method answers changed options and
- * leaves these as they are.
+ * Options with which a controller is switched on. Immutable: each {@code with} method answers
+ * changed options and leaves these as they are.
  */
 public final class ControllerOptions {
   /** The arm when nothing else is said. */

@@ -3,9 +3,9 @@ package org.pendant.controller;
 import java.util.concurrent.TimeUnit;
 
 /**
- * When frames are due, and how late they were. Frames after a late one follow each other twice as
- * fast until the delay is caught up, unless it is so long (a computer that slept) that it is
- * dropped: robot time has lost it then.
+ * Deadlines of frames: when frames are due, and how late they were. Frames after a late one follow
+ * each other twice as fast until the delay is caught up, unless it is so long (a computer that
+ * slept) that it is dropped: robot time has lost it then.
  */
 final class Deadlines {
   /** Delay in ns beyond which the deadlines start afresh. */

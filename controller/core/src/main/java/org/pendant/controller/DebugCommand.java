@@ -7,7 +7,7 @@ import org.pendant.script.debug.Debugger;
 import org.pendant.script.variables.VariablePath;
 import org.pendant.script.variables.VariableTracer;
 
-/** Command of somebody who looks into programs. */
+/** Command of a client that inspects programs. */
 public sealed interface DebugCommand extends Command {
 
   /**

@@ -7,7 +7,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 import org.pendant.script.value.Value;
 
-/** Drive of a robot: the one thread that lets its time pass uses this, and nobody else. */
+/** Drive of a robot: lets its time pass; used by one thread alone. */
 public interface Drive {
   /** The newest snapshot; any thread. */
   ControllerState state();

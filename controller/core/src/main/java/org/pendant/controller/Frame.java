@@ -31,7 +31,10 @@ import org.pendant.script.vm.Machine;
 import org.pendant.script.vm.ProgramState;
 import org.pendant.script.vm.ScriptFailure;
 
-/** What happens in one frame of 2 ms, in its order. One thread at a time calls {@link #advance}. */
+/**
+ * Frame of 2 ms: everything that happens in it, in its order. One thread at a time calls {@link
+ * #advance}.
+ */
 final class Frame {
   private static final double NS = 1e-9;
   private static final String FULL = "out of memory: the program has used up Java's memory";

@@ -3,7 +3,7 @@ package org.pendant.controller;
 import java.util.Optional;
 import org.pendant.controller.box.BoxCommand;
 
-/** A thread that drives a controller at the pace of a clock until it is closed. */
+/** Frame loop: a thread that drives a controller at the pace of a clock until it is closed. */
 public final class FrameLoop implements AutoCloseable {
   /** How often a held frame looks for commands, ms. */
   private static final long HELD_MS = 2;

@@ -17,7 +17,9 @@ import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.io.Signals;
 
-/** Sets up the signals of a box as an installation says. The frame loop alone uses it. */
+/**
+ * Signal setup: sets up the signals of a box as an installation says. The frame loop alone uses it.
+ */
 final class InstalledSignals {
   private final ControlBox box;
   private final Signals signals;

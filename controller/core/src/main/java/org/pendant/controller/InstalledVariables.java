@@ -9,7 +9,7 @@ import org.pendant.controller.installation.VariableLiteral;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.script.value.Value;
 
-/** Takes over what a program has left in variables of the installation. */
+/** Installation variables: takes over what a program has left in variables of the installation. */
 final class InstalledVariables {
   private InstalledVariables() {}
 

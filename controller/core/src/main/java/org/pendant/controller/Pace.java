@@ -1,6 +1,6 @@
 package org.pendant.controller;
 
-/** How robot time goes by compared with real time. */
+/** Pace of robot time compared with real time. */
 public sealed interface Pace {
   /** As fast as a real controller. */
   Pace REAL_TIME = new Times(1);

@@ -8,7 +8,7 @@ import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
 import org.pendant.models.time.FrameTime;
 
-/** A clock whose pace can be changed while it runs. One thread waits, any thread steers. */
+/** Steerable clock: its pace can be changed while it runs. One thread waits, any thread steers. */
 public final class SteerableClock implements Clock {
   private static final Optional<Due> NOTHING = Optional.empty();
   private static final Optional<Due> FRAME = Optional.of(Due.FRAME);

@@ -6,9 +6,9 @@ import java.util.function.LongSupplier;
 import org.pendant.models.time.FrameTime;
 
 /**
- * The next frame is due at once: as fast as the processor goes. While a reply from outside is
- * waited for, frames are due every 2 ms of real time: a timeout would otherwise be over before
- * anybody can answer.
+ * Virtual clock: the next frame is due immediately, so that frames follow as fast as the processor
+ * computes them. While a reply from outside is waited for, frames are due every 2 ms of real time:
+ * a timeout would otherwise be over before anybody can answer.
  */
 public final class VirtualClock implements Clock {
   private static final long FRAME_NS = Math.round(FrameTime.FRAME_S * 1e9);

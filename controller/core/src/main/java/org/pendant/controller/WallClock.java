@@ -6,8 +6,8 @@ import java.util.function.LongSupplier;
 import org.pendant.models.time.FrameTime;
 
 /**
- * A frame every 2 ms of real time, or faster or slower by a factor. A delay is caught up at twice
- * the pace, unless it is so long (a computer that slept) that it is dropped.
+ * Wall clock: a frame every 2 ms of real time, or faster or slower by a factor. A delay is caught
+ * up at twice the pace, unless it is so long (a computer that slept) that it is dropped.
  */
 public final class WallClock implements Clock {
   private static final long REAL_FRAME_NS = Math.round(FrameTime.FRAME_S * 1e9);

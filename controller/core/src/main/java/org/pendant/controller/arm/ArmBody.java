@@ -5,8 +5,8 @@ import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.time.FrameTime;
 
 /**
- * The moving masses of the true arm: where the joints are, how fast they turn, and how both change
- * under torques.
+ * Arm body: the moving masses of the true arm: where the joints are, how fast they turn, and how
+ * both change under torques.
  *
  * <p>Mass matrix, weight and Coriolis torques are taken once a frame, where the arm will be in its
  * middle, which makes the steps exact to the second order of their length. Within a frame the joint

@@ -4,7 +4,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.motion.servo.FrictionShare;
 import org.pendant.motion.servo.TorqueSetpoint;
 
-/** What the controller asks of the arm in one frame. */
+/** Arm command: what the controller asks of the arm in one frame. */
 public sealed interface ArmCommand {
 
   /** Motors off, brakes on. */

@@ -7,9 +7,9 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.time.FrameTime;
 
 /**
- * What the arm takes from its 48 V supply: the electronics of a powered arm, the work of its motors
- * and what they lose as heat. An arm that gives back more than it takes heats a resistor.
- * docs/simulated-arm.md has the figures, which are of a plausible size.
+ * Supply of the arm: what it takes from its 48 V supply: the electronics of a powered arm, the work
+ * of its motors and what they lose as heat. An arm that gives back more than it takes heats a
+ * resistor. docs/simulated-arm.md has the figures, which are of a plausible size.
  *
  * <p>Belongs to the thread of the frame loop.
  */

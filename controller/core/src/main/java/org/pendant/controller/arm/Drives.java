@@ -1,6 +1,9 @@
 package org.pendant.controller.arm;
 
-/** What the motors of the six joints do; the laws that {@link JointStep} lets them follow. */
+/**
+ * Joint drives: what the motors of the six joints do; the laws that {@link JointStep} lets them
+ * follow.
+ */
 interface Drives {
 
   /**

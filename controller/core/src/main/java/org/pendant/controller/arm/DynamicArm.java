@@ -13,7 +13,8 @@ import org.pendant.models.pose.Wrench;
 import org.pendant.models.time.FrameTime;
 
 /**
- * An arm with masses, friction, drives with limited torque, brakes, and a tool that touches things.
+ * Dynamic arm: simulated with masses, friction, drives with limited torque, brakes, and a tool that
+ * touches things.
  *
  * <p>The true arm ({@link ArmBody}) is one thing and what the controller believes about it another:
  * the drives reckon with the controller's model and its declared payload, the arm moves by the true

@@ -5,8 +5,8 @@ import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
 
 /**
- * A force/torque sensor between flange and tool, whose readings are sent from outside (manual
- * 18.2). It takes the place of the one in the flange where forces are controlled.
+ * External force/torque sensor between flange and tool, whose readings are sent from outside
+ * (manual 18.2). It takes the place of the one in the flange where forces are controlled.
  *
  * <p>The declared payload includes the sensor, which feels all of it but itself. What is left of a
  * reading is what pushes the tool from outside.

@@ -9,7 +9,7 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
 
-/** Where the flange is, and what an accelerometer in it and bodies on it feel of its motion. */
+/** Flange: where it is, and what an accelerometer in it and bodies on it feel of its motion. */
 final class Flange {
   private final ForwardKinematics forward;
   private final ArmDynamics dynamics;

@@ -5,8 +5,8 @@ import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
 
 /**
- * The force/torque sensor in the flange, rid of the declared payload and of its zero: what is left
- * is what pushes the tool from outside. A payload that is declared wrongly shows.
+ * Force/torque sensor in the flange, rid of the declared payload and of its zero: what is left is
+ * what pushes the tool from outside. A payload that is declared wrongly shows.
  *
  * <p>Force and torque are those <b>on</b> the tool: pressing down on a table reads a force upwards.
  * The zero is kept along the axes of the flange, as a sensor's offset is.

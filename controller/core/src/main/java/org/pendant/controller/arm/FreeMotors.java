@@ -8,9 +8,9 @@ import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.motion.servo.FrictionShare;
 
 /**
- * Motors that hold the weight of arm and declared payload by the controller's model and add the
- * torques of a command; they take over a share of the friction, at rest too, as a drive can that
- * measures the torque behind its gear, and resist the speeds.
+ * Motors of a freely guided arm, which carry the weight of arm and declared payload by the
+ * controller's model and add the torques of a command; they take over a share of the friction, at
+ * rest too, as a drive can that measures the torque behind its gear, and resist the speeds.
  */
 final class FreeMotors implements Drives {
   private static final int N = Joints.COUNT;

@@ -12,9 +12,9 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 
 /**
- * An arm without mass, friction or delay: it is always exactly where it should be. Its motors feel
- * nothing, it touches nothing, and without a target it stays where it is, at once. Only the flange
- * feels something: the weight and inertia of the load in the target motion.
+ * Ideal arm: simulated without mass, friction or delay, it is always exactly where it should be.
+ * Its motors feel nothing, it touches nothing, and without a target it stays where it is, at once.
+ * Only the flange feels something: the weight and inertia of the load in the target motion.
  *
  * <p>Guided by hand, driven by torques or pushed in backdrive it has no target, and something must
  * yield: it then moves as the {@link DynamicArm} would.

@@ -11,10 +11,10 @@ import org.pendant.models.dynamics.Payload;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Servos that follow a target. The torque that the target motion needs by the controller's model is
- * fed forward; each joint corrects what is left by itself: its distance from the target demands a
- * speed, the error of the speed a torque, and what stays is integrated away. The servos of a real
- * arm run many times a frame, so they are taken to act on the state at the end of a step.
+ * Joint servos that follow a setpoint. The torque that the target motion needs by the controller's
+ * model is fed forward; each joint corrects what is left by itself: its distance from the target
+ * demands a speed, the error of the speed a torque, and what stays is integrated away. The servos
+ * of a real arm run many times a frame, so they are taken to act on the state at the end of a step.
  *
  * <p>Gains are laid out, as on a real arm, for the largest inertia that a joint has to turn: the
  * arm stretched out, with its rated payload.

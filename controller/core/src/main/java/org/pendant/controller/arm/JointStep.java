@@ -7,7 +7,8 @@ import org.ejml.dense.row.misc.UnrolledCholesky_DDRM;
 import org.pendant.models.arm.Joints;
 
 /**
- * One step of the joint speeds, with motors and dry friction that act on the speeds at its end.
+ * Integration step of the joint speeds, with motors and dry friction that act on the speeds at its
+ * end.
  *
  * <p>Wanted is the speed v after a step dt in
  *

@@ -6,7 +6,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 import org.pendant.motion.force.MeasuredArm;
 
-/** An arm that is told something once a frame, and what its sensors say then. */
+/** Simulated arm: takes a command once a frame, and reports what its sensors read then. */
 public interface SimulatedArm extends MeasuredArm {
 
   /** Advances by one frame. */

@@ -1,7 +1,7 @@
 package org.pendant.controller.arm;
 
 /**
- * How something warms up after it was switched on.
+ * Warm-up: how something gets warmer after it was switched on.
  *
  * @param coldC temperature before, degrees Celsius
  * @param warmC temperature in the end, degrees Celsius

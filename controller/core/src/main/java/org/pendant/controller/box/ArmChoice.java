@@ -3,7 +3,7 @@ package org.pendant.controller.box;
 import org.pendant.controller.arm.DynamicArm;
 import org.pendant.controller.arm.IdealArm;
 
-/** Which arm hangs on the box. */
+/** Arm choice: which arm is connected to the box. */
 public enum ArmChoice {
   /** One with mass, friction and drives: {@link DynamicArm}. */
   DYNAMIC,

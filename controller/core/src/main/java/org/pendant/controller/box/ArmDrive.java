@@ -24,8 +24,8 @@ import org.pendant.motion.servo.TorqueSetpoint;
 import org.pendant.script.value.ScriptError;
 
 /**
- * Has the arm follow what commands it, frame by frame, and lets the motion's target and the arm
- * agree again where no path joins them.
+ * Arm drive: lets the arm follow its control source, frame by frame, and makes the setpoint of the
+ * motion and the arm agree again where no path joins them.
  */
 public final class ArmDrive {
   private static final ArmCommand BACKDRIVEN =

@@ -6,8 +6,8 @@ import org.pendant.models.dynamics.Payload;
 import org.pendant.models.time.FrameTime;
 
 /**
- * What the controller believes about its arm: masses, the payload that programs declare, and how
- * the base is mounted and moves (manual 16.44, 16.48, 16.52).
+ * Arm model: what the controller believes about its arm: masses, the payload that programs declare,
+ * and how the base is mounted and moves (manual 16.44, 16.48, 16.52).
  */
 public final class ArmModel {
   private final ArmDynamics dynamics;

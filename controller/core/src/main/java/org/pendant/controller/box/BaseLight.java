@@ -1,6 +1,6 @@
 package org.pendant.controller.box;
 
-/** What the light ring in the base shows (manual 16.45 to 16.47). */
+/** Light ring in the base: what it shows (manual 16.45 to 16.47). */
 public sealed interface BaseLight {
   /** As the standard asks: it shows the mode and the stops of the robot. */
   Standard STANDARD = new Standard();

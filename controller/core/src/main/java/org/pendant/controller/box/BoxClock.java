@@ -5,7 +5,7 @@ import java.time.InstantSource;
 import java.util.Optional;
 import org.pendant.models.time.FrameTime;
 
-/** The time of a box: its frames are counted here, and its date follows them or the wall. */
+/** Clock of a control box: counts its frames; its date follows them or the wall clock. */
 public final class BoxClock {
   /** The date at which a box in virtual time is switched on. */
   public static final Instant VIRTUAL_START = Instant.parse("2026-01-01T00:00:00Z");

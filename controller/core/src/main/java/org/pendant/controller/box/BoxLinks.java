@@ -9,8 +9,8 @@ import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.modbus.ModbusSignals;
 
 /**
- * What joins the box to other computers and devices: connections that programs open, and what
- * clients write and read.
+ * External links of the box to other computers and devices: connections that programs open, and
+ * what clients write and read.
  */
 public final class BoxLinks {
   private final ExternalConnections outside;

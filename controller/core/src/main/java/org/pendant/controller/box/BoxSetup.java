@@ -14,7 +14,7 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 
 /**
- * What a control box is built with.
+ * Setup of a control box: what it is built with.
  *
  * @param arm the arm it drives
  * @param startRad where the joints are at first, rad

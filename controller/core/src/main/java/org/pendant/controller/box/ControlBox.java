@@ -42,8 +42,8 @@ import org.pendant.script.function.Host;
 import org.pendant.script.function.ScriptPlace;
 
 /**
- * The mutable parts of a controller that built-in functions work on. The frame loop owns all of it;
- * no other thread may touch it.
+ * Control box: the mutable parts of a controller that built-in functions work on. The frame loop
+ * owns all of it; no other thread may touch it.
  */
 public final class ControlBox implements Host {
   /** Length of a frame, s. */

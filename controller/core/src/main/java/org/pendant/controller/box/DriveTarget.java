@@ -6,9 +6,9 @@ import org.pendant.models.time.FrameTime;
 import org.pendant.motion.MotionControl;
 
 /**
- * What the servos follow: the motion's target, or beside it, where a protective stop has left the
- * arm. An arm that was stopped by an obstacle rests where it is instead of pressing on; when the
- * program goes on, it returns to its path slowly.
+ * Drive target: what the servos follow: the motion's setpoint or, beside it, the place where a
+ * protective stop has left the arm. An arm that was stopped by an obstacle rests where it is
+ * instead of pressing on; when the program goes on, it returns to its path slowly.
  */
 final class DriveTarget {
   /** How fast the arm returns to its path, rad/s. */

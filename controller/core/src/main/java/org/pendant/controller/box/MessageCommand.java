@@ -4,7 +4,7 @@ import org.pendant.controller.command.Command;
 import org.pendant.controller.message.Answer;
 import org.pendant.controller.message.LogEntry;
 
-/** Command about what is said to people and asked of them: popups, questions, the log. */
+/** Command about messages to people and questions to them: popups, questions, the log. */
 public sealed interface MessageCommand extends Command {
 
   /** Closes a popup; a program that it paused goes on. */

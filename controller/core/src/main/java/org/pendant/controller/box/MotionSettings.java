@@ -4,7 +4,8 @@ import java.util.Set;
 import org.pendant.models.arm.ArmDescription;
 
 /**
- * How moves are planned; lasts from one program to the next (manual 14.1, 15.25).
+ * Motion settings: how moves are planned; they last from one program to the next (manual 14.1,
+ * 15.25).
  *
  * <p>Version 1 changes speeds by even acceleration and leaves out moves whose blends overlap.
  * Version 2 limits the jerk and makes such blends smaller.

@@ -3,8 +3,8 @@ package org.pendant.controller.box;
 import org.pendant.models.dynamics.ArmDynamics;
 
 /**
- * How the base is mounted and moves, as the controller believes it; all along the axes of the base
- * (manual 16.44, 16.48).
+ * Mounting: how the base is mounted and moves, as the controller believes it; all along the axes of
+ * the base (manual 16.44, 16.48).
  *
  * @param gravityXMPerS2 what the resting arm feels, m/s²
  * @param gravityYMPerS2 the same along y, m/s²

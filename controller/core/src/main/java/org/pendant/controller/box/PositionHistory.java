@@ -3,7 +3,7 @@ package org.pendant.controller.box;
 import java.util.Arrays;
 import org.pendant.models.arm.Joints;
 
-/** Where the joints were in the last frames (manual 16.5). */
+/** Position history: where the joints were in the last frames (manual 16.5). */
 public final class PositionHistory {
   /** Frames that are kept, the present one included: two seconds. */
   public static final int FRAMES = 1000;

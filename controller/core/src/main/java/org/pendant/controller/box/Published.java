@@ -5,7 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.script.value.Value;
 
-/** What the controller told the world at the end of the frame before, for programs to read. */
+/**
+ * Published state: what the controller reported to its clients at the end of the frame before, for
+ * programs to read.
+ */
 public interface Published {
   /** The output field that tells how long the computer worked at a frame. */
   String EXECUTION_TIME = "actual_execution_time";

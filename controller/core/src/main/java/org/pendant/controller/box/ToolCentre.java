@@ -3,7 +3,7 @@ package org.pendant.controller.box;
 import org.pendant.models.pose.Pose;
 
 /**
- * The active tool centre point (manual 16.53).
+ * Tool centre point that is active (manual 16.53).
  *
  * @param inFlange its pose in the flange frame, m and rad
  * @param name bytes, one {@code char} a byte; may be empty

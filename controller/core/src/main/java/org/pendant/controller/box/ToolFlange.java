@@ -14,8 +14,8 @@ import org.pendant.motion.force.ContactWatch;
 import org.pendant.motion.force.ForceMode;
 
 /**
- * What hangs on the tool flange, what programs say of it, and what is felt there. A change of one
- * reaches everything that goes by it.
+ * Tool flange: what is mounted on it, what programs declare about that, and what is felt there. A
+ * change of one reaches everything that goes by it.
  */
 public final class ToolFlange {
   private final Setup setup;

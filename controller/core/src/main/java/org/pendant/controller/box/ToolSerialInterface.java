@@ -6,7 +6,7 @@ import org.pendant.controller.external.ToolSerialConnector;
 import org.pendant.controller.io.Signals;
 import org.pendant.controller.message.MessageLog;
 
-/** The serial line of the tool connector: the box's side of it. The frame loop owns this. */
+/** Serial interface of the tool connector: the box's side of the line. The frame loop owns this. */
 public final class ToolSerialInterface {
   private final ToolSerialConnector door;
   private final Signals signals;

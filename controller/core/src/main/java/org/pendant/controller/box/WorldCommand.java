@@ -7,7 +7,7 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
 
-/** Command to the simulated world around the arm: what pushes it, hangs on it or passes by. */
+/** Command to the simulated world around the arm: what pushes it, is mounted on it or passes by. */
 public sealed interface WorldCommand extends Command {
 
   /**

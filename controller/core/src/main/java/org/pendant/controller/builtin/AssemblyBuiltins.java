@@ -21,7 +21,7 @@ import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueKind;
 
-/** Data that programs exchange with an EtherNet/IP scanner (manual 21). */
+/** EtherNet/IP builtins: data that programs exchange with a scanner (manual 21). */
 final class AssemblyBuiltins {
   private static final String MODULE = "eip";
   private static final double MAX_WATCHDOG_HZ = 10;

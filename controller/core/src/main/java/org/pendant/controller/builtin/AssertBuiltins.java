@@ -8,7 +8,7 @@ import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 
-/** A program's checks of itself (manual 7). */
+/** Assertion builtins: a program's checks of itself (manual 7). */
 final class AssertBuiltins {
   private AssertBuiltins() {}
 

@@ -10,7 +10,10 @@ import org.pendant.script.function.Declaration;
 import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 
-/** The light ring in the base of the UR-Series (manual 16.45 to 16.47); other arms have none. */
+/**
+ * Base light builtins: the light ring in the base of the UR-Series (manual 16.45 to 16.47); other
+ * arms have none.
+ */
 final class BaseLightBuiltins {
   private static final String MODULE = "internals";
   private static final int BRIGHTEST = 255;

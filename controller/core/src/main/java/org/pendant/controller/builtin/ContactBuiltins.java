@@ -12,7 +12,7 @@ import org.pendant.script.value.NumberList;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.ValueKind;
 
-/** Noticing that the tool has met something (manual 16.66). */
+/** Contact builtins: noticing that the tool has met something (manual 16.66). */
 final class ContactBuiltins {
   private ContactBuiltins() {}
 

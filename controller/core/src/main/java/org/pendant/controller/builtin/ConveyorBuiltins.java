@@ -14,7 +14,7 @@ import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** Moving along with conveyors (manual 15.22, 15.23, 15.50, 15.56, 15.57). */
+/** Conveyor builtins: moving along with conveyors (manual 15.22, 15.23, 15.50, 15.56, 15.57). */
 final class ConveyorBuiltins {
   private static final String MODULE = "motion";
 

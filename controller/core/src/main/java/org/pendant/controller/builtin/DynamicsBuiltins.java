@@ -16,8 +16,8 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
 /**
- * The matrices and torques of the equations of motion (manual 16.12, 16.17, 16.18, 16.21). What a
- * call leaves out is as it actually is now.
+ * Dynamics builtins: the matrices and torques of the equations of motion (manual 16.12, 16.17,
+ * 16.18, 16.21). What a call leaves out is as it actually is now.
  */
 final class DynamicsBuiltins {
   private static final String MODULE = "internals";

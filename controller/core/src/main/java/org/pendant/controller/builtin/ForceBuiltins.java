@@ -15,7 +15,7 @@ import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 
-/** Pressing with a force (manual 15.8, 15.10, 15.12 to 15.17, 15.43). */
+/** Force builtins: pressing with a force (manual 15.8, 15.10, 15.12 to 15.17, 15.43). */
 final class ForceBuiltins {
   private static final String MODULE = "motion";
 

@@ -17,7 +17,7 @@ import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.ValueKind;
 
-/** Guiding the arm by hand (manual 15.9, 15.11, 15.18, 15.19, 15.21, 15.55). */
+/** Freedrive builtins: guiding the arm by hand (manual 15.9, 15.11, 15.18, 15.19, 15.21, 15.55). */
 final class FreedriveBuiltins {
   private static final String MODULE = "motion";
 

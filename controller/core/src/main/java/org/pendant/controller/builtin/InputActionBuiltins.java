@@ -12,7 +12,10 @@ import org.pendant.script.function.Declaration;
 import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 
-/** What high levels of inputs do by themselves (manual 19.3 to 19.5, 19.12, 19.14). */
+/**
+ * Input action builtins: what high levels of inputs do by themselves (manual 19.3 to 19.5, 19.12,
+ * 19.14).
+ */
 final class InputActionBuiltins {
   private static final String MODULE = "ioconfiguration";
 

@@ -15,7 +15,7 @@ import org.pendant.script.function.Outcome;
 import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.ScriptError;
 
-/** From joint positions to poses and back (manual 16.13 to 16.16). */
+/** Kinematics builtins: from joint positions to poses and back (manual 16.13 to 16.16). */
 final class KinematicsBuiltins {
   private static final String MODULE = "internals";
   private static final int FORWARD_NS = 2000;

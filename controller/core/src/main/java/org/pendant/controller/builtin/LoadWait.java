@@ -9,7 +9,7 @@ import org.pendant.script.function.Wait;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** A script thread waits for a large toolpath file. */
+/** Wait of a script thread for a large toolpath file. */
 final class LoadWait implements Wait {
   private static final String FUNCTION = "mc_load_path";
 

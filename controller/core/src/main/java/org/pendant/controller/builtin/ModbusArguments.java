@@ -12,7 +12,7 @@ import org.pendant.script.value.NumberList;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.ValueKind;
 
-/** What the functions of Modbus signals share. */
+/** Modbus arguments: what the functions of Modbus signals share. */
 final class ModbusArguments {
   static final String MODULE = "interfaces";
 

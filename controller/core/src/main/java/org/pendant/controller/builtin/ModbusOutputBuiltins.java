@@ -18,7 +18,10 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueKind;
 
-/** Setting Modbus signals, and speaking to devices (manual 18.22 to 18.25, 18.30, 19.1). */
+/**
+ * Modbus output builtins: setting Modbus signals, and sending requests to devices (manual 18.22 to
+ * 18.25, 18.30, 19.1).
+ */
 final class ModbusOutputBuiltins {
   private static final int MAX_UNIT = 255;
   private static final int MAX_FUNCTION = 127;

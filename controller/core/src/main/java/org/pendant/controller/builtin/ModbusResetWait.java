@@ -7,7 +7,7 @@ import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.Value;
 
 /**
- * A script thread waits until a Modbus device has answered again (manual 18.30).
+ * Wait of a script thread until a Modbus device has answered again (manual 18.30).
  *
  * @param port empty for every port of the host
  */

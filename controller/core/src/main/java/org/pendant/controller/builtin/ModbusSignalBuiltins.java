@@ -19,7 +19,10 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueKind;
 
-/** Adding and reading Modbus signals (manual 18.18 to 18.21, 18.26 to 18.29, 18.31). */
+/**
+ * Modbus signal builtins: adding and reading signals (manual 18.18 to 18.21, 18.26 to 18.29,
+ * 18.31).
+ */
 final class ModbusSignalBuiltins {
   private static final int MAX_UNIT = 255;
   private static final int MAX_ADDRESS = 65_535;

@@ -11,7 +11,7 @@ import org.pendant.script.value.ListValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** Checks of what programs hand to the functions that move or locate the arm. */
+/** Motion arguments: checks of what programs hand to the functions that move or locate the arm. */
 final class MotionArguments {
   /** Products of larger numbers would overflow, and make a pose of NaN of a finite one. */
   private static final double MAX_IN_POSE = 1e100;

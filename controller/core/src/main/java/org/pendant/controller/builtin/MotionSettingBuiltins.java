@@ -10,7 +10,7 @@ import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 
-/** How moves are planned: motion version and jerk (manual 14). */
+/** Motion setting builtins: how moves are planned: motion version and jerk (manual 14). */
 final class MotionSettingBuiltins {
   private static final String MODULE = "motion";
 

@@ -17,7 +17,7 @@ import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** A script thread waits for the motion it has started. */
+/** Wait of a script thread for the motion that it has started. */
 final class MotionWait implements Wait {
   private static final Optional<Value> DONE = Optional.of(NoneValue.NONE);
 

@@ -10,7 +10,7 @@ import org.pendant.script.function.Outcome;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.ScriptError;
 
-/** How the base is mounted and moves (manual 16.10, 16.14, 16.44, 16.48). */
+/** Mounting builtins: how the base is mounted and moves (manual 16.10, 16.14, 16.44, 16.48). */
 final class MountingBuiltins {
   private static final String MODULE = "internals";
 

@@ -16,9 +16,9 @@ import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 
 /**
- * Where optimovej and optimovel may lead (manual 15.32). Frames are {@code base}; {@code flange}
- * and {@code tcp} as they stand when the move begins; and the objects of the scene, which serve as
- * the world model: a box by its pose, a sphere and a plane by the point they are given by.
+ * Goal of optimovej and optimovel (manual 15.32). Frames are {@code base}; {@code flange} and
+ * {@code tcp} as they stand when the move begins; and the objects of the scene, which serve as the
+ * world model: a box by its pose, a sphere and a plane by the point they are given by.
  */
 final class MoveGoal {
   private static final List<String> MEMBERS = List.of("pose", "frame");

@@ -10,7 +10,7 @@ import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueText;
 
 /**
- * The numbers that {@code to_num} reads (manual 16.64).
+ * Number parser: reads the numbers that {@code to_num} accepts (manual 16.64).
  *
  * <p>A decimal point makes a float. Without one the number is an int and must fit 32 bits, unless a
  * negative exponent leaves a fraction: {@code 5e-4}, which the manual calls valid, is a float.

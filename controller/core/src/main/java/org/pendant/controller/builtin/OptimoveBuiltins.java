@@ -15,7 +15,10 @@ import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.ValueKind;
 
-/** Moves as fast as a share of what the arm can do on their way (manual 15.32, 15.33). */
+/**
+ * Optimove builtins: moves as fast as a share of what the arm is capable of on their path (manual
+ * 15.32, 15.33).
+ */
 final class OptimoveBuiltins {
   private static final String MODULE = "motion";
 

@@ -17,7 +17,7 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueKind;
 
-/** Checks of what programs say about payloads. */
+/** Payload arguments: checks of what programs declare about payloads. */
 final class PayloadArguments {
   /** How often the rated payload a program may declare; beyond, it likely means grams. */
   private static final double MAX_RATED_PAYLOADS = 4;

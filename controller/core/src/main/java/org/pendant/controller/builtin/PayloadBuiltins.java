@@ -15,7 +15,10 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 
-/** What hangs on the flange: declared, asked for and estimated (manual 16.2, 16.26 to 16.52). */
+/**
+ * Payload builtins: what is mounted on the flange: declared, asked for and estimated (manual 16.2,
+ * 16.26 to 16.52).
+ */
 final class PayloadBuiltins {
   private static final String MODULE = "internals";
   private static final String SUCCESSOR = "set_target_payload";

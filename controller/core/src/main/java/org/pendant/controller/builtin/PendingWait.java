@@ -7,7 +7,7 @@ import org.pendant.script.function.Wait;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** A script thread waits for an answer from outside. */
+/** Wait of a script thread for an answer from outside. */
 final class PendingWait implements Wait {
   private final String function;
   private final Pending pending;

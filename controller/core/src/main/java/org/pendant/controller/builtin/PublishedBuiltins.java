@@ -11,7 +11,7 @@ import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** What clients of the real-time data exchange see (manual 18.10). */
+/** Published state builtins: what clients of the real-time data exchange see (manual 18.10). */
 final class PublishedBuiltins {
   private PublishedBuiltins() {}
 

@@ -15,7 +15,10 @@ import org.pendant.script.value.NumberList;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.StringValue;
 
-/** What RTDE clients write: who watches it, and forces they measure (manual 18.1, 18.2, 18.41). */
+/**
+ * RTDE input builtins: which client watches an input, and forces that clients measure (manual 18.1,
+ * 18.2, 18.41).
+ */
 final class RtdeInputBuiltins {
   private static final String MODULE = "interfaces";
 

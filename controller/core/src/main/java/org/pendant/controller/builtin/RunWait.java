@@ -15,8 +15,8 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
 /**
- * A script thread waits for a run of queued motions: until the arm rests, until the run is planned,
- * and until it is over. Meanwhile the arm must stay near its path.
+ * Wait of a script thread for a run of queued motions: until the arm rests, until the run is
+ * planned, and until it is over. Meanwhile the arm must stay near its path.
  */
 final class RunWait implements Wait {
   private static final String FUNCTION = "mc_run_motion";

@@ -16,7 +16,10 @@ import org.pendant.script.value.NumberList;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** What the sensors read (manual 16.1, 16.3, 16.5, 16.11, 16.19, 16.20, 16.32 to 16.36, 18.72). */
+/**
+ * Sensor builtins: what the sensors read (manual 16.1, 16.3, 16.5, 16.11, 16.19, 16.20, 16.32 to
+ * 16.36, 18.72).
+ */
 final class SensorBuiltins {
   private static final String MODULE = "internals";
 

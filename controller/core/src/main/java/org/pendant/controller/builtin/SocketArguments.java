@@ -8,7 +8,7 @@ import org.pendant.script.function.Call;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** What the functions for sockets have in common. */
+/** Socket arguments: what the functions for sockets have in common. */
 final class SocketArguments {
   static final String MODULE = "interfaces";
   static final String NAME = "socket_name";

@@ -10,7 +10,7 @@ import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 
-/** Opening, closing and sending by sockets (manual 18.54, 18.56, 18.62 to 18.66). */
+/** Socket builtins: opening, closing and sending (manual 18.54, 18.56, 18.62 to 18.66). */
 final class SocketBuiltins {
   private static final int MAX_PORT = 65_535;
   private static final int MAX_BYTE = 255;

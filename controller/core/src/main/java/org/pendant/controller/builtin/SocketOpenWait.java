@@ -7,7 +7,7 @@ import org.pendant.models.time.FrameTime;
 import org.pendant.script.function.Wait;
 import org.pendant.script.value.Value;
 
-/** A script thread waits for a connection (manual 18.56). */
+/** Wait of a script thread for a connection (manual 18.56). */
 final class SocketOpenWait implements Wait {
   private static final int MAX_S = 2;
 

@@ -15,7 +15,7 @@ import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** Reading from sockets (manual 18.55, 18.57 to 18.61). */
+/** Socket read builtins: reading from sockets (manual 18.55, 18.57 to 18.61). */
 final class SocketReadBuiltins {
   /** Most values that one call reads. */
   private static final int MAX_VALUES = 30;

@@ -6,7 +6,7 @@ import org.pendant.controller.external.SocketRead;
 import org.pendant.script.function.Wait;
 import org.pendant.script.value.Value;
 
-/** A script thread waits for what it reads from a socket. */
+/** Wait of a script thread for what it reads from a socket. */
 final class SocketReadWait implements Wait {
   private final ExternalSocket socket;
   private final SocketRead read;

@@ -3,7 +3,7 @@ package org.pendant.controller.builtin;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.script.function.Builtins;
 
-/** The catalogue of every function and method that the controller knows. */
+/** Catalogue of every function and method that the controller knows. */
 public final class StandardBuiltins {
   private StandardBuiltins() {}
 

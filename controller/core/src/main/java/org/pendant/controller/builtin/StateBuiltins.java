@@ -12,7 +12,10 @@ import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** Where the arm is, should be and is going, and its tool (manual 16.4 to 16.9, 16.24 to 16.53). */
+/**
+ * State builtins: where the arm is, should be and is going, and its tool (manual 16.4 to 16.9,
+ * 16.24 to 16.53).
+ */
 final class StateBuiltins {
   private static final String MODULE = "internals";
 

@@ -1,8 +1,8 @@
 package org.pendant.controller.builtin;
 
 /**
- * Finds a text in another one in a time that grows with their lengths, and not with the product:
- * the algorithm of Knuth, Morris and Pratt (Fast Pattern Matching in Strings, 1977).
+ * String search: finds a text in another one in a time that grows with their lengths, and not with
+ * the product: the algorithm of Knuth, Morris and Pratt (Fast Pattern Matching in Strings, 1977).
  */
 final class StringSearch {
   /** What is found as fast by trying all places. */

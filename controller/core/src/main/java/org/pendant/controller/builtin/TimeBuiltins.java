@@ -17,7 +17,7 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 
-/** Waiting and clocks (manual 16.22, 16.54, 16.55, 16.62). */
+/** Time builtins: waiting and clocks (manual 16.22, 16.54, 16.55, 16.62). */
 final class TimeBuiltins {
   private static final String MODULE = "internals";
   private static final Optional<Value> DONE = Optional.of(NoneValue.NONE);

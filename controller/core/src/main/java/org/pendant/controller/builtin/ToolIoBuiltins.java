@@ -11,7 +11,9 @@ import org.pendant.script.function.Call;
 import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 
-/** How the connector at the tool flange is set up (manual 18.51 to 18.53). */
+/**
+ * Tool connector builtins: how the connector at the tool flange is set up (manual 18.51 to 18.53).
+ */
 final class ToolIoBuiltins {
   private static final String MODULE = "interfaces";
 

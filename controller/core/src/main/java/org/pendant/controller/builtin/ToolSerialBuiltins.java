@@ -10,7 +10,7 @@ import org.pendant.script.function.Call;
 import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 
-/** The serial line of the tool connector (manual 18.50). */
+/** Tool serial builtins: the serial line of the tool connector (manual 18.50). */
 final class ToolSerialBuiltins {
   private ToolSerialBuiltins() {}
 

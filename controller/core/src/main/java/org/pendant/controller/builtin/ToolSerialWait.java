@@ -9,8 +9,8 @@ import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.Value;
 
 /**
- * A script thread waits until the tool's serial line is set up, so that what it sends next arrives
- * and trouble is logged where it began. A device that takes too long is not waited for.
+ * Wait of a script thread until the tool's serial line is set up, so that what it sends next
+ * arrives and trouble is logged where it began. A device that takes too long is not waited for.
  */
 final class ToolSerialWait implements Wait {
   private static final int MAX_S = 2;

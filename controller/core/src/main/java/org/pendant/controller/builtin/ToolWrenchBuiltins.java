@@ -13,7 +13,10 @@ import org.pendant.script.function.Call;
 import org.pendant.script.function.Outcome;
 import org.pendant.script.value.ScriptError;
 
-/** Limits of what motion does to the thing that the tool holds (manual 15.53, 15.54). */
+/**
+ * Tool wrench builtins: limits of what motion does to the object that the tool holds (manual 15.53,
+ * 15.54).
+ */
 final class ToolWrenchBuiltins {
   private static final String MODULE = "motion";
   private static final String UNLIMITED = "not limited";

@@ -1,7 +1,7 @@
 package org.pendant.controller.command;
 
 /**
- * Refusal of what somebody has asked for: nothing has been changed.
+ * Refusal of what a client has asked for: nothing has been changed.
  *
  * @param code what kind of reason it is, for programs
  * @param text what, the value, what was expected, for people

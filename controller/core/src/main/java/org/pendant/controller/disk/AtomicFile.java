@@ -6,9 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Writes files as a whole: a name has the old file or all of the new one, whatever happens
- * meanwhile, loss of power included. When something fails, the disk is full for example, the old
- * file is untouched, and where there was none there is none.
+ * Atomic file writer: a name has the old file or all of the new one, whatever happens meanwhile,
+ * loss of power included. When something fails, the disk is full for example, the old file is
+ * untouched, and where there was none there is none.
  *
  * <p>Symbolic links are followed. A file that is replaced hands on its rights; other hard links to
  * it keep the old text. Pipes and devices are written straight.

@@ -3,7 +3,7 @@ package org.pendant.controller.disk;
 import java.io.IOException;
 import java.nio.file.Path;
 
-/** What writing safely asks of the file system; tests have one that fails. */
+/** Disk: what writing safely asks of the file system; tests have one that fails. */
 interface Disk {
 
   /**

@@ -8,8 +8,9 @@ import java.nio.file.Path;
 import java.util.Objects;
 
 /**
- * A file in the making. It is written beside the place where it will be, with a hidden name, and
- * takes that place when it is committed. Closing it before that removes it. One thread uses it.
+ * Draft of a file that is being written. It is written beside the place where it will be, with a
+ * hidden name, and takes that place when it is committed. Closing it before that removes it. One
+ * thread uses it.
  */
 public final class FileDraft implements Closeable {
   private static final int BUFFER_BYTES = 1 << 16;

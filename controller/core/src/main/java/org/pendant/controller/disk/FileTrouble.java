@@ -10,7 +10,10 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 
-/** Why a file could not be read or written, in words instead of the name of an exception. */
+/**
+ * File error texts: why a file could not be read or written, in words instead of the name of an
+ * exception.
+ */
 public final class FileTrouble {
   private FileTrouble() {}
 

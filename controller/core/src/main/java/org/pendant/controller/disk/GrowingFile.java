@@ -7,7 +7,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Path;
 
 /**
- * A new file that has its name from its first part on, so that what it holds is found when its
+ * Growing file: it has its name from its first part on, so that its content is found when its
  * process is killed. It grows by whole parts: what was written goes to the file when it is flushed,
  * all of it or, when that fails, nothing. It is never empty. Pipes and devices are written
  * straight. One thread uses it.

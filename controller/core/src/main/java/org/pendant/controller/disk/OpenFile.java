@@ -3,7 +3,7 @@ package org.pendant.controller.disk;
 import java.io.Closeable;
 import java.io.IOException;
 
-/** A file that is being written from its beginning, without a buffer. */
+/** Open file that is being written from its beginning, without a buffer. */
 interface OpenFile extends Closeable {
 
   /** Appends some bytes. When it fails some of them may be there. */

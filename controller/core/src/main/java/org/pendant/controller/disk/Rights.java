@@ -12,7 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Who may do what with a new file.
+ * File rights: who may do what with a new file.
  *
  * @param permissions empty for those that the system gives to any new file
  * @param group empty for the one that the system gives

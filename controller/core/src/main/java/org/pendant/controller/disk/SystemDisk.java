@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
-/** The file systems of this machine. */
+/** System disk: the file systems of this machine. */
 final class SystemDisk implements Disk {
 
   @Override

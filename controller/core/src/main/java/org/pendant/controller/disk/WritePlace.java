@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.concurrent.ThreadLocalRandom;
 
 /**
- * Where what is written under a name goes: links are followed, so that a link stays and leads to
- * the new file.
+ * Write location: where what is written under a name goes: links are followed, so that a link stays
+ * and leads to the new file.
  *
  * @param path absolute
  * @param special whether it is a pipe, a device or an open file of a process, such as {@code

@@ -10,9 +10,9 @@ import org.pendant.controller.command.Refusal.Code;
 import org.pendant.script.value.ScriptError;
 
 /**
- * The configured assemblies, and the handles by which the running program reaches them. Assemblies
- * and their bytes outlive programs, handles do not. Owned by the frame loop; times are those of the
- * controller, s.
+ * Assemblies that are configured, and the handles by which the running program reaches them.
+ * Assemblies and their bytes outlive programs, handles do not. Owned by the frame loop; times are
+ * those of the controller, s.
  */
 public final class Assemblies {
   /** Most pairs that can be configured. */

@@ -4,7 +4,10 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 
-/** The bytes of an assembly at one moment. Immutable; numbers in it are little-endian. */
+/**
+ * Assembly data: the bytes of an assembly at one moment. Immutable; numbers in it are
+ * little-endian.
+ */
 public final class AssemblyData {
   private final byte[] bytes;
 

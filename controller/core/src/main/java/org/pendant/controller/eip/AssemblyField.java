@@ -10,8 +10,8 @@ import org.pendant.script.value.StringValue;
 import org.pendant.script.value.Value;
 
 /**
- * A part of an assembly that has a label (manual 21.3.1 to 21.3.4). Bits are counted from bit 0 of
- * byte 0; buffers are little-endian and hold the whole assembly.
+ * Assembly field: a part of an assembly that has a label (manual 21.3.1 to 21.3.4). Bits are
+ * counted from bit 0 of byte 0; buffers are little-endian and hold the whole assembly.
  */
 public sealed interface AssemblyField {
   /** Its first bit. */

@@ -14,8 +14,8 @@ import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 
 /**
- * A program's way to one assembly: which labels stand where in it, and reading or writing by them
- * (manual 21.3). What refuses leaves everything as it was.
+ * Assembly handle of a program: which labels stand where in the assembly, and reading or writing by
+ * them (manual 21.3). What refuses leaves everything as it was.
  */
 public final class AssemblyHandle {
   /** Most labels of a handle. */

@@ -5,7 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The configured assemblies at the end of a frame, without the two that are built in.
+ * Assembly image: the configured assemblies at the end of a frame, without the two that are built
+ * in.
  *
  * @param pairs in the order in which they were configured
  * @param toPlc what programs have written, by instance

@@ -3,7 +3,8 @@ package org.pendant.controller.eip;
 import java.util.Set;
 
 /**
- * The two assemblies of one connection, as {@code add_configuration} makes them (manual 21.1.1).
+ * Assembly pair: the two assemblies of one connection, as {@code add_configuration} makes them
+ * (manual 21.1.1).
  *
  * @param toPlcId instance that the robot writes and the scanner reads
  * @param toPlcBytes its size

@@ -4,8 +4,9 @@ import java.util.Optional;
 import org.pendant.controller.io.WatchdogAction;
 
 /**
- * Watches that the scanner goes on writing an assembly while the program runs (manual 21.3.8).
- * While the program is paused nobody is late: the time begins anew when it goes on.
+ * Assembly watchdog: checks that the scanner continues to write an assembly while the program runs
+ * (manual 21.3.8). While the program is paused nobody is late: the time begins anew when it goes
+ * on.
  */
 public final class AssemblyWatchdog {
   /** Less than this is rounding of times, s; a frame is much longer. */

@@ -6,7 +6,7 @@ import org.pendant.script.value.IntValue;
 import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueKind;
 
-/** The numbers that an assembly can hold (manual 21.3.1). */
+/** Number type of an assembly's field (manual 21.3.1). */
 public enum NumberType {
   UINT8("uint8", 1, 0, 0xFF),
   UINT16("uint16", 2, 0, 0xFFFF),

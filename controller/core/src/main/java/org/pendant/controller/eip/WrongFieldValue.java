@@ -1,6 +1,9 @@
 package org.pendant.controller.eip;
 
-/** A value that a part of an assembly cannot hold; the message goes on after its label. */
+/**
+ * Field value that does not fit into its part of an assembly; the message continues after its
+ * label.
+ */
 final class WrongFieldValue extends Exception {
   private static final long serialVersionUID = 1L;
 

@@ -1,6 +1,6 @@
 package org.pendant.controller.encoder;
 
-/** In which range the tick counts of an encoder are, beyond which they wrap (manual 15.4). */
+/** Count range of an encoder, beyond which its tick counts wrap (manual 15.4). */
 public enum CountRange {
   SIGNED_32(Integer.MIN_VALUE, Integer.MAX_VALUE),
   UNSIGNED_8(0, 0xFF),

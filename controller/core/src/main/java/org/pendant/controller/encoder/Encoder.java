@@ -7,7 +7,7 @@ import org.pendant.motion.offset.BeltPosition;
 import org.pendant.script.value.Value;
 
 /**
- * One of the two encoders of a controller (manual 15.3 to 15.7). It counts nothing until it is told
+ * Encoder: one of the two of a controller (manual 15.3 to 15.7). It counts nothing until it is told
  * where its ticks come from; the count is kept when that changes.
  */
 public final class Encoder implements BeltPosition {

@@ -3,7 +3,7 @@ package org.pendant.controller.encoder;
 import org.pendant.controller.io.Signal;
 
 /**
- * How the levels of two inputs, looked at once a frame, become ticks.
+ * Pulse decoder: how the levels of two inputs, looked at once a frame, become ticks.
  *
  * @param kind what counts
  * @param a the first input

@@ -3,8 +3,9 @@ package org.pendant.controller.encoder;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Follows a count smoothly: between two ticks, and between two readings of an encoder that is read
- * seldom, the belt is taken to go on as fast as it did. At an even speed nothing lags behind.
+ * Tick filter: follows a count smoothly: between two ticks, and between two readings of an encoder
+ * that is read seldom, the belt is taken to continue as fast as it did. At an even speed nothing
+ * lags behind.
  *
  * <p>A filter with fading memory for position and speed (E. Brookner, "Tracking and Kalman
  * Filtering Made Easy", chapter 1.2.6), corrected when the count changes. When it changes no longer

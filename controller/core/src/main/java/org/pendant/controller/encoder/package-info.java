@@ -1,5 +1,5 @@
 /**
- * The two inputs for encoders of conveyors: pulses are decoded, tick counts wrap around and are
- * filtered. Open {@link org.pendant.controller.encoder.Encoders} first.
+ * Conveyor encoders on two inputs: pulses are decoded, tick counts wrap around and are filtered.
+ * Open {@link org.pendant.controller.encoder.Encoders} first.
  */
 package org.pendant.controller.encoder;

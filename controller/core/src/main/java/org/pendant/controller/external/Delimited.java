@@ -3,8 +3,8 @@ package org.pendant.controller.external;
 import java.util.Optional;
 
 /**
- * Messages between a prefix and a suffix, either of which may be empty (manual 18.61). What stands
- * before a prefix is dropped; what follows a suffix stays for the next read.
+ * Delimited messages: between a prefix and a suffix, either of which may be empty (manual 18.61).
+ * What stands before a prefix is dropped; what follows a suffix stays for the next read.
  */
 final class Delimited {
   private final String prefix;

@@ -1,7 +1,7 @@
 package org.pendant.controller.external;
 
 /**
- * Where a Modbus device listens.
+ * Modbus address: where a device listens.
  *
  * @param host name or address, one {@code char} a byte
  * @param port 1 to 65535

@@ -1,6 +1,6 @@
 package org.pendant.controller.external;
 
-/** Why a Modbus signal is not valid, as numbers (manual 18.27) and in words. */
+/** Modbus errors: why a signal is not valid, as numbers (manual 18.27) and in words. */
 public final class ModbusErrors {
   /** Not connected yet, or closed by the device. */
   public static final int DISCONNECTED = -2;

@@ -1,7 +1,7 @@
 package org.pendant.controller.external;
 
 /**
- * What is read from a Modbus device and written to it, again and again.
+ * Modbus exchange: what is read from a device and written to it, again and again.
  *
  * @param device where it is
  * @param unit which one behind that address, 0 to 255

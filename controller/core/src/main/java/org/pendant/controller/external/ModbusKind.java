@@ -3,7 +3,7 @@ package org.pendant.controller.external;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** What a Modbus signal reads and writes (manual 18.18, 18.19). */
+/** Modbus signal kind: what the signal reads and writes (manual 18.18, 18.19). */
 public enum ModbusKind {
   DIGITAL_INPUT(0, "digital input", true, false),
   DIGITAL_OUTPUT(1, "digital output", true, true),

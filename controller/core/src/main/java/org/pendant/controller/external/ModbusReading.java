@@ -4,7 +4,7 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * What is known of a Modbus signal. Immutable.
+ * Modbus reading: what is known of a signal. Immutable.
  *
  * @param values what was read last, bits as 0 and 1; zeros before the first time
  * @param deviceError what the device refused last with, 0 when it did what it was asked

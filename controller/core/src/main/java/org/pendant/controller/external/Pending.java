@@ -3,7 +3,9 @@ package org.pendant.controller.external;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** Something that was asked for and comes from outside. None of the methods waits. */
+/**
+ * Pending result: something that was asked for and comes from outside. None of the methods waits.
+ */
 public interface Pending {
   /** Whether the result is there. */
   boolean over();

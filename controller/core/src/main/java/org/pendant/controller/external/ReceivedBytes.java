@@ -4,8 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Bytes on their way from one thread that receives them to the frame loop, which takes them. The
- * receiving thread waits where nobody takes; the frame loop never waits.
+ * Received bytes on their way from one thread that receives them to the frame loop, which takes
+ * them. The receiving thread waits where nobody takes; the frame loop never waits.
  */
 public final class ReceivedBytes {
   /** Bytes that are kept until they are taken; the peer has to wait with more. */

@@ -3,7 +3,7 @@ package org.pendant.controller.external;
 import java.util.OptionalInt;
 import java.util.regex.Pattern;
 
-/** Numbers that a peer sends as text. */
+/** Received numbers that a peer sends as text. */
 final class ReceivedNumbers {
   /** Java itself would also take {@code 1d} and hexadecimal floats. */
   private static final Pattern NUMBER =

@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** One server of remote procedures. Calls are made one after the other. */
+/** Link to one server of remote procedures. Calls are made one after the other. */
 public interface RpcLink {
   /** Tries whether the server is there; the result is none. */
   Pending connect();

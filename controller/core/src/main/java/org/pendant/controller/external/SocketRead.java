@@ -7,7 +7,7 @@ import org.pendant.script.value.NumberList;
 import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueKind;
 
-/** What one read of a script waits for, and what it makes of it. */
+/** Socket read: what one read of a script waits for, and what it makes of it. */
 public sealed interface SocketRead {
   /** Most characters of a text with its prefix and suffix (manual 18.61). */
   int LONGEST = 1024;

@@ -3,8 +3,8 @@ package org.pendant.controller.external;
 import java.util.List;
 
 /**
- * How the serial line of the tool connector is set up (manual 18.50). It shares its wires with the
- * tool's analog inputs.
+ * Tool communication: how the serial line of the tool connector is set up (manual 18.50). It shares
+ * its wires with the tool's analog inputs.
  *
  * @param enabled whether the wires are a serial line; analog inputs otherwise
  * @param baudRate one of {@link #BAUD_RATES}

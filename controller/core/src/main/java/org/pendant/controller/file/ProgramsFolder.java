@@ -16,7 +16,7 @@ import java.util.Optional;
 import org.pendant.script.value.ScriptError;
 
 /**
- * The folder that takes the place of the real controller's {@code /programs}: the only one from
+ * Programs folder: takes the place of the real controller's {@code /programs}: the only one from
  * which scripts can read. Immutable; any thread may ask.
  *
  * @param folder empty when there is none

@@ -1,7 +1,7 @@
 package org.pendant.controller.freedrive;
 
 /**
- * Which ways the tool centre point may be guided: along and about the axes of a {@link
+ * Free axes: the ones along and about which the tool centre point may be guided; axes of a {@link
  * FreedriveFrame} (manual 15.18).
  *
  * @param x along x

@@ -20,10 +20,10 @@ import org.pendant.motion.PathLimiter;
 import org.pendant.motion.PlanningException;
 
 /**
- * The arm is guided by hand (manual 15.18). Its drives hold the weight that the controller believes
- * in, so a payload that is declared wrongly makes it drift; {@link Resistance} keeps it slow enough
- * and within the ranges of its joints, {@link AxisConstraint} on the axes that are free. The target
- * follows the arm, so that whatever comes afterwards starts where the arm is.
+ * Freedrive: the arm is guided by hand (manual 15.18). Its drives hold the weight that the
+ * controller believes in, so a payload that is declared wrongly makes it drift; {@link Resistance}
+ * keeps it slow enough and within the ranges of its joints, {@link AxisConstraint} on the axes that
+ * are free. The target follows the arm, so that whatever comes afterwards starts where the arm is.
  *
  * <p>The safety functions stay on; any stop ends freedrive. Only the collision check rests, as a
  * push is what is wanted.

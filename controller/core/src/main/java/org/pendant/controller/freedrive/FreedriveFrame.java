@@ -2,7 +2,10 @@ package org.pendant.controller.freedrive;
 
 import org.pendant.models.pose.Pose;
 
-/** Whose axes {@link FreeAxes} are. It stays where it is when freedrive begins. */
+/**
+ * Freedrive frame: the frame whose axes the {@link FreeAxes} are. It stays where it is when
+ * freedrive begins.
+ */
 public sealed interface FreedriveFrame {
   /** The base. */
   Base BASE = new Base();

@@ -1,6 +1,6 @@
 package org.pendant.controller.freedrive;
 
-/** Who lets the arm be guided. */
+/** Freedrive holder: who lets the arm be guided. */
 public enum FreedriveHolder {
   /** A program, by {@code freedrive_mode}. */
   PROGRAM,

@@ -1,7 +1,7 @@
 package org.pendant.controller.freedrive;
 
 /**
- * A way of freedrive.
+ * Freedrive mode.
  *
  * @param holder who asks for it
  * @param axes which axes are free

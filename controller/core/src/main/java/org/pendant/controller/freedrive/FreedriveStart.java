@@ -2,7 +2,7 @@ package org.pendant.controller.freedrive;
 
 import org.pendant.controller.command.Refusal;
 
-/** What came of asking for freedrive. */
+/** Outcome of asking for freedrive. */
 public sealed interface FreedriveStart {
 
   /** The arm is guided from this frame on. */

@@ -3,7 +3,7 @@ package org.pendant.controller.freedrive;
 import java.util.Optional;
 
 /**
- * Whether and how the arm is guided by hand.
+ * Freedrive state: whether and how the arm is guided by hand.
  *
  * @param mode how; empty while it is not guided
  * @param distance how near a singularity is, guided or not

@@ -8,8 +8,8 @@ import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
 
 /**
- * Whether the declared payload is what the flange carries, by its force/torque sensor. The sensor
- * cannot tell a load from a hand that pushes the tool.
+ * Payload check: whether the declared payload is what the flange carries, by its force/torque
+ * sensor. The sensor cannot tell a load from a hand that pushes the tool.
  */
 final class PayloadCheck {
   /** Share of the rated payload that the declared one may be wrong by; our choice. */

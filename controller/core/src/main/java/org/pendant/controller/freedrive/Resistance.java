@@ -7,8 +7,8 @@ import org.pendant.models.time.FrameTime;
 import org.pendant.motion.PathLimiter;
 
 /**
- * How a guided arm resists the hand: a little always, much when it gets too fast, and without end
- * at the ends of the joints' ranges.
+ * Resistance of a guided arm to the hand: a little always, much when it gets too fast, and without
+ * end at the ends of the joints' ranges.
  */
 final class Resistance {
   /** Torque at 1 rad/s, as a share of the largest torque of the joint; our choice. */

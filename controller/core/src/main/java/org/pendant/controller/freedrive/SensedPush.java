@@ -8,8 +8,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 
 /**
- * A push that only an external sensor feels: the drives give way as if it acted on the flange. (B.
- * Siciliano et al., "Robotics: Modelling, Planning and Control", equation 3.111.)
+ * Sensed push that only an external sensor feels: the drives give way as if it acted on the flange.
+ * (B. Siciliano et al., "Robotics: Modelling, Planning and Control", equation 3.111.)
  */
 final class SensedPush {
   private final Jacobian jacobian;

@@ -4,7 +4,10 @@ import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.Singularity;
 
-/** How near the arm is to a singularity, in which it cannot be guided every way (manual 15.21). */
+/**
+ * Singularity distance: how near the arm is to a singularity, in which it cannot be guided in every
+ * direction (manual 15.21).
+ */
 public enum SingularityDistance {
   /** Far enough. */
   NORMAL,

@@ -4,7 +4,7 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.models.dynamics.ArmDynamics;
 
 /**
- * How the base is mounted.
+ * Base mounting: how the base stands.
  *
  * @param tiltRad of the base from upright, about its y axis; pi hangs it from a ceiling
  * @param rotationRad of the base about its own z axis

@@ -5,7 +5,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The computer that External Control nodes get their script from.
+ * Control host: the computer that External Control nodes get their script from.
  *
  * @param host its name or address
  * @param port where a driver answers there

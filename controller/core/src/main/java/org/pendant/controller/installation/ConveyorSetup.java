@@ -3,7 +3,7 @@ package org.pendant.controller.installation;
 import java.util.List;
 
 /**
- * A conveyor that programs can follow.
+ * Conveyor that programs can follow.
  *
  * @param number 1 or 2
  * @param encoder 0 or 1

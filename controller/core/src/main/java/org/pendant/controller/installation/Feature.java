@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.models.pose.Pose;
 
 /**
- * A frame that programs refer to by name, besides base and tool.
+ * Feature: a frame that programs refer to by name, besides base and tool.
  *
  * @param name its own among all features; a name of the language
  * @param kind what was taught

@@ -1,6 +1,6 @@
 package org.pendant.controller.installation;
 
-/** What a {@link Feature} is taught by. */
+/** Feature kind: what a {@link Feature} is taught by. */
 public enum FeatureKind {
   /** A pose. */
   POINT(1),

@@ -7,7 +7,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /**
- * Where features are, from the points by which they were taught.
+ * Feature poses: where features are, from the points by which they were taught.
  *
  * <p>A point is its own frame. A line has its origin in the first point, y towards the second, and
  * z as near as possible to the z axis of the first point; when that axis lies along the line, the x

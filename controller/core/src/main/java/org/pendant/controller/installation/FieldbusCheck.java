@@ -6,7 +6,7 @@ import java.util.Set;
 import org.pendant.controller.external.ModbusAddress;
 import org.pendant.controller.external.ModbusKind;
 
-/** Whether conveyors and Modbus signals can be as an installation says. */
+/** Fieldbus check: whether conveyors and Modbus signals can be as an installation says. */
 final class FieldbusCheck {
   private static final int MAX_CONVEYORS = 2;
   private static final int LAST_DECODER = 4;

@@ -10,7 +10,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /**
- * Everything that an installation file says; immutable.
+ * Installation: everything that an installation file says; immutable.
  *
  * @param robot id of the arm that it is for; empty for any
  * @param tools TCPs, in the order in which they are shown

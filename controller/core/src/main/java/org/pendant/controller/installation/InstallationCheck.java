@@ -13,7 +13,10 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.pose.Pose;
 
-/** Finds what is wrong with an installation before a controller is set up with it. */
+/**
+ * Installation check: finds what is wrong with an installation before a controller is set up with
+ * it.
+ */
 public final class InstallationCheck {
   /** Farthest TCP and centre of gravity along each axis of the flange, m. */
   private static final double MAX_M = 4;

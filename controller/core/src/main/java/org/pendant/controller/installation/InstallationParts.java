@@ -7,7 +7,7 @@ import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.models.arm.Joints;
 
 /**
- * The parts of an installation while another one is made from them, called and counted as the
+ * Installation parts while another installation is made from them, named and counted as the
  * components of {@link Installation}.
  */
 public final class InstallationParts {

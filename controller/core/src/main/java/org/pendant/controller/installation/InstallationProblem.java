@@ -1,7 +1,7 @@
 package org.pendant.controller.installation;
 
 /**
- * Something in an installation that cannot be so.
+ * Installation problem: something in an installation that cannot be so.
  *
  * @param field where, such as {@code activeTool} or {@code tools[1].name}
  * @param message what it is, and what would be right

@@ -1,7 +1,7 @@
 package org.pendant.controller.installation;
 
 /**
- * A variable that every program has and that keeps its value.
+ * Installation variable: every program has it, and it keeps its value.
  *
  * @param name of the language
  * @param value as a literal of the language, such as {@code [1, 2]} or {@code "text"}

@@ -3,7 +3,7 @@ package org.pendant.controller.installation;
 import org.pendant.controller.external.ModbusKind;
 
 /**
- * A signal at a Modbus device that is exchanged as long as the controller is on.
+ * Modbus signal that is exchanged with a device as long as the controller is on.
  *
  * @param name its own among all signals
  * @param device address, as {@code 192.168.0.10} or {@code 127.0.0.1:1502}

@@ -4,7 +4,7 @@ import org.pendant.controller.box.Inertia;
 import org.pendant.controller.world.Vector3;
 
 /**
- * A payload.
+ * Payload with a name.
  *
  * @param name its own among all payloads
  * @param massKg what hangs on the flange

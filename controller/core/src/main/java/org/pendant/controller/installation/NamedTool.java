@@ -3,7 +3,7 @@ package org.pendant.controller.installation;
 import org.pendant.models.pose.Pose;
 
 /**
- * A TCP.
+ * Tool centre point with a name.
  *
  * @param name its own among all TCPs
  * @param inFlange pose in the flange frame, m and rotation vector in rad

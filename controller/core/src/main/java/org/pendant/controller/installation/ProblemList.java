@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 
-/** Collects what is wrong. */
+/** Problem list: collects what is wrong. */
 final class ProblemList {
   private final List<InstallationProblem> found = new ArrayList<>();
 

@@ -10,7 +10,7 @@ import org.pendant.language.source.Source;
 import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Statement;
 
-/** What programs can take as a name, and as a value. */
+/** Script words: what programs can take as a name, and as a value. */
 final class ScriptWords {
   private ScriptWords() {}
 

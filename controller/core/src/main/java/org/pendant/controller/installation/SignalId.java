@@ -9,7 +9,7 @@ import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 
-/** A signal that an installation can name, as in {@link SignalUse#signal}. */
+/** Signal identifier: a signal that an installation can name, as in {@link SignalUse#signal}. */
 public sealed interface SignalId {
   /** A digital input, output or flag. */
   record Digital(Signal signal) implements SignalId {

@@ -4,7 +4,8 @@ import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
 
 /**
- * What a signal is called and does; signals that are not mentioned have no name and do nothing.
+ * Signal use: what a signal is called and does; signals that are not mentioned have no name and do
+ * nothing.
  *
  * @param signal such as {@code digital_in[0]}, {@code analog_out[1]} or {@code flag[3]}
  * @param name for people; empty for none

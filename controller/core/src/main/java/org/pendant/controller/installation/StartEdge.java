@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.pendant.controller.io.DigitalLevels;
 import org.pendant.controller.io.Signal;
 
-/** Notices the edge of the input that starts the loaded program. One thread uses it. */
+/** Start edge: notices the edge of the input that starts the loaded program. One thread uses it. */
 public final class StartEdge {
   private StartUp known = StartUp.NOTHING;
   private Optional<Signal> input = Optional.empty();

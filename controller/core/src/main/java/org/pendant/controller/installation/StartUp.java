@@ -1,7 +1,7 @@
 package org.pendant.controller.installation;
 
 /**
- * What happens by itself when the robot is switched on.
+ * Start-up: what happens by itself when the robot is switched on.
  *
  * @param program that is loaded, relative to the programs folder; empty for none
  * @param startInput an input such as {@code digital_in[0]} whose edge starts the program; empty for

@@ -21,7 +21,9 @@ import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueKind;
 
-/** Values as literals of the language, so that a later program begins with them. */
+/**
+ * Variable literals: values as literals of the language, so that a later program begins with them.
+ */
 public final class VariableLiteral {
   /** Longest text that is kept, in characters; what is longer is no setting but data. */
   public static final int LONGEST = 20_000;

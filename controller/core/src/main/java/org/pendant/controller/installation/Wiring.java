@@ -7,7 +7,7 @@ import org.pendant.controller.io.ToolOutputMode;
 import org.pendant.controller.io.ToolPinMode;
 
 /**
- * What analog signals are made of, and how the tool connector is used.
+ * Wiring: what analog signals are made of, and how the tool connector is used.
  *
  * @param analogIn domains of the two standard analog inputs
  * @param analogOut domains of the two standard analog outputs

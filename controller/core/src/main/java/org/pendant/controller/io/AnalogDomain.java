@@ -1,6 +1,8 @@
 package org.pendant.controller.io;
 
-/** What an analog signal is made of (manual 19.2, 19.11, 19.13). */
+/**
+ * Analog domain: whether an analog signal is a voltage or a current (manual 19.2, 19.11, 19.13).
+ */
 public enum AnalogDomain {
   /** A current of 4 to 20 mA; values are in A. */
   CURRENT(0, 0.004, 0.020, "A"),

@@ -1,7 +1,7 @@
 package org.pendant.controller.io;
 
 /**
- * What high levels of inputs do by themselves; a bit is set where that is freedrive.
+ * Input actions: what high levels of inputs do by themselves; a bit is set where that is freedrive.
  *
  * @param standard of the standard digital inputs
  * @param configurable of the configurable digital inputs

@@ -6,8 +6,8 @@ import java.util.Optional;
 import org.pendant.controller.command.Refusal;
 
 /**
- * Who alone may write a signal. A client of a port takes the signals it is going to write; others
- * are refused then, with its name. Owned by the frame loop.
+ * Input owners: which client alone may write a signal. A client of a port takes the signals it is
+ * going to write; others are refused then, with its name. Owned by the frame loop.
  *
  * <p>Signals go by the names of {@link SignalWrite#name}, such as {@code input_float_register[3]};
  * other things that have one writer at a time ({@link #SPEED_SLIDER}) by names of their own.

@@ -7,9 +7,9 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Watches that clients go on writing inputs while a program runs (manual 18.41). Every package with
- * an input counts, also one that does not change its value. While the program is paused nobody is
- * late: the time begins anew when it goes on.
+ * Input watchdogs: check that clients continue to write inputs while a program runs (manual 18.41).
+ * Every package with an input counts, also one that does not change its value. While the program is
+ * paused nobody is late: the time begins anew when it goes on.
  *
  * <p>Belongs to the thread of the frame loop. Times are those of the controller, s.
  */

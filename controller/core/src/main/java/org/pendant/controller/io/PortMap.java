@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What the addresses below 256 mean that scripts ({@code read_port_register}, {@code
+ * Port map: what the addresses below 256 mean that scripts ({@code read_port_register}, {@code
  * write_port_bit} and their siblings, manual 18.38, 18.39, 18.70, 18.71) share with Modbus clients:
  * the box's signals at 0 to 47, memory of its own at 128 to 255.
  *

@@ -1,6 +1,6 @@
 package org.pendant.controller.io;
 
-/** Who writes a register: the world outside an input, programs an output. */
+/** Register direction: who writes a register: clients an input, programs an output. */
 public enum RegisterDirection {
   INPUT("input"),
   OUTPUT("output");

@@ -1,6 +1,6 @@
 package org.pendant.controller.io;
 
-/** What an output does when a program starts or ends (manual 19.6 to 19.10). */
+/** Run state action: what an output does when a program starts or ends (manual 19.6 to 19.10). */
 public enum RunStateAction {
   /** It stays as it is. */
   PRESERVE,

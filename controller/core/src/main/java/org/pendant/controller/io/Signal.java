@@ -4,7 +4,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * One digital signal.
+ * Digital signal.
  *
  * @param bank the group it belongs to
  * @param index its number in the group, from 0

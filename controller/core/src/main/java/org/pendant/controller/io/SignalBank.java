@@ -1,6 +1,9 @@
 package org.pendant.controller.io;
 
-/** A group of digital signals that stand beside each other on the control box or the tool. */
+/**
+ * Signal bank: a group of digital signals that stand beside each other on the control box or the
+ * tool.
+ */
 public enum SignalBank {
   STANDARD_IN("digital_in", 8),
   STANDARD_OUT("digital_out", 8),

@@ -1,8 +1,8 @@
 package org.pendant.controller.io;
 
 /**
- * All signals but the digital ones at one moment. The same object, and the same parts, until
- * something changes.
+ * State of all signals but the digital ones at one moment. The same object, and the same parts,
+ * until something changes.
  *
  * @param analog analog inputs and outputs
  * @param tool how the connector at the tool flange is set up

@@ -3,7 +3,7 @@ package org.pendant.controller.io;
 import java.util.Objects;
 import org.pendant.controller.external.ToolCommunication;
 
-/** Every signal of a control box; the frame loop owns them. */
+/** Signals of a control box; the frame loop owns them. */
 public final class Signals {
   private final DigitalIo digital = new DigitalIo();
   private final AnalogIo analog = new AnalogIo();

@@ -3,7 +3,7 @@ package org.pendant.controller.io;
 import org.pendant.controller.external.ToolCommunication;
 
 /**
- * How the connector at the tool flange is set up (manual 18.50 to 18.53).
+ * Tool connector: how the connector at the tool flange is set up (manual 18.50 to 18.53).
  *
  * @param voltageV what it supplies: 0, 12 or 24 V
  * @param outputMode what the two output pins are for

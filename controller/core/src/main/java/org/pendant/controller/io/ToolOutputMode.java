@@ -1,6 +1,6 @@
 package org.pendant.controller.io;
 
-/** What the two output pins of the tool connector are for (manual 18.52). */
+/** Tool output mode: what the two output pins of the tool connector are for (manual 18.52). */
 public enum ToolOutputMode {
   /** Two digital outputs. */
   DIGITAL,

@@ -1,6 +1,9 @@
 package org.pendant.controller.io;
 
-/** How an output pin of the tool connector drives what hangs on it (manual 18.51). */
+/**
+ * Tool pin mode: how an output pin of the tool connector drives what is connected to it (manual
+ * 18.51).
+ */
 public enum ToolPinMode {
   /** NPN: pulls to ground when high. */
   SINKING(1),

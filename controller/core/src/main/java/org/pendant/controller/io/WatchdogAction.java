@@ -1,6 +1,6 @@
 package org.pendant.controller.io;
 
-/** What happens when an input is not written often enough (manual 18.41). */
+/** Watchdog action: what happens when an input is not written often enough (manual 18.41). */
 public enum WatchdogAction {
   /** The log says so. */
   IGNORE,

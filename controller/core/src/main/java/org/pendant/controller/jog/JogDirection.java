@@ -4,7 +4,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 
 /**
- * Along which axis the tool moves, or about which it turns; a unit vector in some {@link JogFrame}.
+ * Jog direction: along which axis the tool moves, or about which it turns; a unit vector in some
+ * {@link JogFrame}.
  */
 public record JogDirection(Kind kind, double x, double y, double z) {
 

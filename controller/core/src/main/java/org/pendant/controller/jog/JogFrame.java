@@ -2,7 +2,7 @@ package org.pendant.controller.jog;
 
 import org.pendant.models.pose.Pose;
 
-/** Along whose axes the tool moves. */
+/** Jog frame: along whose axes the tool moves. */
 public sealed interface JogFrame {
   /** The base of the arm. */
   JogFrame BASE = new Base();

@@ -1,6 +1,6 @@
 package org.pendant.controller.message;
 
-/** What an operator answers to a {@link Question}. */
+/** Answer of an operator to a {@link Question}. */
 public sealed interface Answer {
 
   /** The answer as a script would write it in a message: {@code True}, {@code 3}, {@code 0.5}. */

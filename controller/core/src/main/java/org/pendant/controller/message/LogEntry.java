@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.pendant.script.function.ScriptPlace;
 
 /**
- * One line of the log.
+ * Log entry: one line of the log.
  *
  * @param number counts from 1, without gaps
  * @param timeS controller time, s

@@ -14,9 +14,9 @@ import org.pendant.script.function.ScriptPlace;
 import org.pendant.script.vm.RecentEntries;
 
 /**
- * The log. The frame loop alone writes; {@link #since} and {@link #newest} may be called by any
- * thread at any time. What it takes is bounded: in lines and bytes that are kept, in the length of
- * a line, and in what programs and clients may write in a frame.
+ * Message log of the controller. The frame loop alone writes; {@link #since} and {@link #newest}
+ * may be called by any thread at any time. What it takes is bounded: in lines and bytes that are
+ * kept, in the length of a line, and in what programs and clients may write in a frame.
  */
 public final class MessageLog {
   /** How many of the newest entries can still be asked for, where their texts are short. */

@@ -2,7 +2,7 @@ package org.pendant.controller.message;
 
 import java.util.List;
 
-/** Who answers when a program asks for something. */
+/** Operator: answers when a program asks for something. */
 public sealed interface Operator {
 
   /** A person, or a program in its place, answers by commands. */

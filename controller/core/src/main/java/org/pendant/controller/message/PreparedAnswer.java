@@ -3,7 +3,7 @@ package org.pendant.controller.message;
 import java.util.Optional;
 
 /**
- * An answer that is known before its question.
+ * Prepared answer: known before its question.
  *
  * @param line {@code TEXT=VALUE} answers the question TEXT, {@code =VALUE} whatever is asked next;
  *     bytes, one {@code char} a byte

@@ -1,6 +1,6 @@
 package org.pendant.controller.message;
 
-/** Counts popups and questions together, so that a number names one of either. */
+/** Prompt numbers: counts popups and questions together, so that a number names one of either. */
 public final class PromptNumbers {
   private long newest;
 

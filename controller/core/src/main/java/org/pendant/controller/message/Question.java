@@ -4,8 +4,8 @@ import java.util.Locale;
 import java.util.regex.Pattern;
 
 /**
- * What a program wants to know of the operator (manual 18.73 to 18.76). The thread that asks waits,
- * everything else goes on.
+ * Question: what a program wants to know of the operator (manual 18.73 to 18.76). The thread that
+ * asks waits, everything else goes on.
  *
  * @param number popups and questions are counted together, from 1
  * @param timeS controller time when it was asked, s

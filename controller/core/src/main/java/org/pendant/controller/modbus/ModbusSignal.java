@@ -10,7 +10,7 @@ import org.pendant.controller.external.ModbusReading;
 import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
 
-/** One Modbus signal of a controller; the frame loop owns it. */
+/** Modbus signal of a controller; the frame loop owns it. */
 public final class ModbusSignal {
   /** How often a new signal is read or written, Hz. */
   public static final int STANDARD_HZ = 10;

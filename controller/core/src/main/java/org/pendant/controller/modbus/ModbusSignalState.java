@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.controller.external.ModbusExchange;
 
 /**
- * A Modbus signal as screens and clients see it. Immutable.
+ * Modbus signal state as screens and clients see it. Immutable.
  *
  * @param name what programs call it, one {@code char} a byte
  * @param exchange what it reads and writes

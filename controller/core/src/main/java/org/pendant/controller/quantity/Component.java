@@ -1,7 +1,7 @@
 package org.pendant.controller.quantity;
 
 /**
- * One number of a quantity.
+ * Component: one number of a quantity.
  *
  * @param name stable name in settings and files, such as {@code actual_q_0}
  * @param title what people read beside the others of its group, such as {@code Base}

@@ -9,9 +9,9 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.SoftwareVersion;
 
 /**
- * All registers and bits that Modbus clients read of one snapshot, and programs with {@code
- * read_port_register} and {@code read_port_bit}: signals and memory as {@link PortMap} has them,
- * and from 256 on the state of the robot, which nobody can write.
+ * Port image: all registers and bits that Modbus clients read of one snapshot, and programs with
+ * {@code read_port_register} and {@code read_port_bit}: signals and memory as {@link PortMap} has
+ * them, and from 256 on the state of the robot, which no client can write.
  *
  * <p>Registers are 16 bits, 0 to 65535; negative numbers are their two's complement, and what is
  * beyond 16 bits stands at the end of the range.

@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.util.List;
 
 /**
- * Something that RTDE clients may write.
+ * Input field: something that RTDE clients may write.
  *
  * @param name such as {@code input_int_register_3}
  * @param claims under which names a client takes it, so that nobody else may write it; see {@link

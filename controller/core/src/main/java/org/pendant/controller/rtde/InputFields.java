@@ -17,9 +17,9 @@ import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalWrite;
 
 /**
- * All that RTDE clients may write. A mask selects, in the package that it comes in, which outputs
- * the other fields of the package set; without its mask a field sets nothing. Who takes a mask
- * takes the mask only, not what it could select.
+ * Input fields: all that RTDE clients may write. A mask selects, in the package that it comes in,
+ * which outputs the other fields of the package set; without its mask a field sets nothing. Who
+ * takes a mask takes the mask only, not what it could select.
  */
 public final class InputFields {
   private static final int BITS = 32;

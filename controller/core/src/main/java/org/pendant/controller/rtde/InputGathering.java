@@ -13,8 +13,8 @@ import org.pendant.controller.io.SignalWrite;
 import org.pendant.models.pose.Wrench;
 
 /**
- * Puts the values of one package together. A mask may stand before or behind what it selects, so
- * both are kept until the end.
+ * Input gathering: puts the values of one package together. A mask may stand before or behind what
+ * it selects, so both are kept until the end.
  */
 final class InputGathering {
   private final List<SignalWrite> writes = new ArrayList<>();

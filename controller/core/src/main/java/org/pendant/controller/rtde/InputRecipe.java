@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** Which inputs a client writes together, and in which order their values come. */
+/** Input recipe: which inputs a client writes together, and in which order their values come. */
 public final class InputRecipe {
   private final List<InputField> fields;
   private final Set<String> names;

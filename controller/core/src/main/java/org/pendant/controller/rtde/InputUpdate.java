@@ -7,7 +7,8 @@ import org.pendant.controller.io.SignalWrite;
 import org.pendant.models.pose.Wrench;
 
 /**
- * What one package of an RTDE client asks for; all of it comes into force in one frame.
+ * Input update: what one package of an RTDE client asks for; all of it comes into force in one
+ * frame.
  *
  * @param recipe which inputs the package has, those included that its masks leave as they are
  * @param speedFraction where the speed slider goes, 0 to 1

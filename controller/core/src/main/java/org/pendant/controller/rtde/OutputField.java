@@ -3,8 +3,8 @@ package org.pendant.controller.rtde;
 import org.pendant.controller.quantity.StateQuantity;
 
 /**
- * Something about the controller that RTDE clients may ask for by its name, and programs with
- * {@code get_rtde_value} (manual 18.10).
+ * Output field: something about the controller that RTDE clients may ask for by its name, and
+ * programs with {@code get_rtde_value} (manual 18.10).
  *
  * @param name such as {@code actual_q}
  * @param quantity what it tells

@@ -10,9 +10,9 @@ import org.pendant.controller.quantity.StateQuantities;
 import org.pendant.controller.quantity.StateQuantity;
 
 /**
- * Every field that RTDE clients may read: those state quantities that the interface has a name for.
- * Units are those of the SI, currents in A, temperatures in degrees Celsius, execution times in
- * microseconds; poses and what belongs to the TCP are in the base frame.
+ * Output fields: every one that RTDE clients may read: those state quantities that the interface
+ * has a name for. Units are those of the SI, currents in A, temperatures in degrees Celsius,
+ * execution times in microseconds; poses and what belongs to the TCP are in the base frame.
  */
 public final class OutputFields {
   private static final Map<String, OutputField> FIELDS = fields();

@@ -11,8 +11,8 @@ import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueKind;
 
 /**
- * Reads the newest snapshot for programs, exactly as clients get it. Belongs to the thread of the
- * frame loop.
+ * Published state reader: reads the newest snapshot for programs, exactly as clients get it.
+ * Belongs to the thread of the frame loop.
  */
 public final class PublishedState implements Published {
   private static final long UINT32 = 0xFFFF_FFFFL;

@@ -4,9 +4,9 @@ import java.util.List;
 import org.pendant.models.arm.ArmDescription;
 
 /**
- * Which limits hold now: normal, reduced by an input or beyond a trigger plane, or those of
- * recovery. After the input both sets are accepted for a while; before a trigger plane the arm is
- * slowed down, so that it passes slowly enough.
+ * Active limits: which safety limits apply at the moment: normal, reduced by an input or beyond a
+ * trigger plane, or those of recovery. After the input both sets are accepted for a while; before a
+ * trigger plane the arm is slowed down, so that it passes slowly enough.
  */
 final class ActiveLimits {
   /** How long both sets are accepted after the input demands the reduced one, s. */

@@ -2,7 +2,7 @@ package org.pendant.controller.safety;
 
 import java.util.Locale;
 
-/** When a plane or a tool direction restricts the arm. */
+/** Applicability: when a plane or a tool direction restricts the arm. */
 public enum Applies {
   /** While the normal limits hold. */
   NORMAL,

@@ -7,9 +7,9 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /**
- * Where tool and elbow are and how they move, for one state of the joints; all in the base frame.
- * The elbow is the origin of Denavit-Hartenberg frame 2, the end of the upper arm. Mutable, and
- * allocates nothing after it was made.
+ * Arm points: where tool and elbow are and how they move, for one state of the joints; all in the
+ * base frame. The elbow is the origin of Denavit-Hartenberg frame 2, the end of the upper arm.
+ * Mutable, and allocates nothing after it was made.
  */
 final class ArmPoints {
   private static final int FLANGE = Joints.COUNT - 1;

@@ -2,7 +2,7 @@ package org.pendant.controller.safety;
 
 import org.pendant.models.time.FrameTime;
 
-/** Power and brakes: each step towards a running arm takes its time, in frames. */
+/** Arm power and brakes: each step towards a running arm takes its time, in frames. */
 final class ArmPower {
   private final long bootingFrames;
   private final long powerOnFrames;

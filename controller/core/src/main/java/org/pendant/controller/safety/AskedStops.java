@@ -5,7 +5,10 @@ import java.util.OptionalDouble;
 import org.pendant.motion.MotionFailure;
 import org.pendant.motion.force.TaskDeviation;
 
-/** Protective stops that other parts of the controller have asked for since the last frame. */
+/**
+ * Requested stops: protective stops that other parts of the controller have asked for since the
+ * last frame.
+ */
 final class AskedStops {
   private boolean program;
   private Optional<MotionFailure> lostPath = Optional.empty();

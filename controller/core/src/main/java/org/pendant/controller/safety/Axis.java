@@ -1,6 +1,6 @@
 package org.pendant.controller.safety;
 
-/** A direction: three numbers of length 1 along the axes of a frame that the user names. */
+/** Axis: a direction, three numbers of length 1 along the axes of a frame that the user names. */
 public record Axis(double x, double y, double z) {
   /** A shorter vector has no direction worth the name. */
   static final double SHORTEST = 1e-3;

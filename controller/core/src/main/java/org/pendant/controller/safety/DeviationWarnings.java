@@ -5,8 +5,8 @@ import java.util.Optional;
 import org.pendant.models.arm.Joints;
 
 /**
- * Warns of joints that are away from their targets (manual 15.41), each at most once a second: the
- * log is for people.
+ * Deviation warnings: warns of joints that are away from their targets (manual 15.41), each at most
+ * once a second: the log is for people.
  */
 final class DeviationWarnings {
   static final double PAUSE_S = 1;

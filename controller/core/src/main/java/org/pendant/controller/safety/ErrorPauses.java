@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 
-/** The errors on which a program wants to be paused (manual 15.40). */
+/** Error pauses: the errors on which a program wants to be paused (manual 15.40). */
 final class ErrorPauses {
   /** Kinds of errors at most; the oldest one is forgotten, so that no program fills the memory. */
   private static final int MOST = 256;

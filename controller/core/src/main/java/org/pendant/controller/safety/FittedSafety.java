@@ -8,8 +8,8 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.text.FloatText;
 
 /**
- * A safety configuration as one arm can have it. Configurations come from files that are made for
- * another arm, or for any: what goes beyond the arm is taken back to what the arm can do, and
+ * Fitted safety configuration: as one arm can have it. Configurations come from files that are made
+ * for another arm, or for any: what goes beyond the arm is taken back to what the arm can do, and
  * infinity stands for the limit that is standard for the arm.
  *
  * @param configuration what holds

@@ -6,8 +6,8 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Whether the arm stays with its target (C153) and nothing pushes it (C157). The thresholds are not
- * published; these are our choice.
+ * Following check: whether the arm stays with its target (C153) and nothing pushes it (C157). The
+ * thresholds are not published; these are our choice.
  */
 final class FollowingCheck {
   /** How far base, shoulder and elbow may be from their targets while the target moves, rad. */

@@ -5,7 +5,7 @@ import java.util.OptionalInt;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.dynamics.ArmDynamics;
 
-/** All that is checked in a frame, in the order in which it counts. */
+/** Frame checks: all that is checked in a frame, in the order in which it counts. */
 final class FrameChecks {
   private final Observation seen;
   private final ViolationCheck violations;

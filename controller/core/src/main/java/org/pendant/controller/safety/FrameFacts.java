@@ -6,7 +6,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 
 /**
- * What the safety functions look at in one frame.
+ * Frame facts: what the safety functions look at in one frame.
  *
  * @param timeS controller time, s
  * @param targetPositionRad where the joints should be, rad

@@ -2,7 +2,7 @@ package org.pendant.controller.safety;
 
 import java.util.Optional;
 
-/** What a joint does; names and codes are those of the controller's interfaces. */
+/** Joint mode: what a joint does; names and codes are those of the controller's interfaces. */
 public enum JointMode {
   BACKDRIVE(238),
   POWER_OFF(239),

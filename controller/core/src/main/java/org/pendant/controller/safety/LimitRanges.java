@@ -2,7 +2,7 @@ package org.pendant.controller.safety;
 
 import org.pendant.models.json.Range;
 
-/** What the numbers of a set of limits may be in files, whatever the arm. */
+/** Limit ranges: what the numbers of a set of limits may be in files, whatever the arm. */
 public final class LimitRanges {
   public static final Range POWER = new Range(1, 10_000, "W");
   public static final Range MOMENTUM = new Range(0.1, 1000, "kg m/s");

@@ -8,7 +8,7 @@ import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 import org.pendant.models.json.Range;
 
-/** Reads one set of limits over the standard one. */
+/** Limits reader: reads one set of limits over the standard one. */
 final class LimitsReader {
   private LimitsReader() {}
 

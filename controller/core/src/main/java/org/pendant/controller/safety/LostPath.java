@@ -4,7 +4,7 @@ import java.util.OptionalInt;
 import org.pendant.models.arm.Joints;
 import org.pendant.motion.MotionFailure;
 
-/** The stop that a path ends in which cannot be followed any further. */
+/** Lost path: the stop that ends a path which cannot be followed any further. */
 final class LostPath {
   private LostPath() {}
 

@@ -7,7 +7,10 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.pose.Pose;
 
-/** The numbers of one frame and what follows from them. Reused; allocates nothing per frame. */
+/**
+ * Observation: the numbers of one frame and what follows from them. Reused; allocates nothing per
+ * frame.
+ */
 final class Observation {
   final double[] q = new double[Joints.COUNT];
   final double[] qd = new double[Joints.COUNT];

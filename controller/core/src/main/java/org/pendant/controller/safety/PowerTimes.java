@@ -1,7 +1,8 @@
 package org.pendant.controller.safety;
 
 /**
- * How long changes of power take, s. What a safety function demands takes no time in any case.
+ * Power times: how long changes of power take, s. What a safety function demands takes no time in
+ * any case.
  *
  * @param bootS from the command until the arm's electronics answer
  * @param powerOnS from then until the arm rests on its brakes with power

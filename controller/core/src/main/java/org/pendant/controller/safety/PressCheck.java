@@ -5,8 +5,8 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Whether the arm presses on its surroundings or works on them more than a limit allows, for a
- * while: a short blow is the business of the collision check, which stops the arm gently.
+ * Pressing check: whether the arm presses on its surroundings or works on them more than a limit
+ * allows, for a while: a short blow is left to the collision check, which stops the arm gently.
  */
 final class PressCheck {
   static final double FORCE_TOLERANCE_N = 25;

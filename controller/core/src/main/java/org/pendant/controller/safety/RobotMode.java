@@ -1,6 +1,9 @@
 package org.pendant.controller.safety;
 
-/** How far the arm is switched on; names and codes are those of the controller's interfaces. */
+/**
+ * Robot mode: how far the arm is switched on; names and codes are those of the controller's
+ * interfaces.
+ */
 public enum RobotMode {
   NO_CONTROLLER(-1),
   DISCONNECTED(0),

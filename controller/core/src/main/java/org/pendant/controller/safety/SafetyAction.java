@@ -1,6 +1,6 @@
 package org.pendant.controller.safety;
 
-/** What the frame has to do after the safety functions have looked at it. */
+/** Safety action: what the frame has to do after the safety functions have looked at it. */
 public enum SafetyAction {
   NONE,
   /** Pause the program as the pause button does. */

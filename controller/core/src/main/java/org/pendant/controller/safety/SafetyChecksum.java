@@ -7,8 +7,8 @@ import java.util.zip.CRC32;
 import org.pendant.models.arm.Joints;
 
 /**
- * A short number that tells safety configurations apart: equal ones have the same, others nearly
- * always another one. It is no protection against anybody who wants to deceive.
+ * Safety checksum: a short number that tells safety configurations apart: equal ones have the same,
+ * others nearly always another one. It is no protection against anybody who wants to deceive.
  *
  * @param value 32 bits
  */

@@ -7,7 +7,8 @@ import java.util.Set;
 import org.pendant.models.arm.ArmDescription;
 
 /**
- * Limits and planes of one robot; {@link SafetyConfigurationReader} reads them from a file.
+ * Safety configuration: limits and planes of one robot; {@link SafetyConfigurationReader} reads
+ * them from a file.
  *
  * @param normal limits that hold as a rule
  * @param reduced limits that hold in the reduced mode; nothing wider than {@code normal}

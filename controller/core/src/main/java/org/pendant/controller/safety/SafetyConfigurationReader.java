@@ -13,8 +13,8 @@ import org.pendant.models.json.JsonFile;
 import org.pendant.models.json.Range;
 
 /**
- * Reads a safety configuration from JSON; docs/safety.md describes the file. What it leaves out is
- * as {@link SafetyConfiguration#standard}.
+ * Safety configuration reader: reads one from JSON; docs/safety.md describes the file. What it
+ * leaves out is as {@link SafetyConfiguration#standard}.
  */
 public final class SafetyConfigurationReader {
   private static final Range POINT = new Range(-10, 10, "m");

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** Signals that demand a safety function. */
+/** Safety inputs: signals that demand a safety function. */
 public enum SafetyInput {
   /** The emergency stop button of the robot. */
   EMERGENCY_STOP,

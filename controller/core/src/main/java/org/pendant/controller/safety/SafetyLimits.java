@@ -4,7 +4,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.motion.force.JointPositionLimits;
 
 /**
- * One set of limits.
+ * Safety limits: one set of them.
  *
  * @param powerW work per time that the arm may do on its surroundings, W
  * @param momentumKgMPerS momentum of arm and payload, kg m/s

@@ -1,6 +1,9 @@
 package org.pendant.controller.safety;
 
-/** What the safety functions do; names and codes are those of the controller's interfaces. */
+/**
+ * Safety mode: what the safety functions do; names and codes are those of the controller's
+ * interfaces.
+ */
 public enum SafetyMode {
   NORMAL(1),
   /** The reduced limits hold. */

@@ -1,7 +1,7 @@
 package org.pendant.controller.safety;
 
 /**
- * A plane that the tool centre point, and the elbow if wanted, must not pass.
+ * Safety plane, which the tool centre point, and the elbow if wanted, must not pass.
  *
  * @param name for messages
  * @param pointXM a point of the plane in the base frame, m

@@ -3,7 +3,7 @@ package org.pendant.controller.safety;
 import java.util.OptionalInt;
 
 /**
- * Why the arm was stopped.
+ * Safety stop: why the arm was stopped.
  *
  * @param mode the safety mode while the stop lasts
  * @param category how the arm is stopped

@@ -15,8 +15,8 @@ import org.pendant.motion.MotionFailure;
 import org.pendant.motion.force.TaskDeviation;
 
 /**
- * Power, safety modes, limits and stops of one arm. The frame loop alone uses it: requests and
- * settings before {@link #step} of a frame take effect in it.
+ * Safety system: power, safety modes, limits and stops of one arm. The frame loop alone uses it:
+ * requests and settings before {@link #step} of a frame take effect in it.
  */
 public final class SafetySystem {
   private final ActiveLimits limits;

@@ -7,10 +7,10 @@ import org.pendant.models.pose.Pose;
 import org.pendant.motion.PathLimiter;
 
 /**
- * Slows paths down so that the arm stays clear of its limits on speeds, momentum, stopping time and
- * stopping distance, and no joint has to turn faster than it can. Power is left to the check of
- * violations: the limit is on work done on the surroundings, which is unknown before something is
- * touched.
+ * Speed caps: slow paths down so that the arm stays clear of its limits on speeds, momentum,
+ * stopping time and stopping distance, and no joint has to turn faster than it can. Power is left
+ * to the check of violations: the limit is on work done on the surroundings, which is unknown
+ * before something is touched.
  */
 public final class SpeedCaps implements PathLimiter {
   /** Share of each limit that is used: the rest is for servos that overshoot. */

@@ -6,9 +6,9 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.arm.Series;
 
 /**
- * The limits of an arm that nobody has configured. None of these numbers is published: those of a
- * UR5e are what users report, those of other arms are derived from them so that every arm can do
- * what its data sheet says.
+ * Standard limits: those of an arm that has not been configured. None of these numbers is
+ * published: those of a UR5e are what users report, those of other arms are derived from them so
+ * that every arm can do what its data sheet says.
  */
 final class StandardLimits {
   /** Safe joint speed over the published one: room for what the servos overshoot. */

@@ -1,6 +1,6 @@
 package org.pendant.controller.safety;
 
-/** How the arm is stopped (IEC 60204-1, 9.2.2). */
+/** Stop category: how the arm is stopped (IEC 60204-1, 9.2.2). */
 public enum StopCategory {
   /** Power is cut at once, the brakes stop the arm beside its path. */
   ZERO,

@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.OptionalInt;
 
 /**
- * Everything that stops the arm or warns, with its code and words; docs/safety.md has the same
- * table. Codes 153, 157, 173, 204 and 209 are those of the real controller; the others are not
- * published and are our choice.
+ * Stop reason: everything that stops the arm or warns, with its code and words; docs/safety.md has
+ * the same table. Codes 153, 157, 173, 204 and 209 are those of the real controller; the others are
+ * not published and are our choice.
  */
 public enum StopReason {
   JOINT_LIMIT_NEAR(150, Kind.PROTECTIVE, "comes too close to its position limit", "rad"),

@@ -8,7 +8,7 @@ import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.models.arm.Joints;
 
-/** The present stop: how it begins, what replaces it, and what ends it. */
+/** Stop record: how the present stop begins, what replaces it, and what ends it. */
 final class StopRecord {
   /** Shortest time between a protective stop and its end by people, s. */
   static final double UNLOCK_S = 5;

@@ -3,8 +3,8 @@ package org.pendant.controller.safety;
 import org.pendant.models.arm.Joints;
 
 /**
- * How the arm stops on its path: the fastest joint slows down evenly, the others in proportion. The
- * figures are our choice, nothing is published.
+ * Stop on the path: the fastest joint slows down evenly, the others in proportion. The figures are
+ * our choice, nothing is published.
  */
 final class Stopping {
   /** As hard as the motors can, rad/s². */

@@ -6,7 +6,7 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.time.FrameTime;
 
-/** Whether the target goes on from where it was (C204). */
+/** Target check: whether the target continues from where it was (C204). */
 final class TargetCheck {
   /** Over the largest speed of a joint: what rounding and returning to a path may add. */
   private static final double MARGIN = 1.1;

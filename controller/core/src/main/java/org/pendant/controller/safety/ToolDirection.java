@@ -1,7 +1,7 @@
 package org.pendant.controller.safety;
 
 /**
- * How far the tool may be tilted.
+ * Tool direction limit: how far the tool may be tilted.
  *
  * @param allowedInBase where the tool should point, along the axes of the base
  * @param toolInFlange the tool's own direction, along the axes of the flange

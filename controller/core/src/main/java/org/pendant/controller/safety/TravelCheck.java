@@ -6,8 +6,8 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Whether the target could still stop before position limits, planes and the largest tilt (C150 to
- * C152). Only what moves towards a limit counts: an arm at its border may move away.
+ * Travel check: whether the target could still stop before position limits, planes and the largest
+ * tilt (C150 to C152). Only what moves towards a limit counts: an arm at its border may move away.
  */
 final class TravelCheck {
   /** What rounding may do to a path that ends exactly at a limit, rad and m. */

@@ -5,8 +5,8 @@ import java.util.Optional;
 import org.pendant.models.arm.Joints;
 
 /**
- * Whether the actual arm exceeds a limit by more than the safety functions can measure (C191). The
- * tolerances are those of the user manuals.
+ * Violation check: whether the actual arm exceeds a limit by more than the safety functions can
+ * measure (C191). The tolerances are those of the user manuals.
  */
 final class ViolationCheck {
   static final double JOINT_POSITION_TOLERANCE_RAD = Math.toRadians(5);

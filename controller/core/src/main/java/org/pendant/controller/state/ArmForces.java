@@ -10,7 +10,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
 
-/** Forces that nobody measures, worked out from joints and masses. */
+/** Arm forces that are not measured but computed from joints and masses. */
 final class ArmForces {
   /** Keeps the wrench moderate near singularities, where the joints do not feel all of it. */
   private static final double DAMPING = 0.01;

@@ -5,8 +5,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 
 /**
- * What follows from the joints of one snapshot. It is worked out on demand, and then kept: many
- * clients ask the same of a frame, most frames nobody asks. Any thread.
+ * Arm geometry: what follows from the joints of one snapshot. It is worked out on demand, and then
+ * kept: many clients ask the same of a frame, most frames nobody asks. Any thread.
  */
 public final class ArmGeometry {
   private final ArmState arm;

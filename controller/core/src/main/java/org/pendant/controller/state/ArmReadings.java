@@ -8,7 +8,7 @@ import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
 
 /**
- * What sensors and drives report, and what the controller believes about the payload.
+ * Arm readings: what sensors and drives report, and what the controller believes about the payload.
  *
  * @param accelerationRadPerS2 accelerations derived from the joint encoders, rad/s²
  * @param torqueNm torques of the drives at the joints, Nm

@@ -9,8 +9,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.motion.MotionFailure;
 
 /**
- * Where the arm should be and is. Poses are computed each time they are asked for; {@link
- * ArmGeometry} keeps them.
+ * Arm state: where the arm should be and is. Poses are computed each time they are asked for;
+ * {@link ArmGeometry} keeps them.
  *
  * @param targetPositionRad joint positions it is told
  * @param targetSpeedRadPerS joint speeds it is told

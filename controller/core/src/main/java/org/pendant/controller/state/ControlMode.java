@@ -1,6 +1,6 @@
 package org.pendant.controller.state;
 
-/** What the drives of the arm follow; codes are those of the primary interface. */
+/** Control mode: what the drives of the arm follow; codes are those of the primary interface. */
 public enum ControlMode {
   /** Target positions. */
   POSITION(0),

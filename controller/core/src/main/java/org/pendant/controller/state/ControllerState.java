@@ -17,7 +17,8 @@ import org.pendant.script.variables.VariableSamples;
 import org.pendant.script.vm.ProgramEvent;
 
 /**
- * Everything about a controller at the end of one frame. Immutable: take the reference and keep it.
+ * Controller state: everything about a controller at the end of one frame. Immutable: take the
+ * reference and keep it.
  *
  * <p>The lists of new messages hold those of this frame only; who looks less often than once a
  * frame sees gaps in their numbers and asks the log.

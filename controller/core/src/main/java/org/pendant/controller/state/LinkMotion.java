@@ -4,9 +4,9 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.models.pose.Pose;
 
 /**
- * How a point of the arm moves, followed from the base outwards: at each joint the rotation
- * changes, and along each link the point. (J. J. Craig, "Introduction to Robotics", equations 6.31
- * to 6.36.) Everything is along the axes of the base.
+ * Link motion: how a point of the arm moves, followed from the base outwards: at each joint the
+ * rotation changes, and along each link the point. (J. J. Craig, "Introduction to Robotics",
+ * equations 6.31 to 6.36.) Everything is along the axes of the base.
  */
 final class LinkMotion {
   /** Place, velocity and acceleration of the point, m, m/s, m/s². */

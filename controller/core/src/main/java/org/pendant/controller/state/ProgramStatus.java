@@ -5,7 +5,7 @@ import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.ProgramState;
 
 /**
- * How the program is doing.
+ * Program status: what the program is doing.
  *
  * @param runtime what the program and, because of it, the arm do
  * @param name of the running or last program, empty before the first

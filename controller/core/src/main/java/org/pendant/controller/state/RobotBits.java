@@ -10,7 +10,7 @@ import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.script.vm.ProgramState;
 
-/** What a snapshot says in the numbers and bits that all interfaces report. */
+/** Robot status bits: what a snapshot says in the numbers and bits that all interfaces report. */
 public final class RobotBits {
   private static final int CONFIGURABLE_SHIFT = SignalBank.STANDARD_IN.size();
   private static final int TOOL_SHIFT = CONFIGURABLE_SHIFT + SignalBank.CONFIGURABLE_IN.size();

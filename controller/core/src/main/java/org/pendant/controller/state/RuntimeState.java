@@ -1,6 +1,9 @@
 package org.pendant.controller.state;
 
-/** What the program does, and the arm because of it; codes are those of the interfaces. */
+/**
+ * Runtime state: what the program does, and the arm because of it; codes are those of the
+ * interfaces.
+ */
 public enum RuntimeState {
   /** The program has been stopped, and the arm comes to rest. */
   STOPPING(0),

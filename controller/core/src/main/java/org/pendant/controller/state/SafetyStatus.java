@@ -9,7 +9,7 @@ import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyStop;
 
 /**
- * Power, modes and stops.
+ * Safety status: power, modes and stops.
  *
  * @param robotMode power and brakes
  * @param safetyMode what the safety functions do

@@ -1,7 +1,7 @@
 package org.pendant.controller.state;
 
 /**
- * The software that the controller says it runs. The build number and its date are our choice:
+ * Software version that the controller says it runs. The build number and its date are our choice:
  * clients compare the first three numbers only.
  *
  * @param build number of the build

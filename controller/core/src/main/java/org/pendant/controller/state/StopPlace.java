@@ -4,7 +4,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /**
- * Where program and arm were when a safety function stopped them.
+ * Stop location: where program and arm were when a safety function stopped them.
  *
  * @param line 1-based line that the main thread had reached, 0 when no program ran
  * @param tcpInBase actual pose of the TCP in the base frame

@@ -7,8 +7,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /**
- * How the TCP and the elbow move while the joints turn; everything in the base frame. The elbow is
- * the end of the upper arm, the origin of Denavit-Hartenberg frame 2.
+ * Tool motion: how the TCP and the elbow move while the joints turn; everything in the base frame.
+ * The elbow is the end of the upper arm, the origin of Denavit-Hartenberg frame 2.
  *
  * @param speed of the TCP, m/s, and angular velocity, rad/s
  * @param acceleration of the TCP, m/s², and angular acceleration, rad/s²

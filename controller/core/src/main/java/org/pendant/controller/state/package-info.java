@@ -1,5 +1,5 @@
 /**
- * What the world sees of a controller: one immutable snapshot a frame. Open {@link
+ * State: what clients see of a controller: one immutable snapshot a frame. Open {@link
  * org.pendant.controller.state.ControllerState} first.
  */
 package org.pendant.controller.state;

@@ -1,7 +1,7 @@
 package org.pendant.controller.world;
 
 /**
- * An object that the tool touches.
+ * Contact: an object that the tool touches.
  *
  * @param object its name
  * @param depthM how deep the tool is pressed in, at the deepest of its points, m

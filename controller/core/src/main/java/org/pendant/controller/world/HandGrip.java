@@ -5,11 +5,11 @@ import org.pendant.models.json.Range;
 import org.pendant.models.time.FrameTime;
 
 /**
- * A hand that holds the arm at a point of one of its links, and pushes it with a force or pulls it
- * towards a place. Pulling is a spring with a damper whose force is bounded, so that it stays calm
- * however far away the place is; the place is followed smoothly, since whoever says where it is may
- * do so a few times a second only. A pull that is not repeated within {@value #DEAD_MAN_S} s lets
- * go.
+ * Hand grip: a hand that holds the arm at a point of one of its links, and pushes it with a force
+ * or pulls it towards a place. Pulling is a spring with a damper whose force is bounded, so that it
+ * stays calm however far away the place is; the place is followed smoothly, since whoever says
+ * where it is may do so a few times a second only. A pull that is not repeated within {@value
+ * #DEAD_MAN_S} s lets go.
  *
  * <p>Links are counted by the joint that moves them, 0 to 5, and have the frame of
  * Denavit-Hartenberg behind that joint: link 5 is the flange.

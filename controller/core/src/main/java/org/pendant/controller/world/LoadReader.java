@@ -10,7 +10,7 @@ import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 import org.pendant.models.json.Range;
 
-/** Reads the load of a scene: what truly hangs on the flange. */
+/** Load reader: reads the load of a scene: what is truly mounted on the flange. */
 final class LoadReader {
   /** Several times what the strongest arm carries. */
   private static final Range MASS = new Range(0, 100, "kg");

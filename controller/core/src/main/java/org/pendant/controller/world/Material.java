@@ -3,7 +3,7 @@ package org.pendant.controller.world;
 import org.pendant.models.json.Range;
 
 /**
- * How a surface pushes back.
+ * Material: how a surface pushes back.
  *
  * <p>The normal force follows K. H. Hunt and F. R. E. Crossley, "Coefficient of restitution
  * interpreted as damping in vibroimpact" (1975), with a linear spring: {@code f = k d (1 - 1.5 e

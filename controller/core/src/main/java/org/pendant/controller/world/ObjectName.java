@@ -3,7 +3,7 @@ package org.pendant.controller.world;
 import java.util.Optional;
 import org.pendant.models.json.Json;
 
-/** What an object of a scene may be called. */
+/** Object name: what an object of a scene may be called. */
 final class ObjectName {
   /** Room for it in a list on a screen. */
   private static final int LONGEST = 60;

@@ -9,7 +9,7 @@ import org.pendant.models.json.Json;
 import org.pendant.models.pose.Wrench;
 
 /**
- * What is around the arm; {@link SceneReader} reads it from a file.
+ * Scene: what is around the arm; {@link SceneReader} reads it from a file.
  *
  * @param objects what the tool can touch, at most {@value #MAX_OBJECTS}, each with its own name
  * @param load what truly hangs on the flange, whatever a program declares; empty when nothing is

@@ -3,7 +3,7 @@ package org.pendant.controller.world;
 import org.pendant.models.json.Range;
 import org.pendant.models.pose.Pose;
 
-/** A solid thing that the tool can touch; it stands still, whatever pushes it. */
+/** Scene object: a solid that the tool can touch; it stands still, whatever pushes it. */
 public sealed interface SceneObject {
   /** How it is called, in 1 to 60 letters; unique in its scene. */
   String name();

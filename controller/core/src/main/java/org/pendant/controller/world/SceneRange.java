@@ -2,7 +2,7 @@ package org.pendant.controller.world;
 
 import org.pendant.models.json.Range;
 
-/** What lengths and angles in a scene may be. */
+/** Scene ranges: what lengths and angles in a scene may be. */
 final class SceneRange {
   /** Where something may be, in the base frame: several times as far as the longest arm reaches. */
   static final Range POSITION = new Range(-10, 10, "m");

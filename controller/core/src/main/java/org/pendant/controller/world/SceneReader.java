@@ -15,7 +15,7 @@ import org.pendant.models.json.JsonFile;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 
-/** Reads a scene from JSON; docs/scene.md describes the file. */
+/** Scene reader: reads one from JSON; docs/scene.md describes the file. */
 public final class SceneReader {
   private final List<SceneObject> objects = new ArrayList<>();
   private final Map<String, FilePosition> places = new HashMap<>();

@@ -2,7 +2,7 @@ package org.pendant.controller.world;
 
 import org.pendant.models.pose.Transforms;
 
-/** The boundary of a solid, made ready for asking how far points are from it. */
+/** Surface: the boundary of a solid, prepared for finding how far points are from it. */
 sealed interface Surface {
 
   /** The surface of an object. */

@@ -3,7 +3,7 @@ package org.pendant.controller.world;
 import org.pendant.models.json.Range;
 
 /**
- * A place of the tool that can touch things.
+ * Tool point: a place of the tool that can touch things.
  *
  * @param pointInFlangeM where it is in the flange's frame, m, each -4 to 4
  * @param radiusM 0 to 1 m: above 0 the tool ends there in a ball of this radius around the point

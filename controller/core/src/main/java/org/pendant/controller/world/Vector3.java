@@ -7,8 +7,8 @@ import org.pendant.models.json.JsonFields;
 import org.pendant.models.json.Range;
 
 /**
- * Three numbers along the axes of a frame; what they count, and which frame, is said where the
- * vector is used.
+ * Vector: three numbers along the axes of a frame; what they count, and which frame, is said where
+ * the vector is used.
  */
 public record Vector3(double x, double y, double z) {
 
