@@ -22,8 +22,8 @@ public sealed interface Clock permits SteerableClock, VirtualClock, WallClock {
   }
 
   /**
-   * As {@link #awaitDue()}, but robot time goes no faster than the wall clock while somebody
-   * outside is waited for, who knows no other time.
+   * As {@link #awaitDue()}, but robot time goes no faster than the wall clock while a peer outside
+   * is waited for, who knows no other time.
    *
    * @param waitsForOutside asked only where it matters
    * @throws InterruptedException if the thread is interrupted meanwhile

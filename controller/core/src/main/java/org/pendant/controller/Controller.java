@@ -32,8 +32,8 @@ import org.pendant.script.vm.ProgramState;
 /**
  * Controller of one robot with its arm. Any number of them live in a process.
  *
- * <p>One thread at a time drives it by {@link Drive}: a {@link FrameLoop}, or whoever created it.
- * Everybody else has it as a {@link Robot}.
+ * <p>One thread at a time drives it by {@link Drive}: a {@link FrameLoop}, or the thread that
+ * created it. Everybody else has it as a {@link Robot}.
  */
 public final class Controller implements Robot, Drive {
   private final Builtins<ControlBox> builtins;

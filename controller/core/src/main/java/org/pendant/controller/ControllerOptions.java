@@ -57,7 +57,7 @@ public final class ControllerOptions {
   private ControllerOptions() {}
 
   /**
-   * A UR5e in virtual time, powered on, in an empty world and without a screen: popups go on by
+   * A UR5e in virtual time, powered on, in an empty world and without a screen: popups close by
    * themselves.
    */
   public static ControllerOptions headless() {

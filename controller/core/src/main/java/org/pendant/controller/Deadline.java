@@ -5,7 +5,7 @@ import java.time.Duration;
 /**
  * Deadline of a command, counted from when it is asked for. A frame takes 2 ms, and while robot
  * time stands commands are carried out at once: who gets no reply for much longer speaks to a
- * controller that nobody drives.
+ * controller that no thread drives.
  *
  * @param afterNs how long to wait at most, ns
  * @param late whether the command is carried out even after that; otherwise it is taken back

@@ -23,7 +23,7 @@ public sealed interface DebugCommand extends Command {
    * org.pendant.controller.state.ControllerState#traced}. Refused if that were more than {@link
    * VariableTracer#MOST}, those of other owners included.
    *
-   * @param owner who wants them, a name that nobody else uses; takes the place of its last wish
+   * @param owner who wants them, a name that no other client uses; takes the place of its last wish
    * @param paths what it wants; empty for nothing any more
    */
   record TraceVariables(String owner, List<VariablePath> paths) implements DebugCommand {

@@ -12,7 +12,7 @@ public interface Drive {
   /** The newest snapshot; any thread. */
   ControllerState state();
 
-  /** Runs one frame in the calling thread; a frame that a debugger holds goes on. */
+  /** Runs one frame in the calling thread; a frame that a debugger pauses in continues. */
   void advance();
 
   /**
@@ -39,7 +39,7 @@ public interface Drive {
   }
 
   /**
-   * Whether a script thread waits for somebody outside, who lives by the wall clock, or Modbus
+   * Whether a script thread waits for a peer outside, which lives by the wall clock, or Modbus
    * devices are asked again and again.
    */
   boolean waitsForOutside();

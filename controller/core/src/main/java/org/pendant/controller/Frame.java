@@ -97,7 +97,7 @@ final class Frame {
     }
   }
 
-  /** Whatever met it: it is the program that takes so much, and without it the box goes on. */
+  /** Whatever met it: it is the program that takes so much, and without it the box continues. */
   private void endOrThrow(VirtualMachineError e) {
     if (machine.state() == ProgramState.STOPPED) {
       throw e;
@@ -107,7 +107,7 @@ final class Frame {
 
   /**
    * Carries out the commands that have arrived, between two frames: no time passes. A frame that a
-   * debugger holds goes on with them.
+   * debugger pauses in continues with them.
    */
   void applyCommands() {
     if (held) {
@@ -133,7 +133,7 @@ final class Frame {
     takeInputs();
     held = runScripts();
     if (held) {
-      // a debugger holds the frame: time stands still, and the next call goes on with it
+      // a debugger holds the frame: time stands still, and the next call continues with it
       commandQueue.refuseSecondaries("a debugger holds program " + machine.programName());
       publish();
       return;
@@ -313,7 +313,7 @@ final class Frame {
     followProgram();
   }
 
-  /** What held the program is over by itself. */
+  /** What paused the program is over by itself. */
   private void goOn() {
     boolean waits = machine.state() == ProgramState.PAUSED || machine.pausing();
     if (heldBySafety && waits && !box.popups().blocked()) {
@@ -389,7 +389,7 @@ final class Frame {
     }
   }
 
-  /** Whether something nobody has planned holds or ends the program (manual 19.6). */
+  /** Whether something unplanned pauses or ends the program (manual 19.6). */
   private boolean unexpected() {
     return failed()
         || internalEnding.isPresent()

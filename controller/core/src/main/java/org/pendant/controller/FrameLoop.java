@@ -27,7 +27,7 @@ public final class FrameLoop implements AutoCloseable {
     thread = Thread.ofPlatform().daemon().name("frame loop").unstarted(this::run);
   }
 
-  /** Starts driving; nobody else may from now on. */
+  /** Starts driving; no other thread may from now on. */
   public static FrameLoop start(Controller controller, Clock clock) {
     return start(controller, clock, () -> {});
   }
@@ -78,7 +78,7 @@ public final class FrameLoop implements AutoCloseable {
     }
   }
 
-  /** What ended the loop although nobody closed it. */
+  /** What ended the loop although it was not closed. */
   public Optional<Throwable> failure() {
     return failure;
   }

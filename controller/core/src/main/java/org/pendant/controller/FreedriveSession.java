@@ -40,7 +40,7 @@ final class FreedriveSession {
     this.box = box;
   }
 
-  /** Begins, or goes on; answers why the arm cannot be guided, or no longer. */
+  /** Begins, or continues; answers why the arm cannot be guided, or no longer. */
   Optional<Refusal> hold(FreeAxes axes, FreedriveFrame frame) {
     FreedriveMode mode = new FreedriveMode(FreedriveHolder.HAND, axes, frame, true);
     if (hold.isEmpty() || !hold.get().mode.equals(mode)) {

@@ -10,8 +10,8 @@ import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 
 /**
- * Command on its way. Whoever has left it may take it back as long as no frame has taken it: so it
- * is either carried out or not, never both. Any thread.
+ * Command on its way. The client that has left it may take it back as long as no frame has taken
+ * it: so it is either carried out or not, never both. Any thread.
  */
 public final class PendingCommand {
   static final Reply INTERRUPTED = new Reply.Busy("interrupted");

@@ -22,13 +22,13 @@ public sealed interface ProgramCommand extends Command {
   }
 
   /**
-   * Starts a program that somebody sent to a port: the one that runs or is paused ends, and the new
-   * one starts in the same frame. An arm that still moves goes on evenly when the program begins
+   * Starts a program that a client sent to a port: the one that runs or is paused ends, and the new
+   * one starts in the same frame. An arm that still moves continues evenly when the program begins
    * with speeds, servos or a stop; moves wait until it has come to rest on the old path.
    *
    * <p>Refused during any stop of the safety functions, in recovery, and when the controller has
-   * been shut down; what ran goes on then. Without power the program starts all the same, and fails
-   * at its first motion.
+   * been shut down; what ran continues then. Without power the program starts all the same, and
+   * fails at its first motion.
    */
   record ReplaceProgram(Program program) implements ProgramCommand {}
 

@@ -52,7 +52,7 @@ final class RtdeCommandHandler implements CommandHandler<RtdeCommand> {
     return Optional.empty();
   }
 
-  /** Takes all inputs of a recipe, unless somebody else has some of them, which are answered. */
+  /** Takes all inputs of a recipe, unless another client has some of them, which are answered. */
   private Set<String> claim(String owner, InputRecipe recipe) {
     InputOwners owners = box.signals().owners();
     Set<String> inUse =

@@ -98,7 +98,7 @@ final class ControllerTest {
 
   @Test
   void aMoveTakesAsManyFramesAsItsProfile() {
-    // 1 rad at 1 rad/s with ramps of 0.5 s: 1.5 s, and the script goes on in the frame after it
+    // 1 rad at 1 rad/s with ramps of 0.5 s: 1.5 s, and the script continues in the frame after it
     run(
         """
         q = get_target_joint_positions()

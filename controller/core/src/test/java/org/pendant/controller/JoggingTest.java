@@ -38,7 +38,7 @@ import org.pendant.models.pose.Poses;
 import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.Program;
 
-/** The arm moves by hand while somebody repeats the command, and rests otherwise. */
+/** The arm moves by hand while a client repeats the command, and rests otherwise. */
 @Tag("slow")
 final class JoggingTest {
   /** How often a screen repeats, in frames: 30 times a second. */

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Operations on large values take several frames, in which other threads go on. */
+/** Operations on large values take several frames, in which other threads continue. */
 class LongOperationProgramTest {
   /** Changes whatever the main thread works on, in every frame, until it is killed. */
   private static String whileChanged(String change, String statements) {

@@ -19,7 +19,7 @@ import org.pendant.script.function.Effect;
 import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.ProgramState;
 
-/** What goes wrong while moves are looked for ahead is told, and the program goes on. */
+/** What goes wrong while moves are looked for ahead is told, and the program continues. */
 class MoveLookAheadFaultTest {
   private static final int MAX_FRAMES = 20_000;
 

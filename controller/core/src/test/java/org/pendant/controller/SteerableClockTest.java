@@ -16,7 +16,7 @@ final class SteerableClockTest {
     return new SteerableClock(pace, () -> nowNs, this::park);
   }
 
-  /** Waiting lets the fake time go on, and whoever steers have a turn. */
+  /** Waiting lets the fake time pass, and lets other threads run. */
   private void park(long ns) {
     parks++;
     if (ns < Long.MAX_VALUE) {

@@ -29,7 +29,7 @@ import org.pendant.script.vm.ProgramState;
 final class ToolpathProgramTest {
   private static final int MAX_FRAMES = 60_000;
 
-  /** A square of 60 mm with corners cut by 45 degrees, 10 mm above the begin of the path. */
+  /** A square of 60 mm with corners cut by 45 degrees, 10 mm above the start of the path. */
   private static final String SQUARE =
       """
       %SQUARE

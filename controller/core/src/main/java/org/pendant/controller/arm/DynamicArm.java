@@ -37,8 +37,8 @@ public final class DynamicArm implements SimulatedArm {
    *
    * @param arm what it is made of
    * @param startRad where its joints are at first, rad
-   * @param model the controller's model; whoever owns it keeps payload and mounting up to date and
-   *     tells the arm by {@link #modelChanged}
+   * @param model the controller's model; its owner keeps payload and mounting up to date and tells
+   *     the arm by {@link #modelChanged}
    * @param world what the tool may touch
    * @param encoderNoiseRad standard deviation of each position reading, rad; 0 for exact readings
    * @param seed of the noise

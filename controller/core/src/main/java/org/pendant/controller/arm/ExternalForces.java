@@ -51,8 +51,8 @@ final class ExternalForces {
   }
 
   /**
-   * Feels what will push at the end of the frame if the arm goes on as now. {@link #feel} uses the
-   * same levers within the frame.
+   * Feels what will push at the end of the frame if the arm continues as now. {@link #feel} uses
+   * the same levers within the frame.
    */
   void lookAhead(ArmBody body) {
     applied = world.applied();
@@ -62,7 +62,7 @@ final class ExternalForces {
     feelAhead(body);
   }
 
-  /** Feels what will push {@code afterS} s later if the arm goes on as now. */
+  /** Feels what will push {@code afterS} s later if the arm continues as now. */
   void feel(ArmBody body, double afterS) {
     predict(body, afterS);
     feelAhead(body);

@@ -10,7 +10,7 @@ import org.pendant.motion.servo.FrictionShare;
 /**
  * Motors of a freely guided arm, which carry the weight of arm and declared payload by the
  * controller's model and add the torques of a command; they take over a share of the friction, at
- * rest too, as a drive can that measures the torque behind its gear, and resist the speeds.
+ * rest too, as a drive can that measures the torque after its gear, and resist the speeds.
  */
 final class FreeMotors implements Drives {
   private static final int N = Joints.COUNT;

@@ -8,7 +8,7 @@ import org.pendant.models.pose.Transforms;
 
 /**
  * Joint torques of a hand that holds the arm at a point. Joints beyond the link that it holds get
- * none; each joint before feels the force times its lever: column i of the Jacobian of the held
+ * none; each joint before feels the force times its lever: column i of the Jacobian of the gripped
  * point is {@code z x (p - o)} for an axis z through o. (B. Siciliano et al., "Robotics: Modelling,
  * Planning and Control", equation 3.30.)
  */
@@ -99,7 +99,7 @@ final class HandForces {
   }
 
   /**
-   * Writes the velocity of the held point when joint i alone turns by 1 rad/s about its axis z
+   * Writes the velocity of the gripped point when joint i alone turns by 1 rad/s about its axis z
    * through o.
    */
   private void lever(int i, double zx, double zy, double zz, double ox, double oy, double oz) {

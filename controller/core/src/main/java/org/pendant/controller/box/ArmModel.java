@@ -31,7 +31,7 @@ public final class ArmModel {
     return dynamics;
   }
 
-  /** The payload that holds now; between two of them while a transition goes on. */
+  /** The payload that holds now; between two of them while a transition continues. */
   public Payload payload() {
     return payload;
   }

@@ -7,7 +7,7 @@ import org.pendant.controller.io.IoCommand;
 /** Command to the control box as a whole. */
 public sealed interface BoxCommand extends Command {
 
-  /** Switches arm and controller off; whoever drives the frames sees it in the snapshot. */
+  /** Switches arm and controller off; the thread that drives the frames sees it in the snapshot. */
   record ShutDown() implements BoxCommand {}
 
   /**
@@ -18,7 +18,7 @@ public sealed interface BoxCommand extends Command {
   record NoteLostTime(double behindS) implements BoxCommand {}
 
   /**
-   * Moves the speed slider; refused with the owner's name while somebody else has taken it.
+   * Moves the speed slider; refused with the owner's name while another client has taken it.
    *
    * @param writer who asks, as in {@link IoCommand.WriteSignals}; it is taken as {@link
    *     InputOwners#SPEED_SLIDER}

@@ -262,7 +262,7 @@ public final class ControlBox implements Host {
     return contactWatch;
   }
 
-  /** What the arm can do with the payload and the mounting of now. */
+  /** What the arm is capable of with the current payload and mounting. */
   public TorquePathLimits headroom() {
     headroom.setPayload(model.payload());
     headroom.setGravity(
@@ -425,7 +425,7 @@ public final class ControlBox implements Host {
     baseLight = light;
   }
 
-  /** Switches arm and controller off (manual 16.42); whoever drives the frames sees it. */
+  /** Switches arm and controller off (manual 16.42); the thread that drives the frames sees it. */
   public void shutDown() {
     shutDown = true;
     safety.powerOff();

@@ -8,7 +8,7 @@ import org.pendant.motion.MotionControl;
 /**
  * Drive target: what the servos follow: the motion's setpoint or, beside it, the place where a
  * protective stop has left the arm. An arm that was stopped by an obstacle rests where it is
- * instead of pressing on; when the program goes on, it returns to its path slowly.
+ * instead of pressing on; when the program continues, it returns to its path slowly.
  */
 final class DriveTarget {
   /** How fast the arm returns to its path, rad/s. */
@@ -30,7 +30,7 @@ final class DriveTarget {
     besideRad = Joints.ZERO;
   }
 
-  /** Whether the arm is held beside its path. */
+  /** Whether the arm is kept beside its path. */
   boolean beside() {
     return !besideRad.equals(Joints.ZERO);
   }

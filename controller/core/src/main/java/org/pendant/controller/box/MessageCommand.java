@@ -7,7 +7,7 @@ import org.pendant.controller.message.LogEntry;
 /** Command about messages to people and questions to them: popups, questions, the log. */
 public sealed interface MessageCommand extends Command {
 
-  /** Closes a popup; a program that it paused goes on. */
+  /** Closes a popup; a program that it paused continues. */
   record AnswerPopup(long number) implements MessageCommand {}
 
   /**

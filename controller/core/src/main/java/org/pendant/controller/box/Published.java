@@ -16,7 +16,7 @@ public interface Published {
   /** The input field with the readings of an external force/torque sensor. */
   String EXTERNAL_FORCE_TORQUE = "external_force_torque";
 
-  /** A box that nobody drives has told nothing. */
+  /** A box that no thread drives has reported nothing. */
   Published NOTHING =
       new Published() {
         @Override

@@ -22,7 +22,7 @@ public sealed interface WorldCommand extends Command {
    * hand holds one place only: another push or pull takes the place of it.
    *
    * @param link the link that joint {@code link} (0 to 5) moves; 5 is the flange
-   * @param pointInLinkM where, in the Denavit-Hartenberg frame behind that joint, -4 to 4 m each
+   * @param pointInLinkM where, in the Denavit-Hartenberg frame after that joint, -4 to 4 m each
    * @param forceInBaseN along the axes of the base, -10,000 to 10,000 N each; all 0 lets go
    */
   record PushLink(int link, Vector3 pointInLinkM, Vector3 forceInBaseN) implements WorldCommand {}

@@ -192,7 +192,7 @@ final class AssemblyBuiltins {
   }
 
   private static AssemblyHandle handle(Call<ControlBox> call) throws ScriptError {
-    // whoever only looks ahead must not change anything
+    // a look-ahead must not change anything
     call.program().reachesOutside();
     if (!(call.value(0) instanceof HandleValue handle)) {
       throw call.wrongKind(0, "an EtherNet/IP handle");

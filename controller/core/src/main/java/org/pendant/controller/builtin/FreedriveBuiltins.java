@@ -107,7 +107,7 @@ final class FreedriveBuiltins {
           throw call.failure("freedrive-refused", refused.refusal().text());
       case FreedriveStart.WrongPayload wrong -> {
         call.host().safety().wrongPayload(wrong.errorN(), wrong.toleranceN());
-        // the stop takes effect later in this frame: until then the program must not go on
+        // the stop takes effect later in this frame: until then the program must not continue
         call.program().pause();
       }
     }

@@ -137,7 +137,7 @@ final class ListBuiltins {
       }
       case STRING, POSE, STRUCT, HANDLE -> {
         Value[] elements = new Value[capacity];
-        // whoever changes one of them takes a copy of it
+        // code that changes one of them takes a copy of it
         Arrays.fill(elements, 0, length, call.value(1).copy());
         call.charge(capacity + OBJECT_NS * (long) length);
         yield call.answer(ObjectList.owning(elements, length, call.value(1).copy()));

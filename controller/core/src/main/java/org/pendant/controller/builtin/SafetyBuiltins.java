@@ -118,7 +118,7 @@ final class SafetyBuiltins {
 
   private static Outcome protectiveStop(Call<ControlBox> call) {
     call.host().safety().protectiveStop();
-    // the stop takes effect later in this frame: until then the program must not go on
+    // the stop takes effect later in this frame: until then the program must not continue
     call.program().pause();
     return call.answer();
   }

@@ -18,7 +18,7 @@ public record Refusal(Code code, String text) {
     ARM_RANGE,
     /** A debugger holds the program in the middle of a frame. */
     HELD,
-    /** Somebody else has taken it. */
+    /** Another client has taken it. */
     IN_USE,
     /** A value is out of its range or of another form. */
     INVALID,

@@ -21,7 +21,7 @@ record Rights(Optional<Set<PosixFilePermission>> permissions, Optional<GroupPrin
   /** Those of any new file. */
   static final Rights USUAL = new Rights(Optional.empty(), Optional.empty());
 
-  /** Nobody but its owner reads it. */
+  /** Only its owner reads it. */
   static final Rights PRIVATE =
       new Rights(Optional.of(PosixFilePermissions.fromString("rw-------")), Optional.empty());
 

@@ -17,7 +17,7 @@ public sealed interface AssemblyField {
   /** Its first bit. */
   long firstBit();
 
-  /** The bit behind its last one. */
+  /** The bit after its last one. */
   long endBit();
 
   /** Its value, which the caller owns. */

@@ -5,8 +5,8 @@ import org.pendant.controller.io.WatchdogAction;
 
 /**
  * Assembly watchdog: checks that the scanner continues to write an assembly while the program runs
- * (manual 21.3.8). While the program is paused nobody is late: the time begins anew when it goes
- * on.
+ * (manual 21.3.8). While the program is paused no client is late: the time begins anew when it
+ * continues.
  */
 public final class AssemblyWatchdog {
   /** Less than this is rounding of times, s; a frame is much longer. */

@@ -25,7 +25,7 @@ public interface ExternalSocket {
    */
   boolean send(byte[] bytes);
 
-  /** What the peer has sent and nobody has taken. */
+  /** What the peer has sent and the program has not taken. */
   ReceivedBytes received();
 
   /** Ends it, once what was left to be sent has gone out. */

@@ -20,7 +20,7 @@ public final class ModbusErrors {
   /** No answer in time: ETIMEDOUT. */
   public static final int NO_ANSWER = 110;
 
-  /** Nobody listens there: ECONNREFUSED. */
+  /** No server listens there: ECONNREFUSED. */
   public static final int REFUSED = 111;
 
   /** There is no such host, or no way to it: EHOSTUNREACH. */

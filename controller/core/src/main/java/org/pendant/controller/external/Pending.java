@@ -17,6 +17,6 @@ public interface Pending {
    */
   Value result() throws ScriptError;
 
-  /** Nobody wants the result any more. */
+  /** The result is not wanted any more. */
   void cancel();
 }

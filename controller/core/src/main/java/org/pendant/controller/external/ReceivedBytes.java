@@ -5,7 +5,7 @@ import java.util.concurrent.locks.LockSupport;
 
 /**
  * Received bytes on their way from one thread that receives them to the frame loop, which takes
- * them. The receiving thread waits where nobody takes; the frame loop never waits.
+ * them. The receiving thread waits where the reader takes nothing; the frame loop never waits.
  */
 public final class ReceivedBytes {
   /** Bytes that are kept until they are taken; the peer has to wait with more. */
@@ -59,7 +59,7 @@ public final class ReceivedBytes {
    * Where {@code text} begins.
    *
    * @param from where it may begin at the earliest
-   * @param end behind the last byte that it may have
+   * @param end after the last byte that it may have
    * @return its place, or -1
    */
   public int indexOf(String text, int from, int end) {
@@ -92,7 +92,7 @@ public final class ReceivedBytes {
   /**
    * Adds bytes; waits until there is room for all.
    *
-   * @return false when nobody will take any more
+   * @return false when the reader will not take any more
    * @throws InterruptedException when interrupted while waiting
    */
   public boolean append(byte[] bytes, int count) throws InterruptedException {
@@ -122,7 +122,7 @@ public final class ReceivedBytes {
     for (int i = 0; i < count; i++) {
       ring[(int) (end + i) & MASK] = bytes[offset + i];
     }
-    // last, so that whoever sees the length sees the bytes
+    // last, so that a reader that sees the length sees the bytes
     written = end + count;
   }
 

@@ -83,7 +83,7 @@ final class AxisConstraint {
   }
 
   /**
-   * Freedrive begins: the tool centre point is held where it is, along the locked axes.
+   * Freedrive begins: the tool centre point is kept where it is, along the locked axes.
    *
    * @param q joint positions, rad
    */
@@ -108,7 +108,7 @@ final class AxisConstraint {
     hold(q);
   }
 
-  /** From now on the tool centre point is elsewhere on the tool; it is held where it is. */
+  /** From now on the tool centre point is elsewhere on the tool; it is kept where it is. */
   void setTool(Pose tcpInFlange, double[] q) {
     this.tcpInFlange = tcpInFlange;
     Transforms.of(tcpInFlange, tool12);
@@ -163,7 +163,7 @@ final class AxisConstraint {
     }
   }
 
-  /** How far the tool centre point is from where it is held, along each locked axis. */
+  /** How far the tool centre point is from where it is kept, along each locked axis. */
   private void measure() {
     for (int k = 0; k < count; k++) {
       int axis = locked[k];

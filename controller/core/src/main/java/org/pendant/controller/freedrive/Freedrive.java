@@ -116,7 +116,7 @@ public final class Freedrive {
     return new FreedriveStart.Started();
   }
 
-  /** The arm is held where it is, or comes to rest soon if it moves. */
+  /** The arm is kept where it is, or comes to rest soon if it moves. */
   public void end() {
     if (mode.isPresent()) {
       mode = Optional.empty();
@@ -136,7 +136,7 @@ public final class Freedrive {
     return mode.isPresent();
   }
 
-  /** The active tool centre point is another one; it is held where it is. */
+  /** The active tool centre point is another one; it is kept where it is. */
   public void setTool(Pose inFlange) {
     tcpInFlange = inFlange;
     if (active()) {
@@ -145,7 +145,7 @@ public final class Freedrive {
     }
   }
 
-  /** Another payload holds: a wrong one stops a guided arm, unless nobody wants it checked. */
+  /** Another payload holds: a wrong one stops a guided arm, unless it need not be checked. */
   public void payloadChanged() {
     if (mode.isEmpty() || !mode.get().payloadChecked()) {
       return;

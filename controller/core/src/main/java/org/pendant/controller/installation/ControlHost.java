@@ -23,7 +23,7 @@ public record ControlHost(String host, int port) {
       Pattern.compile("(?:\\[([^\\[\\]]+)\\]|([^:]+))(?::([0-9]{1,5}))?");
 
   /**
-   * What a person has written: a host, and perhaps a port behind a colon; an address with colons
+   * What a person has written: a host, and perhaps a port after a colon; an address with colons
    * stands in brackets then.
    *
    * @throws IllegalArgumentException when it is something else; the message says what is expected

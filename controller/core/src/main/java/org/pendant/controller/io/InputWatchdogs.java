@@ -9,7 +9,7 @@ import java.util.Set;
 /**
  * Input watchdogs: check that clients continue to write inputs while a program runs (manual 18.41).
  * Every package with an input counts, also one that does not change its value. While the program is
- * paused nobody is late: the time begins anew when it goes on.
+ * paused no client is late: the time begins anew when it continues.
  *
  * <p>Belongs to the thread of the frame loop. Times are those of the controller, s.
  */

@@ -14,7 +14,7 @@ public sealed interface IoCommand extends Command {
   record SetInput(String name, boolean level) implements IoCommand {}
 
   /**
-   * Changes signals, all of them or, when one is refused, none. A signal that somebody else has
+   * Changes signals, all of them or, when one is refused, none. A signal that another client has
    * taken is refused with the owner's name. By hand, outputs are refused while a program runs or is
    * paused.
    *
@@ -34,7 +34,7 @@ public sealed interface IoCommand extends Command {
   }
 
   /**
-   * Takes a signal, so that nobody else may write it; refused with the owner's name when it is
+   * Takes a signal, so that no other client may write it; refused with the owner's name when it is
    * taken.
    *
    * @param owner such as an RTDE client

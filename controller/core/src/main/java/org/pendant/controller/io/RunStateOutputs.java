@@ -97,7 +97,7 @@ public final class RunStateOutputs {
     return level(action, running ? Event.STARTED : Event.HELD);
   }
 
-  /** A program starts, or goes on after a pause. */
+  /** A program starts, or continues after a pause. */
   public void started(boolean resumed) {
     running = true;
     apply(resumed && !stoppedUnscheduled ? Event.RESUMED : Event.STARTED);

@@ -80,7 +80,7 @@ public final class Signals {
     return actions.freedriveDemanded(digital.levels(), inputs.levels());
   }
 
-  /** Carries out a change, whoever asks for it. */
+  /** Carries out a change, whichever client asks for it. */
   public void write(SignalWrite change) {
     switch (change) {
       case SignalWrite.Digital set ->

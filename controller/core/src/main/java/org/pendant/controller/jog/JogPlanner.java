@@ -31,7 +31,7 @@ final class JogPlanner {
   private static final double JOINT_ACCELERATION_RAD_PER_S2 = 1.4;
   private static final double TOOL_ACCELERATION_M_PER_S2 = 0.5;
 
-  /** Farther than anybody holds a button for a joint that turns without end, rad. */
+  /** Farther than an operator holds a button for a joint that turns without end, rad. */
   private static final double ENDLESS_RAD = 1000;
 
   private final ControlBox box;

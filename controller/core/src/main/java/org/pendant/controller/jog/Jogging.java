@@ -161,7 +161,7 @@ public final class Jogging {
     }
   }
 
-  /** What the outlook reckons with; on a straight path joints may go on to turn faster. */
+  /** What the outlook reckons with; on a straight path joints may continue to turn faster. */
   private void stopJoints() {
     underway = Optional.empty();
     try {

@@ -33,7 +33,7 @@ final class StopPrediction {
   }
 
   /**
-   * Why the arm must stop now; empty if it may go on. An arm that is beyond a limit already may
+   * Why the arm must stop now; empty if it may continue. An arm that is beyond a limit already may
    * move: this is how it gets back.
    *
    * @param straight whether the tool keeps to a path, which cannot lead through a singularity
@@ -64,7 +64,7 @@ final class StopPrediction {
         : Optional.of("a safety plane, or the tilt that the tool may have, is reached");
   }
 
-  /** Time at the present speed that leads as far as the arm goes on when it stops now, s. */
+  /** Time at the present speed that leads as far as the arm continues when it stops now, s. */
   private static double lookaheadS(double fastestRadPerS) {
     return fastestRadPerS / (2 * STOP_RAD_PER_S2) + RESERVE_S;
   }

@@ -7,7 +7,7 @@ import org.pendant.controller.message.Popup.Severity;
 
 /** Open popups: those that are on the screen. Owned by the frame loop. */
 public final class OpenPopups {
-  /** More open windows than this help nobody: the oldest one that does not block goes. */
+  /** More open windows than this help no operator: the oldest one that does not block goes. */
   private static final int MAX_OPEN = 64;
 
   /** Windows of a frame that hold up nothing; more are not shown. */
@@ -104,7 +104,7 @@ public final class OpenPopups {
     return found;
   }
 
-  /** Closes every popup that blocks: the program goes on or ends without them. */
+  /** Closes every popup that blocks: the program continues or ends without them. */
   public void closeBlocking() {
     open = open.stream().filter(p -> !p.blocking()).toList();
   }

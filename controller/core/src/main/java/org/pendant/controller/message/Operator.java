@@ -9,7 +9,7 @@ public sealed interface Operator {
   record Present() implements Operator {}
 
   /**
-   * Nobody is there: popups go on at once, questions get a prepared answer or fail.
+   * No operator is there: popups close at once, questions get a prepared answer or fail.
    *
    * @param answers in the order in which they are used
    */
@@ -20,12 +20,12 @@ public sealed interface Operator {
     }
   }
 
-  /** Nobody answers beforehand: a person will, through a command. */
+  /** No answer is prepared: a person will give it, through a command. */
   static Operator present() {
     return new Present();
   }
 
-  /** There is no screen: popups go on at once, questions get the prepared answers. */
+  /** There is no screen: popups close at once, questions get the prepared answers. */
   static Operator headless(List<PreparedAnswer> answers) {
     return new Absent(answers);
   }

@@ -22,7 +22,7 @@ public final class PendingPrompt {
     return answer;
   }
 
-  /** Why there will never be an answer, as there is nobody who could give it. */
+  /** Why there will never be an answer, as no operator could give it. */
   public Optional<String> refusal() {
     return refusal;
   }

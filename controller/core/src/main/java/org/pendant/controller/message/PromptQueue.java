@@ -36,7 +36,7 @@ public final class PromptQueue {
   }
 
   /**
-   * Asks; where nobody is there, a prepared answer is given at once.
+   * Asks; where no operator is there, a prepared answer is given at once.
    *
    * @param text bytes, one {@code char} a byte; not empty
    */
@@ -87,7 +87,7 @@ public final class PromptQueue {
   }
 
   /**
-   * The operator does not want to answer; whoever calls this stops the program.
+   * The operator does not want to answer; the caller stops the program.
    *
    * @throws IllegalArgumentException if question {@code number} is not open
    */

@@ -5,7 +5,7 @@ import java.util.regex.Pattern;
 
 /**
  * Question: what a program wants to know of the operator (manual 18.73 to 18.76). The thread that
- * asks waits, everything else goes on.
+ * asks waits, everything else continues.
  *
  * @param number popups and questions are counted together, from 1
  * @param timeS controller time when it was asked, s

@@ -7,8 +7,8 @@ import java.util.List;
  * Input field: something that RTDE clients may write.
  *
  * @param name such as {@code input_int_register_3}
- * @param claims under which names a client takes it, so that nobody else may write it; see {@link
- *     org.pendant.controller.io.InputOwners}
+ * @param claims under which names a client takes it, so that no other client may write it; see
+ *     {@link org.pendant.controller.io.InputOwners}
  */
 public record InputField(String name, FieldType type, List<String> claims, Decoder decoder) {
   /** Copies the list. */

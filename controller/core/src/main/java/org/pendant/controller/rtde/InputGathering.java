@@ -13,7 +13,7 @@ import org.pendant.controller.io.SignalWrite;
 import org.pendant.models.pose.Wrench;
 
 /**
- * Input gathering: puts the values of one package together. A mask may stand before or behind what
+ * Input gathering: puts the values of one package together. A mask may stand before or after what
  * it selects, so both are kept until the end.
  */
 final class InputGathering {

@@ -9,7 +9,7 @@ import org.pendant.controller.io.IoCommand;
 public sealed interface RtdeCommand extends Command {
 
   /**
-   * Writes what a package of an RTDE client asks for, all of it or, when somebody else has taken
+   * Writes what a package of an RTDE client asks for, all of it or, when another client has taken
    * one of its inputs, nothing; refused with the owner's name then. Also counts for watchdogs.
    *
    * @param writer the name under which {@link ClaimInputs} has taken the inputs
@@ -17,11 +17,11 @@ public sealed interface RtdeCommand extends Command {
   record WriteInputs(String writer, InputUpdate update) implements RtdeCommand {}
 
   /**
-   * Takes the inputs of a recipe, so that nobody else may write them: all of them or, when one is
-   * taken, none. {@link IoCommand.ReleaseSignals} gives them back.
+   * Takes the inputs of a recipe, so that no other client may write them: all of them or, when one
+   * is taken, none. {@link IoCommand.ReleaseSignals} gives them back.
    *
    * @param owner such as an RTDE client
-   * @param answer is told in the frame loop which inputs are taken by somebody else, by their names
+   * @param answer is told in the frame loop which inputs are taken by other clients, by their names
    */
   record ClaimInputs(String owner, InputRecipe recipe, Consumer<Set<String>> answer)
       implements RtdeCommand {}

@@ -28,7 +28,7 @@ final class Observation {
   private double momentumKgMPerS;
 
   /**
-   * @param targetMatters whether anybody looks at {@link #target}
+   * @param targetMatters whether a check looks at {@link #target}
    */
   Observation(ArmDescription arm, ArmDynamics dynamics, boolean targetMatters) {
     this.dynamics = dynamics;

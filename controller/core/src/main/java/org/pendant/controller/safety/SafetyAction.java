@@ -14,6 +14,6 @@ public enum SafetyAction {
   STOP_ON_PATH_THEN_OFF,
   /** End the program; power is off already: stop category 0. */
   OFF_NOW,
-  /** A safeguard stop is over: a program that it paused goes on. */
+  /** A safeguard stop is over: a program that it paused continues. */
   RESUME
 }

@@ -8,7 +8,7 @@ import org.pendant.models.arm.Joints;
 
 /**
  * Safety checksum: a short number that tells safety configurations apart: equal ones have the same,
- * others nearly always another one. It is no protection against anybody who wants to deceive.
+ * others nearly always another one. It is no protection against deliberate deception.
  *
  * @param value 32 bits
  */

@@ -10,7 +10,7 @@ public enum SafetyInput {
   EMERGENCY_STOP,
   /** The emergency stop of the machines around it. */
   SYSTEM_EMERGENCY_STOP,
-  /** A person is near: the arm waits. The program goes on by itself when the signal is gone. */
+  /** A person is near: the arm waits. The program continues by itself when the signal is gone. */
   SAFEGUARD_STOP,
   /** As {@link #SAFEGUARD_STOP}, unless manual mode is chosen. */
   AUTOMATIC_MODE_SAFEGUARD_STOP,

@@ -235,7 +235,7 @@ public final class SafetySystem {
     return Optional.empty();
   }
 
-  /** Why no program may start or go on now; empty if one may. */
+  /** Why no program may start or continue now; empty if one may. */
   public Optional<Refusal> programRefusal() {
     if (stop().isPresent()) {
       return Optional.of(stops.refusal());

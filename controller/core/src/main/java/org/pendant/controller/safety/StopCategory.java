@@ -6,6 +6,6 @@ public enum StopCategory {
   ZERO,
   /** The arm stops on its path, then power is cut. */
   ONE,
-  /** The arm stops on its path and is held there. */
+  /** The arm stops on its path and is kept there. */
   TWO
 }

@@ -147,7 +147,7 @@ final class StopRecord {
             || nowS - present.get().timeS() > POWER_S - ROUNDING_S);
   }
 
-  /** Ends a stop whose input is gone; the answer is RESUME if a program may go on by itself. */
+  /** Ends a stop whose input is gone; the answer is RESUME if a program may continue by itself. */
   SafetyAction endWithInput(Set<SafetyInput> inputs, RobotMode robotMode) {
     Optional<SafetyInput> input = input();
     if (input.isEmpty()

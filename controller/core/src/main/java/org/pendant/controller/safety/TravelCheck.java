@@ -19,7 +19,7 @@ final class TravelCheck {
   /** How fast the joints were in the frame before, rad/s. */
   private final double[] lastQd = new double[Joints.COUNT];
 
-  /** How fast they are in the next one if they go on speeding up as they do, rad/s. */
+  /** How fast they are in the next one if they continue speeding up as they do, rad/s. */
   private final double[] nextQd = new double[Joints.COUNT];
 
   TravelCheck(SafetyConfiguration configuration) {
@@ -53,7 +53,7 @@ final class TravelCheck {
   }
 
   /**
-   * The stop that is needed now because the next frame is too late: of a target that nobody has
+   * The stop that is needed now because the next frame is too late: of a target that no check has
    * planned, torques may have changed the speed a lot by then.
    */
   Optional<SafetyStop> joints(double timeS, Observation seen, SafetyLimits limits) {

@@ -6,7 +6,7 @@ import org.pendant.models.pose.Wrench;
 
 /**
  * Arm geometry: what follows from the joints of one snapshot. It is worked out on demand, and then
- * kept: many clients ask the same of a frame, most frames nobody asks. Any thread.
+ * kept: many clients ask the same of a frame, most frames are not asked for. Any thread.
  */
 public final class ArmGeometry {
   private final ArmState arm;

@@ -4,7 +4,7 @@ package org.pendant.controller.state;
 public enum ControlMode {
   /** Target positions. */
   POSITION(0),
-  /** Whoever guides the arm by hand. */
+  /** A person who guides the arm by hand. */
   TEACH(1),
   /** Target positions that give way to a force. */
   FORCE(2),

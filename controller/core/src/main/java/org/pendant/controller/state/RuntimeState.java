@@ -9,10 +9,10 @@ public enum RuntimeState {
   STOPPING(0),
   STOPPED(1),
   PLAYING(2),
-  /** The program is held, and the arm comes to rest. */
+  /** The program is paused, and the arm comes to rest. */
   PAUSING(3),
   PAUSED(4),
-  /** The program goes on, and the arm speeds up again. */
+  /** The program continues, and the arm speeds up again. */
   RESUMING(5);
 
   private final int code;

@@ -7,12 +7,12 @@ import org.pendant.models.time.FrameTime;
 /**
  * Hand grip: a hand that holds the arm at a point of one of its links, and pushes it with a force
  * or pulls it towards a place. Pulling is a spring with a damper whose force is bounded, so that it
- * stays calm however far away the place is; the place is followed smoothly, since whoever says
- * where it is may do so a few times a second only. A pull that is not repeated within {@value
+ * stays calm however far away the place is; the place is followed smoothly, since the client that
+ * says where it is may do so a few times a second only. A pull that is not repeated within {@value
  * #DEAD_MAN_S} s lets go.
  *
  * <p>Links are counted by the joint that moves them, 0 to 5, and have the frame of
- * Denavit-Hartenberg behind that joint: link 5 is the flange.
+ * Denavit-Hartenberg after that joint: link 5 is the flange.
  *
  * <p>Belongs to the thread of the frame loop.
  */
@@ -26,7 +26,7 @@ public final class HandGrip {
   /** Force of the spring for each metre of distance, N/m. */
   static final double STIFFNESS_N_PER_M = 1000;
 
-  /** What the held point loses for each m/s of its own speed, N s/m. */
+  /** What the gripped point loses for each m/s of its own speed, N s/m. */
   static final double DAMPING_N_S_PER_M = 40;
 
   /** How soon the place is followed, s: about the time between two pictures on a screen. */
@@ -35,7 +35,7 @@ public final class HandGrip {
   /** From here on the place is reached, m. */
   private static final double REACHED_M = 1e-9;
 
-  /** Farthest held point from the origin of its link's frame, along each axis. */
+  /** Farthest gripped point from the origin of its link's frame, along each axis. */
   private static final Range POINT = new Range(-4, 4, "m");
 
   /** Where an arm may be pulled to, along each axis of the base. */
@@ -176,7 +176,7 @@ public final class HandGrip {
   /**
    * The force of the hand that holds. Allocates nothing.
    *
-   * @param point3 where the held point is, in the base frame, m
+   * @param point3 where the gripped point is, in the base frame, m
    * @param velocity3 how fast it moves, m/s
    * @param force3 overwritten, N, along the axes of the base
    */

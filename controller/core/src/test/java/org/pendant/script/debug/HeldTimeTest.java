@@ -13,7 +13,9 @@ import org.pendant.controller.io.DigitalLevels;
 import org.pendant.models.arm.Joints;
 import org.pendant.script.vm.ProgramState;
 
-/** Time that a program is held does not pass for it: blends, sleeps and threads go on unharmed. */
+/**
+ * Time that a program is held does not pass for it: blends, sleeps and threads continue unharmed.
+ */
 class HeldTimeTest {
   private static final String PROGRAM =
       """
