@@ -1,7 +1,7 @@
 package org.pendant.script.debug;
 
 /**
- * Where a program is to stop.
+ * Breakpoint: where a program is to stop.
  *
  * @param line 1-based line of the program's text
  * @param enabled whether it stops anything just now

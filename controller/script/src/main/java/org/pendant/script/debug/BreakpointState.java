@@ -3,7 +3,7 @@ package org.pendant.script.debug;
 import java.util.OptionalInt;
 
 /**
- * What became of a breakpoint.
+ * Breakpoint state: what became of a breakpoint.
  *
  * @param breakpoint as it was set
  * @param statementLine where the statement begins that it stops before: its own line or the nearest

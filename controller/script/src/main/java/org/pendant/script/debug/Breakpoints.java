@@ -10,9 +10,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.pendant.script.vm.Program;
 
-/**
- * The breakpoints of a debugger, one a line, and the statements of the running program they mean.
- */
+/** Breakpoints of a debugger, one a line, and the statements of the running program they mean. */
 final class Breakpoints {
   /** A breakpoint while a program runs. */
   static final class Entry {

@@ -4,9 +4,9 @@ import java.util.function.Consumer;
 import org.pendant.script.value.ScriptError;
 
 /**
- * What was asked of a {@link Debugger} and may change where the program stops or what it does, as
- * data: asked again of another debugger at the same point of the same run, it does the same. What
- * only looks is not among them.
+ * Debug request: what was asked of a {@link Debugger} and may change where the program stops or
+ * what it does, as data: asked again of another debugger at the same point of the same run, it does
+ * the same. What only looks is not among them.
  */
 public sealed interface DebugRequest extends Consumer<Debugger> {
   /**

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.pendant.script.vm.ThreadSnapshot;
 
 /**
- * Whether a program is held, and where its threads stand then.
+ * Debug state: whether a program is paused, and where its threads stand then.
  *
  * @param stop empty while nothing is held
  * @param threads the main thread first; empty while nothing is held

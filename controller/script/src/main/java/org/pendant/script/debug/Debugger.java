@@ -11,9 +11,9 @@ import org.pendant.script.vm.ProgramProbe;
 import org.pendant.script.vm.ThreadSnapshot;
 
 /**
- * Holds the primary program of one machine at breakpoints, after steps, on request and before it
- * fails. While it is held no thread runs and no time passes, so the program does what it would have
- * done without.
+ * Debugger: pauses the primary program of one machine at breakpoints, after steps, on request and
+ * before it fails. While it is held no thread runs and no time passes, so the program does what it
+ * would have done without.
  *
  * <p>Only the thread that drives the frames may call this, between two frames or at their begin.
  * What cannot be done is refused with an {@link IllegalArgumentException}. Calls of functions are

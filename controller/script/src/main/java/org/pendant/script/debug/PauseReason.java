@@ -2,7 +2,7 @@ package org.pendant.script.debug;
 
 import org.pendant.script.vm.ScriptFailure;
 
-/** Why a program is held. */
+/** Pause reason: why a program is paused. */
 public sealed interface PauseReason {
 
   /**

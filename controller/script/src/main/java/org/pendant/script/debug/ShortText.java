@@ -8,7 +8,7 @@ import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueText;
 
-/** The text of a value, cut off early, so that a list of a million elements costs nothing. */
+/** Short text of a value, cut off early, so that a list of a million elements costs nothing. */
 final class ShortText {
   /** Characters after which nothing more is added. */
   static final int ENOUGH = 200;

@@ -2,7 +2,7 @@ package org.pendant.script.debug;
 
 import org.pendant.script.vm.StackMark;
 
-/** What a thread was let go for. */
+/** Step request: for how far a paused thread may run. */
 sealed interface StepRequest {
   /** The thread that steps. */
   int thread();

@@ -13,7 +13,7 @@ import org.pendant.script.vm.ProgramProbe;
 import org.pendant.script.vm.ScriptFailure;
 import org.pendant.script.vm.ThreadSnapshot;
 
-/** Decides where a program stops, and remembers where it did. */
+/** Stop decision of a debugger: where a program stops, and where it did. */
 final class Stops implements DebugHook {
   private final ProgramProbe probe;
   private final Breakpoints breakpoints;

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.pendant.script.value.ValueKind;
 
 /**
- * A variable, an element, a member or the value of an expression, ready to be shown.
+ * Variable, element, member or value of an expression, ready to be shown.
  *
  * @param name of the variable or member; {@code [2]} or {@code [0, 2]} for an element
  * @param expression what yields it where the variable can be seen, and what to assign to

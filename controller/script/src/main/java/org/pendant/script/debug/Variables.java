@@ -13,7 +13,7 @@ import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 import org.pendant.script.vm.NamedValue;
 
-/** Makes {@link Variable}s of values. */
+/** Variable factory: makes {@link Variable}s of values. */
 public final class Variables {
   /** Most elements of a value that are made at once. */
   static final int MAX_CHILDREN = 1000;

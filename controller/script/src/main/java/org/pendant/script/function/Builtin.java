@@ -6,7 +6,7 @@ import org.pendant.language.signature.Signature;
 import org.pendant.script.value.Value;
 
 /**
- * A built-in function or method: how it is called and what it does.
+ * Builtin: a function or method of the manual, how it is called and what it does.
  *
  * @param <H> what programs run on
  * @param defaults the value of each parameter when the call leaves it out, in order; empty for

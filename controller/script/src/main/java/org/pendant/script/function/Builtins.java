@@ -12,8 +12,8 @@ import org.pendant.language.signature.Signature;
 import org.pendant.language.signature.Type;
 
 /**
- * Every built-in function and method, each declared once beside its code; interpreter, checker,
- * completion and documentation read this and own no other list.
+ * Builtins: every built-in function and method, each declared once beside its code; interpreter,
+ * checker, completion and documentation read this and own no other list.
  *
  * @param <H> what programs run on
  */

@@ -18,7 +18,7 @@ import org.pendant.script.value.ValueKind;
 import org.pendant.script.value.ValueText;
 
 /**
- * One call of a built-in function: its arguments, one a parameter with defaults filled in, and the
+ * Call of a built-in function: its arguments, one a parameter with defaults filled in, and the
  * place for its answer. A machine reuses one object for all calls: never keep it, take what a wait
  * needs out of it first.
  *

@@ -12,7 +12,7 @@ import org.pendant.script.value.FloatValue;
 import org.pendant.script.value.StringValue;
 import org.pendant.script.value.Value;
 
-/** The declaration of one built-in function, built up in a chain that {@link #does} closes. */
+/** Declaration of one built-in function, built up in a chain that {@link #does} closes. */
 public final class Declaration<H extends Host> {
   private final Builtins<H> owner;
   private final Optional<Type> receiver;

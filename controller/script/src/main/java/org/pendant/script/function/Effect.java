@@ -1,8 +1,8 @@
 package org.pendant.script.function;
 
 /**
- * What a built-in does beyond its answer, and whether the answer would be the same a little later:
- * that decides what may be run ahead of the arm to see which moves come.
+ * Effect of a built-in: what it does beyond its answer, and whether the answer would be the same a
+ * little later: that decides what may be run ahead of the arm to see which moves come.
  */
 public enum Effect {
   /** It answers from its arguments alone. */

@@ -2,7 +2,10 @@ package org.pendant.script.function;
 
 import org.pendant.script.value.LongOperation;
 
-/** What a built-in function did with a call: answered at once, began something long, or waits. */
+/**
+ * Outcome of a call: what a built-in function did: answered at once, began something long, or
+ * waits.
+ */
 public sealed interface Outcome permits Outcome.Answered, Outcome.Begun, Wait {
 
   /** The call is run once more with the result of {@code operation}, see {@link Call#resume}. */

@@ -2,7 +2,7 @@ package org.pendant.script.function;
 
 import org.pendant.script.value.ScriptError;
 
-/** What a built-in function may do to the program that calls it. */
+/** Program control: what a built-in function may do to the program that calls it. */
 public interface ProgramControl {
 
   /**

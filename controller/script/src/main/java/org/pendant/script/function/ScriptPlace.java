@@ -1,7 +1,7 @@
 package org.pendant.script.function;
 
 /**
- * What a program was at.
+ * Script location: what a program was at.
  *
  * @param source name of the text: the program's, or {@code interpreter}
  * @param thread handle of the script thread, 0 for the main thread

@@ -6,8 +6,8 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
 /**
- * Something a script thread waits for; the scheduler polls it once a frame, first in the frame
- * after the call. This is what takes physical time (manual 10.2).
+ * Wait: something a script thread waits for; the scheduler polls it once a frame, first in the
+ * frame after the call. This is what takes physical time (manual 10.2).
  */
 public non-sealed interface Wait extends Outcome {
 

@@ -1,8 +1,8 @@
 package org.pendant.script.function;
 
 /**
- * Counts what a program's instructions and built-ins take of its computing time and memory; the
- * machine settles it with the thread that they ran in.
+ * Work counter: counts what a program's instructions and built-ins take of its computing time and
+ * memory; the machine settles it with the thread that they ran in.
  */
 public final class Work {
   /** Less than this is not worth to be settled at once. */

@@ -1,5 +1,5 @@
 /**
- * What a built-in function is to the machine: its declaration, one call of it, and what it answers.
+ * Built-in functions as the machine sees them: a declaration, one call of it, and what it answers.
  * Open {@link org.pendant.script.function.Builtins} first, then {@link
  * org.pendant.script.function.Call}.
  */

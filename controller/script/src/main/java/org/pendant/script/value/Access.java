@@ -2,7 +2,9 @@ package org.pendant.script.value;
 
 import org.pendant.models.pose.Pose;
 
-/** Elements by index and members by name, see {@link Operators#index}. */
+/**
+ * Element and member access: elements by index and members by name, see {@link Operators#index}.
+ */
 final class Access {
   private Access() {}
 

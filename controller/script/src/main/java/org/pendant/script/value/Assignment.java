@@ -2,7 +2,7 @@ package org.pendant.script.value;
 
 import java.util.Optional;
 
-/** What a variable, list element or struct member holds after an assignment. */
+/** Assignment: what a variable, list element or struct member contains after it. */
 final class Assignment {
   private Assignment() {}
 

@@ -1,6 +1,6 @@
 package org.pendant.script.value;
 
-/** {@code True} or {@code False}. */
+/** Boolean value: {@code True} or {@code False}. */
 public record BoolValue(boolean value) implements Value {
   static final BoolValue TRUE = new BoolValue(true);
   static final BoolValue FALSE = new BoolValue(false);

@@ -3,7 +3,7 @@ package org.pendant.script.value;
 import java.util.function.Function;
 import org.pendant.language.syntax.Expression.BinaryOperator;
 
-/** Arithmetic element by element. */
+/** Combination of two lists or matrices: arithmetic element by element. */
 final class Combination implements LongOperation {
   private final BinaryOperator operator;
   private final Value left;

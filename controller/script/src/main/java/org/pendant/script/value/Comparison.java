@@ -3,7 +3,7 @@ package org.pendant.script.value;
 import java.util.ArrayDeque;
 import java.util.Deque;
 
-/** Whether two large values are equal, as {@link Equality} says it of small ones. */
+/** Comparison of two large values, by the same rule as {@link Equality} of small ones. */
 final class Comparison implements LongOperation {
   /** What one object takes to look at, in numbers. */
   private static final int OBJECT_WEIGHT = 16;

@@ -1,8 +1,8 @@
 package org.pendant.script.value;
 
 /**
- * A value with parts that can be changed in place. A copy shares the array of parts with the
- * original until one of the two changes (copy on write), so that copying costs the same however
+ * Container: a value with parts that can be changed in place. A copy shares the array of parts with
+ * the original until one of the two changes (copy on write), so that copying costs the same however
  * much is copied.
  *
  * <p>A container within another one may only be changed while it belongs to the very array that its

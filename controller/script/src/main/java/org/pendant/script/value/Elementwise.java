@@ -3,8 +3,8 @@ package org.pendant.script.value;
 import org.pendant.language.syntax.Expression.BinaryOperator;
 
 /**
- * Arithmetic of lists and matrices of numbers (manual 5). Results of ints are ints, except those of
- * a division.
+ * Elementwise arithmetic of lists and matrices of numbers (manual 5). Results of ints are ints,
+ * except those of a division.
  */
 final class Elementwise {
   private Elementwise() {}

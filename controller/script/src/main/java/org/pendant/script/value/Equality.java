@@ -1,6 +1,6 @@
 package org.pendant.script.value;
 
-/** The {@code ==} of scripts, see {@link Operators#equal}. */
+/** Equality: the {@code ==} of scripts, see {@link Operators#equal}. */
 final class Equality {
   private Equality() {}
 

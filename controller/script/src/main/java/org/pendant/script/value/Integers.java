@@ -2,7 +2,7 @@ package org.pendant.script.value;
 
 import org.pendant.language.syntax.Expression.BinaryOperator;
 
-/** Results that have to be ints. */
+/** Integer results: checks results that have to be ints. */
 final class Integers {
   private Integers() {}
 

@@ -1,6 +1,6 @@
 package org.pendant.script.value;
 
-/** The refusals that all lists share. */
+/** List checks: the refusals that all lists share. */
 final class ListChecks {
   private ListChecks() {}
 

@@ -3,7 +3,7 @@ package org.pendant.script.value;
 import java.util.Optional;
 import org.pendant.language.syntax.Expression.BinaryOperator;
 
-/** Lists and matrices made of single values, see {@link Operators#listLiteral}. */
+/** List literals: lists and matrices made of single values, see {@link Operators#listLiteral}. */
 final class ListLiterals {
   private ListLiterals() {}
 

@@ -1,8 +1,8 @@
 package org.pendant.script.value;
 
 /**
- * Something that is computed piece by piece, each of which takes a fraction of a frame, so that
- * large values hold nobody up. Values it works on must not change until it is done: whoever stops
+ * Long operation: computed piece by piece, each of which takes a fraction of a frame, so that large
+ * values delay no other thread. Values it works on must not change until it is done: whoever stops
  * between two pieces calls {@link #keep} first.
  */
 public interface LongOperation {

@@ -1,6 +1,6 @@
 package org.pendant.script.value;
 
-/** A matrix made of lists of numbers, some rows at a time. */
+/** Matrix construction from lists of numbers, some rows at a time. */
 final class MatrixRows implements LongOperation {
   private final NumberList[] rows;
   private final int columns;

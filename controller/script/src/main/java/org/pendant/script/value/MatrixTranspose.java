@@ -1,6 +1,6 @@
 package org.pendant.script.value;
 
-/** A matrix with its rows as columns, some rows at a time. */
+/** Transpose of a matrix: its rows as columns, some rows at a time. */
 final class MatrixTranspose implements LongOperation {
   /** What an element takes that is not near the one before it in memory, in elements. */
   private static final int FAR = 4;

@@ -1,6 +1,6 @@
 package org.pendant.script.value;
 
-/** The value of a function that returns nothing, and of {@code None}. */
+/** None: the value of a function that returns nothing, and of {@code None}. */
 public enum NoneValue implements Value {
   NONE;
 

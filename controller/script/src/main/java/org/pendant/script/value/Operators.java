@@ -5,8 +5,9 @@ import org.pendant.language.syntax.Expression.BinaryOperator;
 import org.pendant.models.text.FloatText;
 
 /**
- * What the operators, indices and member accesses of a script do with any values (manual 3 to 5).
- * The machine computes plain numbers itself and asks here for the rest; the answers are the same.
+ * Operators: what operators, indices and member accesses of a script do with any values (manual 3
+ * to 5). The machine computes plain numbers itself and asks here for the rest; the answers are the
+ * same.
  *
  * <p>Results are new values unless a method says otherwise; no operand is changed.
  */

@@ -3,10 +3,10 @@ package org.pendant.script.value;
 import java.util.Arrays;
 
 /**
- * Values in bulk, unboxed: number, tag and object of slot {@code i} stand at index {@code i} of
- * three arrays. Scalars live in {@code numbers} (booleans as 0 and 1), everything else in {@code
- * objects}. The arrays are replaced when they {@link #grow}; whoever keeps one across a call
- * fetches it again.
+ * Registers: values in bulk, unboxed: number, tag and object of slot {@code i} stand at index
+ * {@code i} of three arrays. Scalars live in {@code numbers} (booleans as 0 and 1), everything else
+ * in {@code objects}. The arrays are replaced when they {@link #grow}; whoever keeps one across a
+ * call fetches it again.
  */
 public final class Registers {
   /** Number tags first, so that an OR of tags up to {@link #FLOAT} means all are numbers. */

@@ -1,7 +1,8 @@
 package org.pendant.script.value;
 
 /**
- * A running program did something that cannot be done. The machine adds where; the program stops.
+ * Script error: a running program did something that cannot be done. The machine adds where; the
+ * program stops.
  *
  * <p>Carries no Java stack trace: it describes the script, not this code.
  */

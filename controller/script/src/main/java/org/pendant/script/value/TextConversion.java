@@ -6,7 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import org.pendant.models.text.FloatText;
 
-/** Makes the text of values piece by piece, as {@link ValueText} describes it. */
+/** Text conversion: makes the text of values piece by piece, as {@link ValueText} describes it. */
 final class TextConversion implements LongOperation {
   /** Nanoseconds that a piece takes, roughly; see {@link #advance}. */
   private static final int PIECE_NS = 50_000;

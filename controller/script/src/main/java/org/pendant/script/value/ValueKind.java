@@ -1,6 +1,6 @@
 package org.pendant.script.value;
 
-/** The fundamental kinds of values (manual 3 to 5). */
+/** Value kinds: the fundamental ones (manual 3 to 5). */
 public enum ValueKind {
   NONE("none"),
   BOOL("bool"),

@@ -3,7 +3,7 @@ package org.pendant.script.value;
 import org.pendant.models.text.FloatText;
 
 /**
- * How values print (manual 16.57, 16.65).
+ * Text of values: how they print (manual 16.57, 16.65).
  *
  * <p>Floats and poses print as {@link FloatText} says. A string is itself at the top and stands in
  * double quotes within lists and structs. Structs print as {@code {a = 1, b = "x"}}, matrices as a

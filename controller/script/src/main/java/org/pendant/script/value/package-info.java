@@ -1,5 +1,5 @@
 /**
- * The values a running script computes with, and how they print. Open {@link
+ * Values a running script computes with, and how they print. Open {@link
  * org.pendant.script.value.Value} first; {@link org.pendant.script.value.Operators} holds what the
  * operators do beyond plain numbers.
  */

@@ -10,7 +10,9 @@ import org.pendant.script.value.StringValue;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 
-/** Copies values that programs go on changing, as far as a number of parts allows. */
+/**
+ * Bounded copy: copies values that programs continue to change, as far as a number of parts allows.
+ */
 final class BoundedCopy {
   /** Bytes of a string that are kept. */
   static final int MAX_BYTES = 1000;

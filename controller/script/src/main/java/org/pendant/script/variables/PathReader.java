@@ -13,7 +13,10 @@ import org.pendant.script.value.Registers;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 
-/** Follows the path to one number without making anything; what is no number reads as NaN. */
+/**
+ * Path reader: follows the path to one number without making anything; what is no number reads as
+ * NaN.
+ */
 final class PathReader {
   private final VariablePath.Selector[] steps;
 

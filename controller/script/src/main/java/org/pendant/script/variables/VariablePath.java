@@ -6,7 +6,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A variable, or an element or member of one: {@code count}, {@code p[2]}, {@code part.size}.
+ * Variable path: a variable, or an element or member of one: {@code count}, {@code p[2]}, {@code
+ * part.size}.
  *
  * @param name of the variable
  * @param steps from its value to the part that is meant; an element of a matrix takes two

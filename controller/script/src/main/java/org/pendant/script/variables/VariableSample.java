@@ -14,8 +14,8 @@ import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueKind;
 
 /**
- * A variable, or a part of one, as it was at one moment. Immutable; one that has not changed since
- * the sample before is the same object.
+ * Variable sample: a variable, or a part of one, as it was at one moment. Immutable; one that has
+ * not changed since the sample before is the same object.
  */
 public final class VariableSample {
   private static final int NO_PART = -1;

@@ -12,10 +12,10 @@ import org.pendant.script.vm.ProgramState;
 import org.pendant.script.vm.VariableSlots;
 
 /**
- * Takes {@link VariableSamples}: every 20 frames, and in the first and last frame of a program. A
- * variable keeps at most {@link #MAX_PARTS} elements and members, all together at most {@link
- * #MAX_IN_ALL}; programs that have many are sampled less often, so that the mean cost of a frame
- * stays the same. Frame loop only.
+ * Variable sampler: takes {@link VariableSamples} every 20 frames, and in the first and last frame
+ * of a program. A variable keeps at most {@link #MAX_PARTS} elements and members, all together at
+ * most {@link #MAX_IN_ALL}; programs that have many are sampled less often, so that the mean cost
+ * of a frame stays the same. Frame loop only.
  */
 public final class VariableSampler {
   /** Frames from one sample to the next. */

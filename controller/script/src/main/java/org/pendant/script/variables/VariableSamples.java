@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The variables of the running or last program, for readers that need not see every frame: taken
- * about 25 times a second of robot time, and when the program ends. Immutable, the same object as
- * long as nothing changes, and bounded: see {@link VariableSampler}.
+ * Variable samples: the variables of the running or last program, for readers that need not see
+ * every frame: taken about 25 times a second of robot time, and when the program ends. Immutable,
+ * the same object as long as nothing changes, and bounded: see {@link VariableSampler}.
  *
  * @param run counts the programs that were started, from 1; 0 before the first
  * @param globals in the order of their first assignment, those without a value yet included

@@ -11,8 +11,8 @@ import org.pendant.script.vm.Machine;
 import org.pendant.script.vm.VariableSlots;
 
 /**
- * Reads chosen numbers out of the running or last program, in every frame. Each of those who want
- * some has a list of its own. Frame loop only.
+ * Variable tracer: reads chosen numbers out of the running or last program, in every frame. Each of
+ * those who want some has a list of its own. Frame loop only.
  */
 public final class VariableTracer {
   /** Most numbers, of all lists together. */

@@ -1,5 +1,5 @@
 /**
- * The variables of a running program for those who look on: all of them at a low rate, and chosen
- * numbers in every frame. Open {@link org.pendant.script.variables.VariableSamples} first.
+ * Variables of a running program for its observers: all of them at a low rate, and chosen numbers
+ * in every frame. Open {@link org.pendant.script.variables.VariableSamples} first.
  */
 package org.pendant.script.variables;

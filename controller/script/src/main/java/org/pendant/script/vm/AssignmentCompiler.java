@@ -11,7 +11,7 @@ import org.pendant.language.syntax.Expression.Member;
 import org.pendant.language.syntax.Expression.Name;
 import org.pendant.language.syntax.Statement;
 
-/** Compiles assignments to variables and to parts of them. */
+/** Assignment compiler: compiles assignments to variables and to parts of them. */
 final class AssignmentCompiler {
   private final FunctionContext context;
   private final CodeBuilder code;

@@ -19,7 +19,8 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.value.Value;
 
 /**
- * Compiles calls of functions, built-ins and methods, with their arguments in consecutive slots.
+ * Call compiler: compiles calls of functions, built-ins and methods, with their arguments in
+ * consecutive slots.
  */
 final class CallCompiler {
   private final FunctionContext context;

@@ -3,7 +3,7 @@ package org.pendant.script.vm;
 import java.util.Arrays;
 import org.pendant.language.source.SourceRange;
 
-/** Collects the instructions of one function, with the source range of each. */
+/** Code builder: collects the instructions of one function, with the source range of each. */
 final class CodeBuilder {
   private long[] code = new long[32];
   private int[] starts = new int[32];

@@ -14,7 +14,7 @@ import org.pendant.language.syntax.Statement;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.script.function.Builtins;
 
-/** Compiles a checked program. */
+/** Compiler of a checked program. */
 final class Compiler {
   private final Source source;
   private final ProgramForm form;

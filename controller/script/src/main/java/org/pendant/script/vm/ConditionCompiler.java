@@ -9,7 +9,8 @@ import org.pendant.language.syntax.Expression.Unary;
 import org.pendant.language.syntax.Expression.UnaryOperator;
 
 /**
- * Compiles conditions to jumps, so that the right side of {@code and} and {@code or} is skipped.
+ * Condition compiler: compiles conditions to jumps, so that the right side of {@code and} and
+ * {@code or} is skipped.
  */
 final class ConditionCompiler {
   private final FunctionContext context;

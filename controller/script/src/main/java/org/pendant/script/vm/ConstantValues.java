@@ -14,7 +14,7 @@ import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueKind;
 
-/** Values that are known from the text alone. */
+/** Constant values: known from the text alone. */
 final class ConstantValues {
   private ConstantValues() {}
 

@@ -9,8 +9,9 @@ import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 
 /**
- * What instructions cost a thread of its slice, in nanoseconds of a usual computer. Time is counted
- * and not measured, so that every machine schedules alike; the numbers were measured once, roughly.
+ * Cost of instructions: what they take of a thread's slice, in nanoseconds of a usual computer.
+ * Time is counted and not measured, so that every machine schedules alike; the numbers were
+ * measured once, roughly.
  */
 final class Cost {
   /** Instructions that may follow each other without being counted. */

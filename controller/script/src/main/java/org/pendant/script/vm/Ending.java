@@ -1,6 +1,6 @@
 package org.pendant.script.vm;
 
-/** How a program came to its end. */
+/** Ending: how a program came to its end. */
 public sealed interface Ending {
 
   /** The main level ran past its last statement, or returned. */

@@ -13,10 +13,10 @@ import org.pendant.script.value.Value;
 import org.pendant.script.vm.Processor.Stop;
 
 /**
- * Computes expressions and assignments as a call of a running program would, beside the program: on
- * copies of all variables, in a thread of its own. So a failure leaves no trace, and even what
- * succeeds changes nothing but the one variable that is assigned. Built-in functions do what they
- * always do; those that take robot time are refused before anything has run.
+ * Evaluator: computes expressions and assignments as a call of a running program would, beside the
+ * program: on copies of all variables, in a thread of its own. So a failure leaves no trace, and
+ * even what succeeds changes nothing but the one variable that is assigned. Built-in functions do
+ * what they always do; those that take robot time are refused before anything has run.
  */
 final class Evaluator {
   /** Compiled expressions that are kept: conditions of breakpoints are computed again and again. */

@@ -18,8 +18,8 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.value.Value;
 
 /**
- * Compiles the expressions of one function. A value that already has a slot (a variable, a
- * constant) is used where it stands; everything else goes to temporaries.
+ * Expression compiler: compiles the expressions of one function. A value that already has a slot (a
+ * variable, a constant) is used where it stands; everything else goes to temporaries.
  */
 final class ExpressionCompiler {
   private final FunctionContext context;

@@ -17,8 +17,8 @@ import org.pendant.language.syntax.Statement.Label;
 import org.pendant.script.value.Value;
 
 /**
- * One function while it is compiled: its code so far, what its names mean, and its slots.
- * Temporaries are taken and given back like a stack.
+ * Function context: one function while it is compiled: its code so far, what its names mean, and
+ * its slots. Temporaries are taken and given back like a stack.
  */
 final class FunctionContext {
   private final CodeBuilder code = new CodeBuilder();

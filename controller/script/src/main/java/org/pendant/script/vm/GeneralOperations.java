@@ -23,8 +23,8 @@ import org.pendant.script.value.ValueText;
 import org.pendant.script.vm.Processor.Stop;
 
 /**
- * What instructions do when their operands are not plain numbers, and every refusal: values are
- * boxed here and handed to {@link Operators}.
+ * General operations: what instructions do when their operands are not plain numbers, and every
+ * refusal: values are boxed here and handed to {@link Operators}.
  */
 final class GeneralOperations {
   private static final Value ZERO = Value.of(0);

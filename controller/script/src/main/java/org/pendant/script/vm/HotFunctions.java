@@ -4,8 +4,8 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * Finds the functions of one run that are worth a translation, and has them translated without
- * holding up the frame. A function that cannot be translated is interpreted.
+ * Hot functions: finds the functions of one run that are worth a translation, and has them
+ * translated without delaying the frame. A function that cannot be translated is interpreted.
  */
 final class HotFunctions {
   /** Calls and turns after which a function is translated: a fraction of a millisecond's work. */

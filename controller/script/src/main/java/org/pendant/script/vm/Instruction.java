@@ -1,9 +1,9 @@
 package org.pendant.script.vm;
 
 /**
- * The layout of one instruction in a {@code long}: ten bits of operation, then three operands of 18
- * bits. An operand that names a value is either a static slot (its index) or a local one (its index
- * with the top bit set), so that the address is found without a branch.
+ * Instruction layout in a {@code long}: ten bits of operation, then three operands of 18 bits. An
+ * operand that names a value is either a static slot (its index) or a local one (its index with the
+ * top bit set), so that the address is found without a branch.
  */
 final class Instruction {
   /** Largest index of a slot, argument list, function or member name. */

@@ -7,8 +7,8 @@ import org.pendant.script.value.Value;
 import org.pendant.script.vm.Processor.Stop;
 
 /**
- * Interprets instructions. Numbers are handled here, unboxed; everything else is left to {@link
- * SlowPath}.
+ * Instruction loop: interprets instructions. Numbers are handled here, unboxed; everything else is
+ * left to {@link SlowPath}.
  *
  * <p>The loop is one method on purpose: it stays below the size up to which the JVM compiles it.
  */

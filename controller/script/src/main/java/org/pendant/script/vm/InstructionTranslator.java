@@ -10,7 +10,10 @@ import java.util.List;
 import org.pendant.script.value.Registers;
 import org.pendant.script.vm.Processor.Stop;
 
-/** Translates single instructions, each as the {@link InstructionLoop} interprets it. */
+/**
+ * Instruction translator: translates single instructions, each as the {@link InstructionLoop}
+ * interprets it.
+ */
 final class InstructionTranslator {
   private final JvmCode registers;
   private final CodeBuilder code;

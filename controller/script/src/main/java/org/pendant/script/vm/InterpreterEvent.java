@@ -1,6 +1,9 @@
 package org.pendant.script.vm;
 
-/** What happens to the lines of interpreter mode, for its log files (manual 13.8). */
+/**
+ * Interpreter event: what happens to the lines of interpreter mode, for its log files (manual
+ * 13.8).
+ */
 public sealed interface InterpreterEvent {
   /** About what it takes in memory. */
   default int bytes() {

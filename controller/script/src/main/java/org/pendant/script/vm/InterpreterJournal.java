@@ -2,7 +2,10 @@ package org.pendant.script.vm;
 
 import java.util.List;
 
-/** The newest events of interpreter mode. The frame loop alone writes; any thread may read. */
+/**
+ * Interpreter journal: the newest events of interpreter mode. The frame loop alone writes; any
+ * thread may read.
+ */
 public final class InterpreterJournal {
   /** How many of the newest events can still be asked for. */
   public static final int KEPT = 4096;

@@ -1,8 +1,8 @@
 package org.pendant.script.vm;
 
 /**
- * What interpreter mode is at (manual 13.7). Ids are those that lines were accepted under; 0 where
- * there is none yet.
+ * Interpreter status: what interpreter mode is at (manual 13.7). Ids are those that lines were
+ * accepted under; 0 where there is none yet.
  *
  * @param active whether a program waits in {@code interpreter_mode()}
  * @param lastExecuted id of the newest line whose execution has begun

@@ -18,8 +18,8 @@ import org.pendant.script.value.Value;
 import org.pendant.script.vm.Processor.Stop;
 
 /**
- * Writes bytecode of one {@link TranslatedCode#run} method: how its variables and the registers are
- * reached.
+ * JVM code writer: writes bytecode of one {@link TranslatedCode#run} method: how its variables and
+ * the registers are reached.
  *
  * <p>Numbers and tags of the busiest local slots are kept in variables of the method as well. Every
  * change goes to both places, so the registers are always up to date, and the variables only have

@@ -13,7 +13,7 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.value.Registers;
 import org.pendant.script.value.Value;
 
-/** What interpreted lines add to a program: links one after the other into it. */
+/** Line links: what interpreted lines add to a program: links one after the other into it. */
 final class LineLinks {
   private final StaticSlots statics;
   private final IdentityHashMap<Definition, Integer> functionNumbers;

@@ -9,7 +9,9 @@ import java.util.Map;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.script.function.Builtin;
 
-/** Numbers everything that instructions refer to, while a program or a line is compiled. */
+/**
+ * Linkage: numbers everything that instructions refer to, while a program or a line is compiled.
+ */
 final class Linkage {
   private final StaticSlots statics;
   private final List<ScriptFunction> functions;

@@ -16,8 +16,8 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
 /**
- * Runs one primary program at a time, and secondary programs beside it. Not thread-safe: the frame
- * loop owns it.
+ * Virtual machine: runs one primary program at a time, and secondary programs beside it. Not
+ * thread-safe: the frame loop owns it.
  */
 public final class Machine {
   private final Builtins<?> builtins;

@@ -10,7 +10,10 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.ValueKind;
 
-/** Finds methods by the kind of their receiver, which is known only when the call runs. */
+/**
+ * Method lookup: finds methods by the kind of their receiver, which is known only when the call
+ * runs.
+ */
 final class Methods {
   private final Builtins<?> builtins;
   private final Map<ValueKind, Map<String, Builtin<?>>> known = new EnumMap<>(ValueKind.class);

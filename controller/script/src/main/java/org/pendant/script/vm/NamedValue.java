@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.pendant.script.value.Value;
 
 /**
- * A variable as it is now.
+ * Named value: a variable as it is at the moment.
  *
  * @param value the variable's own, to be read in this frame only; empty before it was assigned
  */

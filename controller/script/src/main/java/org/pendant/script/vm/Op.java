@@ -1,7 +1,7 @@
 package org.pendant.script.vm;
 
 /**
- * The operations of the machine. Operands a, b and c are explained beside each; "slot" is a value's
+ * Operations of the machine. Operands a, b and c are explained beside each; "slot" is a value's
  * place, "args" the first of consecutive local slots.
  */
 final class Op {

@@ -2,7 +2,7 @@ package org.pendant.script.vm;
 
 import org.pendant.language.syntax.Expression.BinaryOperator;
 
-/** The groups that binary operators fall into. */
+/** Operator groups: the groups that binary operators fall into. */
 final class OperatorGroups {
   private OperatorGroups() {}
 

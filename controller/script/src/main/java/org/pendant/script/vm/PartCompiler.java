@@ -8,9 +8,9 @@ import org.pendant.language.syntax.Expression.Index;
 import org.pendant.language.syntax.Expression.Member;
 
 /**
- * Compiles the way to a part of a variable that is changed in its place: first what says which part
- * it is, then, with nothing in between that could change the variable, the opening of one container
- * after the other.
+ * Part compiler: compiles the path to a part of a variable that is changed in its place: first what
+ * says which part it is, then, with nothing in between that could change the variable, the opening
+ * of one container after the other.
  */
 final class PartCompiler {
   /** One step from a container to a part: what opens it, and the index or name. */

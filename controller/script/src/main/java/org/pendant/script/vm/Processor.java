@@ -5,8 +5,8 @@ import org.pendant.script.value.Registers;
 import org.pendant.script.value.ScriptError;
 
 /**
- * Executes instructions of one thread until it stops for a reason: translated functions by their
- * own {@link TranslatedCode}, all others in the {@link InstructionLoop}.
+ * Processor: executes instructions of one thread until it stops for a reason: translated functions
+ * by their own {@link TranslatedCode}, all others in the {@link InstructionLoop}.
  */
 final class Processor {
   /** Why code returned to whoever ran it; the first three never leave {@link #execute}. */

@@ -13,7 +13,7 @@ import org.pendant.script.function.Builtin;
 import org.pendant.script.value.Value;
 
 /**
- * A compiled program, ready to start any number of times. Immutable.
+ * Compiled program, ready to start any number of times. Immutable.
  *
  * <p>Its static slots hold constants and global variables, mixed in the order of their first use.
  */

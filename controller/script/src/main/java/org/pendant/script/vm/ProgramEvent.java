@@ -2,7 +2,10 @@ package org.pendant.script.vm;
 
 import java.util.List;
 
-/** Something that happened to a program in a frame; a short one starts and ends in the same. */
+/**
+ * Program event: something that happened to a program in a frame; a short one starts and ends in
+ * the same.
+ */
 public sealed interface ProgramEvent {
   /** The name on its {@code def} or {@code sec} line. */
   String name();

@@ -5,7 +5,7 @@ import java.util.List;
 import org.pendant.language.source.SourceRange;
 import org.pendant.script.value.ScriptError;
 
-/** Turns the error of a thread into a failure with its place and call stack. */
+/** Program failure: turns the error of a thread into a failure with its place and call stack. */
 final class ProgramFailure {
   private ProgramFailure() {}
 

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A label line of a program ({@code $ 2 "MoveJ"}, manual 11), by which PolyScope finds the node of
- * its tree that a program is at.
+ * Program label: a label line of a program ({@code $ 2 "MoveJ"}, manual 11), by which PolyScope
+ * finds the node of its tree that a program is at.
  *
  * @param line where it stands, 1-based
  * @param number of the node

@@ -16,7 +16,9 @@ import org.pendant.language.syntax.Statement;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.script.function.Builtins;
 
-/** The way from text to a program: parse, check, compile. Pure; any thread may call it. */
+/**
+ * Program loader: makes a program of a text: parse, check, compile. Pure; any thread may call it.
+ */
 public final class ProgramLoader {
   private ProgramLoader() {}
 

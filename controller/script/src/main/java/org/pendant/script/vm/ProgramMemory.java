@@ -9,8 +9,8 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
 /**
- * Keeps the values of one program within a limit. What is new is added up; the values that are
- * there are only counted when the sum has come near the limit.
+ * Program memory: keeps the values of one program within a limit. What is new is added up; the
+ * values that are there are only counted when the sum has come near the limit.
  */
 final class ProgramMemory {
   /** Bytes of one register. */

@@ -11,8 +11,8 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
 /**
- * What a debugger may see of the running primary program and do to it. Frame loop only; threads are
- * named by their handles and calls by their depth, 1 for the outermost.
+ * Program probe: what a debugger may see of the running primary program and do to it. Frame loop
+ * only; threads are named by their handles and calls by their depth, 1 for the outermost.
  *
  * <p>A thread or call that is not there is refused with an {@link IllegalArgumentException}.
  */

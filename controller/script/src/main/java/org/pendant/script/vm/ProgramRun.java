@@ -22,8 +22,8 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
 /**
- * One program while it runs: its values, its threads, and the scheduler that gives each runnable
- * thread its share of a frame (manual 10.2).
+ * Program run: one program while it runs: its values, its threads, and the scheduler that gives
+ * each runnable thread its share of a frame (manual 10.2).
  */
 final class ProgramRun {
   /** Most threads alive at once; one more is a runtime error. */

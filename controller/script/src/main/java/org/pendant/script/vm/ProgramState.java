@@ -1,6 +1,6 @@
 package org.pendant.script.vm;
 
-/** Whether a program runs. */
+/** Program state: whether a program runs. */
 public enum ProgramState {
   STOPPED,
   RUNNING,

@@ -1,6 +1,6 @@
 package org.pendant.script.vm;
 
-/** A program exceeds one of the machine's sizes. */
+/** Size error: a program exceeds one of the machine's sizes. */
 final class ProgramTooLarge extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

@@ -7,8 +7,8 @@ import java.util.function.ToIntFunction;
 import java.util.function.ToLongFunction;
 
 /**
- * The newest of what is numbered from 1 without gaps, as many as fit into a bound. One thread adds;
- * any thread may read at any time.
+ * Recent entries: the newest of what is numbered from 1 without gaps, as many as fit into a bound.
+ * One thread adds; any thread may read at any time.
  */
 public final class RecentEntries<T> {
   private final AtomicReferenceArray<T> ring;

@@ -6,8 +6,8 @@ import org.pendant.script.value.Registers;
 import org.pendant.script.value.ScriptError;
 
 /**
- * Shares one register file between the static slots of a program and its threads, in segments of a
- * power of two.
+ * Register segments: shares one register file between the static slots of a program and its
+ * threads, in segments of a power of two.
  */
 final class RegisterSegments {
   private static final int SMALLEST = 64;

@@ -9,8 +9,8 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
 /**
- * Gives each runnable thread of a program its share of a frame (manual 10.2). A debugger may hold
- * it within a frame; it goes on then exactly where it was.
+ * Scheduler: gives each runnable thread of a program its share of a frame (manual 10.2). A debugger
+ * may hold it within a frame; it goes on then exactly where it was.
  */
 final class Scheduler {
   /**

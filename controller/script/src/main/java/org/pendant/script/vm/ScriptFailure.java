@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.language.source.SourceRange;
 
 /**
- * Why a program stopped by itself: a runtime error with its place.
+ * Script failure: why a program stopped by itself: a runtime error with its place.
  *
  * @param code stable kebab-case identifier
  * @param message what, the value, what was expected

@@ -7,7 +7,7 @@ import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
 
 /**
- * One compiled function, thread or main level.
+ * Script function: one compiled function, thread or main level.
  *
  * <p>Its slots stand in this order: parameters, other local variables, temporaries.
  */

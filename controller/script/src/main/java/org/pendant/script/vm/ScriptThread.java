@@ -6,8 +6,8 @@ import org.pendant.script.function.Wait;
 import org.pendant.script.value.LongOperation;
 
 /**
- * One script thread: call frames over a segment of the program's registers, and what it waits for.
- * It is plain data that the {@link Processor} works on.
+ * Script thread: call frames over a segment of the program's registers, and what it waits for. It
+ * is plain data that the {@link Processor} works on.
  */
 final class ScriptThread {
   /** Deepest nesting of calls; one more is a runtime error. */

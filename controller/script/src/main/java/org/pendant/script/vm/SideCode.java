@@ -1,7 +1,8 @@
 package org.pendant.script.vm;
 
 /**
- * An expression or assignment that was compiled for one place of a program, to run on the side.
+ * Side code: an expression or assignment that was compiled for one place of a program, to run on
+ * the side.
  *
  * @param function its code, for the slots of the function around the place
  * @param tables those of the program, with what the code adds

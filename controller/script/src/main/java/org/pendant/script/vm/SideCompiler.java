@@ -17,7 +17,7 @@ import org.pendant.language.syntax.Statement.Qualifier;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.value.ScriptError;
 
-/** Compiles expressions and assignments for a place in a running program. */
+/** Side compiler: compiles expressions and assignments for a place in a running program. */
 final class SideCompiler {
   /** Constants that one of them may have. */
   private static final int MAX_CONSTANTS = 4096;

@@ -5,7 +5,7 @@ import org.pendant.script.function.ProgramControl;
 import org.pendant.script.value.ScriptError;
 
 /**
- * What built-ins in an expression of a debugger may do to the program: nothing.
+ * Side control: what built-ins in an expression of a debugger may do to the program: nothing.
  *
  * @param frame that of the program
  */

@@ -4,7 +4,10 @@ import java.util.BitSet;
 import org.pendant.script.function.Builtin;
 import org.pendant.script.value.ScriptError;
 
-/** Looks through the code of an expression, and of all functions that it may come to call. */
+/**
+ * Side effect search: looks through the code of an expression, and of all functions that it may
+ * come to call.
+ */
 final class SideEffects {
   private final Program.Tables tables;
   private final BitSet seen = new BitSet();

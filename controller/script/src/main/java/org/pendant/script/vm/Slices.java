@@ -1,8 +1,8 @@
 package org.pendant.script.vm;
 
 /**
- * How the computing time of a frame is shared out among threads, in nanoseconds as {@link Cost}
- * counts them.
+ * Time slices: how the computing time of a frame is shared out among threads, in nanoseconds as
+ * {@link Cost} counts them.
  *
  * @param computingNs what the threads share that had not come to an end in the frame before
  * @param wakingNs what the threads share that waited, one after the other a quarter of the rest

@@ -14,8 +14,8 @@ import org.pendant.script.value.Value;
 import org.pendant.script.vm.Processor.Stop;
 
 /**
- * Executes single instructions in full generality: the rare operations, and the rare cases of the
- * common ones, for operands that are not plain numbers.
+ * Slow path: executes single instructions in full generality: the rare operations, and the rare
+ * cases of the common ones, for operands that are not plain numbers.
  */
 final class SlowPath {
   /** What {@link #equal} answers when the thread has stopped before the comparison. */

@@ -2,7 +2,9 @@ package org.pendant.script.vm;
 
 import java.util.Arrays;
 
-/** Which calls a thread was in at some moment, to find out later which of them are left. */
+/**
+ * Stack mark: which calls a thread was in at some moment, to find out later which of them are left.
+ */
 public final class StackMark {
   private final int[] callers;
 

@@ -12,7 +12,7 @@ import org.pendant.language.syntax.ParameterDeclaration;
 import org.pendant.language.syntax.Statement;
 import org.pendant.script.function.Builtins;
 
-/** Compiles the statements of one function. */
+/** Statement compiler: compiles the statements of one function. */
 final class StatementCompiler {
   /** Where leaving and repeating the innermost loops lead. */
   private record Loop(List<Integer> breaks, List<Integer> continues) {}

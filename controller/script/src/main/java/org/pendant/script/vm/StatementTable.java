@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.pendant.language.source.SourceRange;
 
 /**
- * Where the statements of one function begin, in the order of its instructions. A loop whose
- * condition is compiled twice stands in it twice, with the same range.
+ * Statement table: where the statements of one function begin, in the order of its instructions. A
+ * loop whose condition is compiled twice stands in it twice, with the same range.
  */
 final class StatementTable {
   private int[] pcs = new int[8];

@@ -10,7 +10,7 @@ import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 
-/** Gives constants and global variables their static slots while a program is compiled. */
+/** Static slots: gives constants and global variables theirs while a program is compiled. */
 final class StaticSlots {
   private final int first;
   private final int last;

@@ -2,7 +2,7 @@ package org.pendant.script.vm;
 
 import org.pendant.script.value.ScriptError;
 
-/** A thread failed; {@link #thread} tells where. */
+/** Thread failure: a thread failed; {@link #thread} tells where. */
 final class ThreadFailure extends Exception {
   private static final long serialVersionUID = 1L;
   private final transient ScriptThread thread;

@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.language.source.SourceRange;
 
 /**
- * Where one script thread was at some moment.
+ * Thread snapshot: where one script thread was at some moment.
  *
  * @param id its handle; 0 for the main thread
  * @param name of the function that it began with, the program's for the main thread

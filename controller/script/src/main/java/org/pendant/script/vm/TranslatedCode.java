@@ -7,8 +7,8 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
 /**
- * A function whose instructions were translated to bytecode of the JVM; {@link Translator} makes
- * its subclasses.
+ * Translated code: a function whose instructions were translated to bytecode of the JVM; {@link
+ * Translator} makes its subclasses.
  *
  * <p>All state stays where the {@link Processor} has it, in the registers and in the frames of the
  * thread. So both forms of a function can take over from each other at every instruction that a

@@ -1,6 +1,9 @@
 package org.pendant.script.vm;
 
-/** Which functions {@link HotFunctions} translates. What a program does is the same with each. */
+/**
+ * Translation policy: which functions {@link HotFunctions} translates. What a program does is the
+ * same with each.
+ */
 enum Translation {
   /** Those that run often, in the background, while they are interpreted. */
   WHEN_HOT,

@@ -16,9 +16,9 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 
 /**
- * Translates the instructions of one function to a {@link TranslatedCode}. The common case of an
- * instruction becomes bytecode; the rare ones call {@link SlowPath}, from behind the method's
- * straight way.
+ * Translator: translates the instructions of one function to a {@link TranslatedCode}. The common
+ * case of an instruction becomes bytecode; the rare ones call {@link SlowPath}, from behind the
+ * method's straight way.
  */
 final class Translator {
   /** The JVM does not compile methods of more bytes than this. */

@@ -7,8 +7,9 @@ import java.util.Optional;
 import org.pendant.script.value.Registers;
 
 /**
- * Where one run of a program keeps its variables, for whoever looks at them often. Looking makes
- * nothing and changes nothing. Frame loop only; the values stay when the program has ended.
+ * Variable slots: where one run of a program keeps its variables, for readers that look at them
+ * often. Looking makes nothing and changes nothing. Frame loop only; the values stay when the
+ * program has ended.
  */
 public final class VariableSlots {
   /** In place of a slot: the variable is not there now. */
