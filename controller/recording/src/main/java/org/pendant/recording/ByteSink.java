@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.Map;
 import org.pendant.script.variables.VariableSamples;
 
-/** Bytes of one block as they are written; numbers are little-endian, whole ones of any length. */
+/**
+ * Byte sink: the bytes of one block as they are written; numbers are little-endian, whole ones of
+ * any length.
+ */
 final class ByteSink {
   /** Longer texts are written each time. */
   static final int MAX_KNOWN_LENGTH = 200;

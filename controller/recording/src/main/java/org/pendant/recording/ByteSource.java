@@ -9,8 +9,8 @@ import org.pendant.script.variables.TracedVariables;
 import org.pendant.script.variables.VariableSamples;
 
 /**
- * Reads what {@link ByteSink} wrote. Nothing is believed: every count is compared with what is left
- * of the block before anything of that size is made.
+ * Byte source: reads what {@link ByteSink} wrote. Nothing is believed: every count is compared with
+ * what is left of the block before anything of that size is made.
  */
 final class ByteSource {
   /** Values in values; deeper ones are no recording's. */

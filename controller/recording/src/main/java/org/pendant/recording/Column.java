@@ -17,7 +17,7 @@ import org.pendant.script.variables.VariablePath;
 import org.pendant.script.variables.VariableSample;
 import org.pendant.script.variables.VariableSamples;
 
-/** A number that {@link Recording#scan} follows through a recording. */
+/** Column: a number that {@link Recording#scan} follows through a recording. */
 public final class Column {
   private final Reading reading;
 

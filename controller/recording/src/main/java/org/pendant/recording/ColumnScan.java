@@ -3,7 +3,7 @@ package org.pendant.recording;
 import java.util.Arrays;
 import org.pendant.models.time.FrameTime;
 
-/** Follows one number through a recording. */
+/** Column scan: follows one number through a recording. */
 final class ColumnScan {
   /** How often a number that has to be worked out is looked at in each stretch of time. */
   private static final int LOOKS = 4;

@@ -1,8 +1,8 @@
 package org.pendant.recording;
 
 /**
- * A number over equal stretches of time. A stretch without a value, outside of the recording or
- * where there was none, has NaN.
+ * Column trace: a number over equal stretches of time. A stretch without a value, outside of the
+ * recording or where there was none, has NaN.
  */
 public final class ColumnTrace {
   private final double fromS;

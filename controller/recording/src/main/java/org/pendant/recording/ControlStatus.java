@@ -3,7 +3,9 @@ package org.pendant.recording;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControlMode;
 
-/** What the drives follow, and whether a motion is under way; see {@link ArmState}. */
+/**
+ * Control status: what the drives follow, and whether a motion is under way; see {@link ArmState}.
+ */
 record ControlStatus(ControlMode mode, boolean moving, boolean steady) {
   private static final ControlStatus[] ALL = new ControlStatus[4 * ControlMode.values().length];
 

@@ -5,7 +5,10 @@ import java.util.List;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.time.FrameTime;
 
-/** What the file of a recording begins with, and what is in it; docs/recording.md describes it. */
+/**
+ * File format of a recording: what its file begins with, and what is in it; docs/recording.md
+ * describes it.
+ */
 final class FileFormat {
   /** What every recording begins with. */
   static final byte[] MAGIC = {(byte) 0x8F, 'P', 'E', 'N', 'R', 'E', 'C', '\n'};

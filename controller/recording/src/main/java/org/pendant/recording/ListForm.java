@@ -3,7 +3,7 @@ package org.pendant.recording;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The form of a list: how many, then each. */
+/** Form of a list: how many, then each. */
 final class ListForm<T> extends Form<List<T>> {
   private final Form<T> element;
 

@@ -1,6 +1,6 @@
 package org.pendant.recording;
 
-/** Bytes of a recording that cannot have been written by this version. */
+/** Malformed bytes of a recording, which cannot have been written by this version. */
 final class MalformedBytes extends Exception {
   private static final long serialVersionUID = 1L;
 

@@ -16,7 +16,7 @@ import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.ProgramEvent;
 import org.pendant.script.vm.ProgramLabel;
 
-/** Finds what is worth a mark. */
+/** Mark search: finds what is worth a mark. */
 final class MarkSearch {
   /** Marks that are kept; of more the oldest are left out. */
   static final int MOST = 10_000;

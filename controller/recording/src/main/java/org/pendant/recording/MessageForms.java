@@ -7,7 +7,7 @@ import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.script.function.ScriptPlace;
 
-/** Forms of what is said to people. */
+/** Forms of messages to people. */
 final class MessageForms {
   private static final Form<Optional<ScriptPlace>> PLACE =
       new Form<ScriptPlace>() {

@@ -7,7 +7,10 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Wrench;
 
-/** Numbers of a snapshot that tend to change together; they are kept when one of them does. */
+/**
+ * Number group: numbers of a snapshot that tend to change together; they are kept when one of them
+ * does.
+ */
 enum NumberGroup {
   TARGET_Q(0, "target_q", 6),
   TARGET_QD(1, "target_qd", 6),

@@ -3,7 +3,7 @@ package org.pendant.recording;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The texts of the programs of a recording, by the frames of their starts. Immutable. */
+/** Program texts of a recording, by the frames of their starts. Immutable. */
 record ProgramTexts(List<RecordedProgram> all, long bytes) {
   static final ProgramTexts NONE = new ProgramTexts(List.of(), 0);
 

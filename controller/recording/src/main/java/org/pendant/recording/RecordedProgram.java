@@ -8,7 +8,8 @@ import org.pendant.models.time.FrameTime;
 import org.pendant.script.vm.ProgramEvent;
 
 /**
- * The text of a program that ran, as it was then: the file may have changed since.
+ * Recorded program: the text of a program that ran, as it was then: the file may have changed
+ * since.
  *
  * @param frame in which it started
  * @param name on its {@code def} line, as in {@link

@@ -15,11 +15,11 @@ import org.pendant.models.pose.Pose;
 import org.pendant.script.variables.VariablePath;
 
 /**
- * Writes snapshots as comma-separated values: a header, then one row a frame with time (s), target
- * and actual joint positions (rad) and speeds (rad/s), target and actual pose of the TCP in the
- * base frame (m, rotation vector in rad), the program's line, and the variables that were asked
- * for. Numbers have full double precision and a point, whatever the country; a variable without a
- * number leaves its field empty. What it flushes is whole rows, the header at once.
+ * CSV recorder: writes snapshots as comma-separated values: a header, then one row a frame with
+ * time (s), target and actual joint positions (rad) and speeds (rad/s), target and actual pose of
+ * the TCP in the base frame (m, rotation vector in rad), the program's line, and the variables that
+ * were asked for. Numbers have full double precision and a point, whatever the country; a variable
+ * without a number leaves its field empty. What it flushes is whole rows, the header at once.
  */
 public final class Recorder implements Closeable {
   private static final int BUFFER_CHARS = 1 << 16;

@@ -11,8 +11,8 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.time.FrameTime;
 
 /**
- * A stretch of what one controller did: of its {@link RecordingRing} at one moment, or of a file.
- * Immutable; any thread.
+ * Recording: a stretch of what one controller did: of its {@link RecordingRing} at one moment, or
+ * of a file. Immutable; any thread.
  *
  * <p>Times are robot time, s since the controller was switched on; a time between two frames means
  * the frame before it, one outside of the stretch its first or last frame. From memory {@link #at}

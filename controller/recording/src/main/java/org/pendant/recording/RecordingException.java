@@ -2,7 +2,10 @@ package org.pendant.recording;
 
 import java.io.IOException;
 
-/** A file that is no recording, of another version, or damaged; the message says which. */
+/**
+ * Recording error: a file that is no recording, of another version, or damaged; the message says
+ * which.
+ */
 public final class RecordingException extends IOException {
   private static final long serialVersionUID = 1L;
 

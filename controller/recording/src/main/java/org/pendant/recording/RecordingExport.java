@@ -10,7 +10,10 @@ import org.pendant.controller.disk.AtomicFile;
 import org.pendant.script.variables.TracedVariables;
 import org.pendant.script.variables.VariablePath;
 
-/** Writes a stretch of a recording to a file. It takes a while: not for the dispatch thread. */
+/**
+ * Recording export: writes a stretch of a recording to a file. It takes a while: not for the
+ * dispatch thread.
+ */
 public final class RecordingExport {
   private RecordingExport() {}
 

@@ -21,9 +21,9 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Opens {@code .rec} files. All of a file is read and checked once, which takes a while: not for
- * the dispatch thread. Later it is read again in pieces on demand, so that memory does not grow
- * with its length.
+ * Recording file: opens {@code .rec} files. All of a file is read and checked once, which takes a
+ * while: not for the dispatch thread. Later it is read again in pieces on demand, so that memory
+ * does not grow with its length.
  */
 public final class RecordingFile {
   /** Blocks that are kept in memory. */

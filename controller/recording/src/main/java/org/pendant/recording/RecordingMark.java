@@ -1,7 +1,7 @@
 package org.pendant.recording;
 
 /**
- * Something worth a mark on a timeline.
+ * Recording mark: something worth a mark on a timeline.
  *
  * @param frame in which it happened
  * @param timeS end of that frame, robot time, s

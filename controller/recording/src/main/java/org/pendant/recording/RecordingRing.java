@@ -7,9 +7,9 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 
 /**
- * The last stretch of robot time of one controller, within a bound of memory: the oldest frames are
- * dropped. The thread that drives the controller writes, with {@link #take} after each frame; every
- * thread may read, with {@link #recording}. Nobody waits for anybody.
+ * Recording ring: the last stretch of robot time of one controller, within a bound of memory: the
+ * oldest frames are dropped. The thread that drives the controller writes, with {@link #take} after
+ * each frame; every thread may read, with {@link #recording}. Nobody waits for anybody.
  *
  * <p>Frames are kept at 500 Hz with every bit. A frame that changed nothing takes nothing; while
  * nothing else changes, temperatures, energies and execution times are kept once a second only.

@@ -15,9 +15,10 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Writes a {@code .rec} file frame by frame, at any length with the same memory. Equal frames make
- * equal files. What it flushes is whole blocks: the header with the first snapshot at once, and
- * from then on at least one block for each minute in which something changes. One thread uses it.
+ * Recording writer: writes a {@code .rec} file frame by frame, at any length with the same memory.
+ * Equal frames make equal files. What it flushes is whole blocks: the header with the first
+ * snapshot at once, and from then on at least one block for each minute in which something changes.
+ * One thread uses it.
  */
 public final class RecordingWriter implements Closeable {
   /** An arm at rest fills no block for a long time, and it is lost when the process is killed. */

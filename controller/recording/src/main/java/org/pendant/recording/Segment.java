@@ -3,9 +3,9 @@ package org.pendant.recording;
 import java.util.Arrays;
 
 /**
- * A stretch of frames: first a whole snapshot, then for each frame that changed something what that
- * was. One thread appends; others read up to {@link #published} at the same time, as what has been
- * appended never changes.
+ * Segment: a stretch of frames: first a whole snapshot, then for each frame that changed something
+ * what that was. One thread appends; others read up to {@link #published} at the same time, as what
+ * has been appended never changes.
  *
  * <p>An entry has the number of its frame, a mask of {@link NumberGroup}s and one of {@link
  * SnapshotPart}s, whose values follow each other in the two pools in the order of their bits.

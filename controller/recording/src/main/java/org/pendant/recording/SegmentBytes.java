@@ -3,9 +3,9 @@ package org.pendant.recording;
 import java.util.Arrays;
 
 /**
- * How a segment stands in a file. Each number stands as the difference of its bits to those of the
- * number before it in the same column, and the bytes of these differences are sorted by their
- * place: what changes slowly becomes long rows of zeros.
+ * Segment bytes: how a segment stands in a file. Each number stands as the difference of its bits
+ * to those of the number before it in the same column, and the bytes of these differences are
+ * sorted by their place: what changes slowly becomes long rows of zeros.
  */
 final class SegmentBytes {
   /** No controller runs for a thousand years. */

@@ -1,6 +1,9 @@
 package org.pendant.recording;
 
-/** Goes through a segment's entries in turn and knows where the newest value of each thing is. */
+/**
+ * Segment cursor: goes through a segment's entries in turn and knows where the newest value of each
+ * thing is.
+ */
 final class SegmentCursor {
   private final Segment segment;
   private final int count;

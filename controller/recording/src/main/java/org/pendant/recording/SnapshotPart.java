@@ -5,8 +5,8 @@ import java.util.function.Function;
 import org.pendant.controller.state.ControllerState;
 
 /**
- * A part of a snapshot that changes now and then: the object is kept when another one takes its
- * place. The order is that of the file.
+ * Snapshot part that changes now and then: the object is kept when another one takes its place. The
+ * order is that of the file.
  */
 final class SnapshotPart {
   static final SnapshotPart TOOL =

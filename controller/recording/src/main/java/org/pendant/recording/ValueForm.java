@@ -17,9 +17,7 @@ import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueKind;
 
-/**
- * The form of a script value: its kind, then what it holds. Lists are written without spare room.
- */
+/** Form of a script value: its kind, then its content. Lists are written without spare room. */
 final class ValueForm extends Form<Value> {
   static final ValueForm ANY = new ValueForm();
 

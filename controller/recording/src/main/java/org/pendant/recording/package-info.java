@@ -1,5 +1,5 @@
 /**
- * What a controller did, kept to be looked at again. Open {@link
+ * Recording: what a controller did, kept to be looked at again. Open {@link
  * org.pendant.recording.RecordingRing} first: it takes every frame and holds the last minutes.
  * {@link org.pendant.recording.Recording} is what can be read of it, or of a file.
  *

@@ -4,7 +4,10 @@ import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.Joints;
 
-/** A number that two runs share only as long as arm and program do the same, bit for bit. */
+/**
+ * Fingerprint of a run: a number that two runs share only as long as arm and program do the same,
+ * bit for bit.
+ */
 final class Fingerprint {
   private static final long FACTOR = 0x9E3779B97F4A7C15L;
 

@@ -14,9 +14,9 @@ import org.pendant.controller.rtde.RtdeCommand;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Every command that has changed a controller since it was switched on, with the place in its run
- * where it did. With it and the controller's options, {@link Rerun} makes another controller that
- * stands at any frame.
+ * Journal: every command that has changed a controller since it was switched on, with the place in
+ * its run where it did. With it and the controller's options, {@link Rerun} makes another
+ * controller that stands at any frame.
  *
  * <p>It is bounded, and it is never thinned out: when it is full, the frames from then on cannot be
  * repeated any more, those before can. The thread that drives the controller writes it; any thread

@@ -1,8 +1,8 @@
 package org.pendant.recording.replay;
 
 /**
- * How much a {@link Journal} keeps. What does not fit ends it: without the oldest commands the
- * others are worth nothing.
+ * Journal limits: how much a {@link Journal} keeps. What does not fit ends it: without the oldest
+ * commands the others are worth nothing.
  *
  * @param mostCommands 1 or more
  * @param mostBytes about, as far as the commands themselves say how large they are

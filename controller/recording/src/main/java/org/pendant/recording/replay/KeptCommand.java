@@ -14,9 +14,9 @@ import org.pendant.script.debug.DebugRequest;
 import org.pendant.script.vm.Program;
 
 /**
- * A command as a journal keeps it: as data that can be given to another controller. All kinds are
- * immutable but for those whose answer goes to somebody; that part is left out. Those that carry
- * more than a few numbers are named here with what they take.
+ * Kept command: a command as a journal keeps it, as data that can be given to another controller.
+ * All kinds are immutable but for those whose answer goes to somebody; that part is left out. Those
+ * that carry more than a few numbers are named here with what they take.
  *
  * @param bytes about what it takes in memory
  */

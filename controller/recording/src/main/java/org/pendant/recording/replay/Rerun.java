@@ -12,9 +12,9 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Brings a fresh controller to the end of a frame of another one's run, as fast as the processor
- * goes, and compares the two at every command and in the end. The other controller is not touched
- * and may go on meanwhile.
+ * Rerun: brings a fresh controller to the end of a frame of another one's run, as fast as the
+ * processor allows, and compares the two at every command and in the end. The other controller is
+ * not touched and may go on meanwhile.
  *
  * <p>A frame that a debugger still holds is repeated up to where it is held. The end of a frame
  * after which robot time stood is with the commands that came into force meanwhile.

@@ -1,7 +1,8 @@
 package org.pendant.recording.replay;
 
 /**
- * A run cannot be repeated up to the frame that was asked for; the message says why, for people.
+ * Rerun refusal: a run cannot be repeated up to the frame that was asked for; the message says why,
+ * for people.
  */
 public final class RerunRefused extends Exception {
   private static final long serialVersionUID = 1;

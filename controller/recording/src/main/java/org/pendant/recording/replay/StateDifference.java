@@ -8,7 +8,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.Joints;
 import org.pendant.script.variables.VariableSample;
 
-/** Tells whether two runs are the same one, by snapshots of the same frame. */
+/** State difference: tells whether two runs are the same one, by snapshots of the same frame. */
 public final class StateDifference {
   private StateDifference() {}
 
