@@ -2,6 +2,7 @@ package org.pendant.models.dynamics;
 
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
+import org.ejml.dense.row.mult.VectorVectorMult_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
@@ -140,13 +141,8 @@ public final class ArmDynamics {
   /** Kinetic energy of links and payload, J. */
   public double kineticEnergyJ(double[] q, double[] qd) {
     composite.mass(q, factor.data);
-    double energy = 0;
-    for (int row = 0; row < N; row++) {
-      for (int i = 0; i < N; i++) {
-        energy += 0.5 * qd[row] * factor.data[N * row + i] * qd[i];
-      }
-    }
-    return energy;
+    System.arraycopy(qd, 0, solution.data, 0, N);
+    return 0.5 * VectorVectorMult_DDRM.innerProdA(solution, factor, solution);
   }
 
   /** Work against gravity and the base's acceleration that lifted the arm from height 0, J. */

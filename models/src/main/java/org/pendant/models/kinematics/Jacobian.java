@@ -211,7 +211,7 @@ public final class Jacobian {
    * @param jacobian 36 numbers
    * @param twist six numbers
    * @param damping above 0; 0.01 to 0.1 is usual
-   * @param qd six joint speeds in rad/s, overwritten
+   * @param qd six joint speeds in rad/s, overwritten; must not be {@code twist}
    * @throws IllegalArgumentException if damping is not above 0
    */
   public void solveDamped(double[] jacobian, double[] twist, double damping, double[] qd) {

@@ -1,5 +1,12 @@
 package org.pendant.models.kinematics;
 
+import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.decomposition.TriangularSolver_DDRM;
+import org.ejml.dense.row.misc.UnrolledCholesky_DDRM;
+import org.ejml.dense.row.mult.MatrixMatrixMult_DDRM;
+import org.ejml.dense.row.mult.MatrixVectorMult_DDRM;
 import org.pendant.models.arm.Joints;
 
 /**
@@ -16,8 +23,14 @@ final class SpeedSolver {
 
   private static final int N = Joints.COUNT;
 
-  private final double[] work = new double[N * N];
-  private final double[] side = new double[N];
+  /** Views of the arrays that are handed over, for EJML; their own content counts for nothing. */
+  private final DMatrixRMaj matrix = new DMatrixRMaj(N, N);
+
+  private final DMatrixRMaj side = new DMatrixRMaj(N, 1);
+  private final DMatrixRMaj speeds = new DMatrixRMaj(N, 1);
+
+  private final DMatrixRMaj normal = new DMatrixRMaj(N, N);
+  private final DMatrixRMaj factor = new DMatrixRMaj(N, N);
 
   /** The matrix in rows, of which elimination leaves the upper half; what is below is waste. */
   private final double[][] upper = new double[N][N];
@@ -95,50 +108,24 @@ final class SpeedSolver {
     qd[5] = x5;
   }
 
-  /** The normal equations, by their Cholesky factor; see {@link Jacobian#solveDamped}. */
+  /**
+   * The normal equations {@code (JᵀJ + damping² I) qd = Jᵀ twist}, by their Cholesky factor; see
+   * {@link Jacobian#solveDamped}. Where rounding leaves none, the speeds are not numbers.
+   */
   void solveDamped(double[] jacobian, double[] twist, double damping, double[] qd) {
-    for (int row = 0; row < N; row++) {
-      for (int i = 0; i <= row; i++) {
-        double sum = row == i ? damping * damping : 0;
-        for (int k = 0; k < N; k++) {
-          sum += jacobian[N * k + row] * jacobian[N * k + i];
-        }
-        work[N * row + i] = sum;
-      }
-      double sum = 0;
-      for (int k = 0; k < N; k++) {
-        sum += jacobian[N * k + row] * twist[k];
-      }
-      side[row] = sum;
+    matrix.setData(jacobian);
+    side.setData(twist);
+    speeds.setData(qd);
+    CommonOps_DDRM.setIdentity(normal);
+    CommonOps_DDRM.scale(damping * damping, normal);
+    MatrixMatrixMult_DDRM.multAddTransA_reorder(matrix, matrix, normal);
+    MatrixVectorMult_DDRM.multTransA_small(matrix, side, speeds);
+    if (!UnrolledCholesky_DDRM.lower6(normal, factor)) {
+      Arrays.fill(qd, Double.NaN);
+      return;
     }
-    factorise();
-    for (int row = 0; row < N; row++) {
-      double sum = side[row];
-      for (int i = 0; i < row; i++) {
-        sum -= work[N * row + i] * qd[i];
-      }
-      qd[row] = sum / work[N * row + row];
-    }
-    for (int row = N - 1; row >= 0; row--) {
-      double sum = qd[row];
-      for (int i = row + 1; i < N; i++) {
-        sum -= work[N * i + row] * qd[i];
-      }
-      qd[row] = sum / work[N * row + row];
-    }
-  }
-
-  /** Cholesky factor of the lower half of {@code work}, in place; damping makes it exist. */
-  private void factorise() {
-    for (int row = 0; row < N; row++) {
-      for (int i = 0; i <= row; i++) {
-        double sum = work[N * row + i];
-        for (int k = 0; k < i; k++) {
-          sum -= work[N * row + k] * work[N * i + k];
-        }
-        work[N * row + i] = row == i ? Math.sqrt(sum) : sum / work[N * i + i];
-      }
-    }
+    TriangularSolver_DDRM.solveL(factor.data, qd, N);
+    TriangularSolver_DDRM.solveTranL(factor.data, qd, N);
   }
 
   private int pivotRow(int step) {

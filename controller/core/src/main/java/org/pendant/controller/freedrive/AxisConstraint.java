@@ -2,8 +2,10 @@ package org.pendant.controller.freedrive;
 
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
 import org.ejml.dense.row.decomposition.TriangularSolver_DDRM;
 import org.ejml.dense.row.misc.UnrolledCholesky_DDRM;
+import org.ejml.dense.row.mult.MatrixVectorMult_DDRM;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
@@ -64,15 +66,23 @@ final class AxisConstraint {
   private final double[] anchor3 = new double[3];
   private final double[] error = new double[N];
   private final double[] sum = new double[N];
-  private final double[] rows = new double[N * N];
-  private final double[] moved = new double[N * N];
+  private final DMatrixRMaj rows = new DMatrixRMaj(N, N);
+  private final DMatrixRMaj moved = new DMatrixRMaj(N, N);
   private final double[] column = new double[N];
   private final int[] locked = new int[N];
   private final DMatrixRMaj mass = new DMatrixRMaj(N, N);
   private final DMatrixRMaj massFactor = new DMatrixRMaj(N, N);
   private final DMatrixRMaj mobility = new DMatrixRMaj(N, N);
   private final DMatrixRMaj mobilityFactor = new DMatrixRMaj(N, N);
-  private final double[] force = new double[N];
+  private final DMatrixRMaj force = new DMatrixRMaj(N, 1);
+
+  /** Speeds along the locked axes. */
+  private final DMatrixRMaj lockedSpeed = new DMatrixRMaj(N, 1);
+
+  /** Views of the arrays that are handed over. */
+  private final DMatrixRMaj speed = new DMatrixRMaj(N, 1);
+
+  private final DMatrixRMaj torque = new DMatrixRMaj(N, 1);
   private Pose tcpInFlange = Pose.ZERO;
   private int count;
 
@@ -102,7 +112,10 @@ final class AxisConstraint {
         locked[count++] = axis;
       }
     }
-    // the unrolled decompositions go by the size of the matrix
+    // the kernels go by the size of the matrix
+    rows.reshape(count, N);
+    moved.reshape(count, N);
+    force.reshape(count, 1);
     mobility.reshape(count, count);
     mobilityFactor.reshape(count, count);
     hold(q);
@@ -148,19 +161,22 @@ final class AxisConstraint {
     jacobian.at(q, tcpInFlange, jacobian36);
     measure();
     weigh(q);
+    MatrixVectorMult_DDRM.mult(rows, view(speed, qd), lockedSpeed);
     for (int k = 0; k < count; k++) {
-      force[k] = acceleration(k, qd);
+      force.data[k] = acceleration(k);
     }
     if (!UnrolledCholesky_DDRM.lower(mobility, mobilityFactor)) {
       throw new IllegalStateException("the mobility is not positive: " + mobility);
     }
-    TriangularSolver_DDRM.solveL(mobilityFactor.data, force, count);
-    TriangularSolver_DDRM.solveTranL(mobilityFactor.data, force, count);
-    for (int i = 0; i < N; i++) {
-      for (int k = 0; k < count; k++) {
-        torqueNm[i] += rows[N * k + i] * force[k];
-      }
-    }
+    TriangularSolver_DDRM.solveL(mobilityFactor.data, force.data, count);
+    TriangularSolver_DDRM.solveTranL(mobilityFactor.data, force.data, count);
+    MatrixVectorMult_DDRM.multAddTransA_reorder(rows, force, view(torque, torqueNm));
+  }
+
+  /** The matrix with the numbers of an array that is not copied. */
+  private static DMatrixRMaj view(DMatrixRMaj matrix, double[] numbers) {
+    matrix.setData(numbers);
+    return matrix;
   }
 
   /** How far the tool centre point is from where it is kept, along each locked axis. */
@@ -224,7 +240,7 @@ final class AxisConstraint {
       int axis = locked[k] % 3;
       int from = locked[k] < 3 ? 0 : 3;
       for (int i = 0; i < N; i++) {
-        rows[N * k + i] =
+        rows.data[N * k + i] =
             along(
                 axis,
                 jacobian36[N * from + i],
@@ -237,28 +253,17 @@ final class AxisConstraint {
       throw new IllegalStateException("the mass matrix is not positive: " + mass);
     }
     for (int k = 0; k < count; k++) {
-      System.arraycopy(rows, N * k, column, 0, N);
+      System.arraycopy(rows.data, N * k, column, 0, N);
       TriangularSolver_DDRM.solveL(massFactor.data, column, N);
-      System.arraycopy(column, 0, moved, N * k, N);
+      System.arraycopy(column, 0, moved.data, N * k, N);
     }
+    CommonOps_DDRM.multOuter(moved, mobility);
     for (int k = 0; k < count; k++) {
-      for (int l = 0; l <= k; l++) {
-        double product = 0;
-        for (int i = 0; i < N; i++) {
-          product += moved[N * k + i] * moved[N * l + i];
-        }
-        mobility.data[count * k + l] = product;
-        mobility.data[count * l + k] = product;
-      }
       mobility.data[count * k + k] += locked[k] < 3 ? MIN_MOBILITY_PER_KG : MIN_MOBILITY_PER_KG_M2;
     }
   }
 
-  private double acceleration(int k, double[] qd) {
-    double speed = 0;
-    for (int i = 0; i < N; i++) {
-      speed += rows[N * k + i] * qd[i];
-    }
-    return -(SPRING * error[k] + DAMPER * speed + INTEGRAL * sum[k]);
+  private double acceleration(int k) {
+    return -(SPRING * error[k] + DAMPER * lockedSpeed.data[k] + INTEGRAL * sum[k]);
   }
 }
