@@ -1,5 +1,6 @@
 package org.pendant.models.dynamics;
 
+import org.ejml.data.DMatrix3x3;
 import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
 
@@ -38,19 +39,19 @@ final class CompositeBodies {
   /** Body {@code i} has become another one. */
   void changed(int i) {
     RigidBody body = bodies[i];
-    RigidBody about = body.about(0, 0, 0);
+    DMatrix3x3 inertia = body.about(0, 0, 0).inertia();
     moments[i] =
         new double[] {
           body.m(),
           body.m() * body.cx(),
           body.m() * body.cy(),
           body.m() * body.cz(),
-          about.xx(),
-          about.xy(),
-          about.xz(),
-          about.yy(),
-          about.yz(),
-          about.zz()
+          inertia.a11,
+          inertia.a12,
+          inertia.a13,
+          inertia.a22,
+          inertia.a23,
+          inertia.a33
         };
   }
 

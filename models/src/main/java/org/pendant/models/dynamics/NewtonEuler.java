@@ -1,5 +1,7 @@
 package org.pendant.models.dynamics;
 
+import org.ejml.data.DMatrix3;
+import org.ejml.dense.fixed.CommonOps_DDF3;
 import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
 
@@ -35,6 +37,13 @@ final class NewtonEuler {
   private final double[] nx = new double[N];
   private final double[] ny = new double[N];
   private final double[] nz = new double[N];
+
+  /** Angular velocity and acceleration of one body, and what its inertia makes of them. */
+  private final DMatrix3 omega = new DMatrix3();
+
+  private final DMatrix3 alpha = new DMatrix3();
+  private final DMatrix3 momentum = new DMatrix3();
+  private final DMatrix3 moment = new DMatrix3();
 
   /** How the last link moves, as of the latest call. */
   final FlangeMotion flange = new FlangeMotion();
@@ -117,12 +126,13 @@ final class NewtonEuler {
       fx[i] = body.m() * (px + (xy - ez) * y + (xz + ey) * z - (yy + zz) * x);
       fy[i] = body.m() * (py + (xy + ez) * x + (yz - ex) * z - (xx + zz) * y);
       fz[i] = body.m() * (pz + (xz - ey) * x + (yz + ex) * y - (xx + yy) * z);
-      double lx = body.xx() * wx + body.xy() * wy + body.xz() * wz;
-      double ly = body.xy() * wx + body.yy() * wy + body.yz() * wz;
-      double lz = body.xz() * wx + body.yz() * wy + body.zz() * wz;
-      nx[i] = body.xx() * ex + body.xy() * ey + body.xz() * ez + wy * lz - wz * ly;
-      ny[i] = body.xy() * ex + body.yy() * ey + body.yz() * ez + wz * lx - wx * lz;
-      nz[i] = body.xz() * ex + body.yz() * ey + body.zz() * ez + wx * ly - wy * lx;
+      omega.setTo(wx, wy, wz);
+      alpha.setTo(ex, ey, ez);
+      CommonOps_DDF3.mult(body.inertia(), omega, momentum);
+      CommonOps_DDF3.mult(body.inertia(), alpha, moment);
+      nx[i] = moment.a1 + wy * momentum.a3 - wz * momentum.a2;
+      ny[i] = moment.a2 + wz * momentum.a1 - wx * momentum.a3;
+      nz[i] = moment.a3 + wx * momentum.a2 - wy * momentum.a1;
     }
     flange.setAngular(wx, wy, wz, ex, ey, ez);
     flange.setFelt(px, py, pz);

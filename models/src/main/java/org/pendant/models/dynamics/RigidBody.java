@@ -1,5 +1,7 @@
 package org.pendant.models.dynamics;
 
+import org.ejml.data.DMatrix3x3;
+import org.ejml.dense.fixed.CommonOps_DDF3;
 import org.pendant.models.arm.LinkMass;
 
 /**
@@ -10,24 +12,9 @@ import org.pendant.models.arm.LinkMass;
  * @param cx centre of mass, m
  * @param cy centre of mass, m
  * @param cz centre of mass, m
- * @param xx inertia, kg m²
- * @param xy inertia, kg m²
- * @param xz inertia, kg m²
- * @param yy inertia, kg m²
- * @param yz inertia, kg m²
- * @param zz inertia, kg m²
+ * @param inertia inertia tensor, kg m²; shared between bodies, so never changed
  */
-record RigidBody(
-    double m,
-    double cx,
-    double cy,
-    double cz,
-    double xx,
-    double xy,
-    double xz,
-    double yy,
-    double yz,
-    double zz) {
+record RigidBody(double m, double cx, double cy, double cz, DMatrix3x3 inertia) {
 
   static RigidBody of(LinkMass link) {
     return new RigidBody(
@@ -35,12 +22,7 @@ record RigidBody(
         link.comXM(),
         link.comYM(),
         link.comZM(),
-        link.ixx(),
-        link.ixy(),
-        link.ixz(),
-        link.iyy(),
-        link.iyz(),
-        link.izz());
+        tensor(link.ixx(), link.ixy(), link.ixz(), link.iyy(), link.iyz(), link.izz()));
   }
 
   static RigidBody of(Payload payload) {
@@ -49,12 +31,13 @@ record RigidBody(
         payload.cogXM(),
         payload.cogYM(),
         payload.cogZM(),
-        payload.ixx(),
-        payload.ixy(),
-        payload.ixz(),
-        payload.iyy(),
-        payload.iyz(),
-        payload.izz());
+        tensor(
+            payload.ixx(),
+            payload.ixy(),
+            payload.ixz(),
+            payload.iyy(),
+            payload.iyz(),
+            payload.izz()));
   }
 
   /** This body and another one, both in the same frame, as one. */
@@ -63,19 +46,9 @@ record RigidBody(
     double x = (m * cx + other.m * other.cx) / sum;
     double y = (m * cy + other.m * other.cy) / sum;
     double z = (m * cz + other.m * other.cz) / sum;
-    RigidBody one = about(x, y, z);
-    RigidBody two = other.about(x, y, z);
-    return new RigidBody(
-        sum,
-        x,
-        y,
-        z,
-        one.xx + two.xx,
-        one.xy + two.xy,
-        one.xz + two.xz,
-        one.yy + two.yy,
-        one.yz + two.yz,
-        one.zz + two.zz);
+    DMatrix3x3 inertia = new DMatrix3x3();
+    CommonOps_DDF3.add(about(x, y, z).inertia, other.about(x, y, z).inertia, inertia);
+    return new RigidBody(sum, x, y, z, inertia);
   }
 
   /** The same body with its inertia about another point; by the parallel axis theorem. */
@@ -83,16 +56,20 @@ record RigidBody(
     double dx = cx - x;
     double dy = cy - y;
     double dz = cz - z;
-    return new RigidBody(
-        m,
-        cx,
-        cy,
-        cz,
-        xx + m * (dy * dy + dz * dz),
-        xy - m * dx * dy,
-        xz - m * dx * dz,
-        yy + m * (dx * dx + dz * dz),
-        yz - m * dy * dz,
-        zz + m * (dx * dx + dy * dy));
+    DMatrix3x3 moved =
+        tensor(
+            m * (dy * dy + dz * dz),
+            -m * dx * dy,
+            -m * dx * dz,
+            m * (dx * dx + dz * dz),
+            -m * dy * dz,
+            m * (dx * dx + dy * dy));
+    CommonOps_DDF3.addEquals(moved, inertia);
+    return new RigidBody(m, cx, cy, cz, moved);
+  }
+
+  private static DMatrix3x3 tensor(
+      double xx, double xy, double xz, double yy, double yz, double zz) {
+    return new DMatrix3x3(xx, xy, xz, xy, yy, yz, xz, yz, zz);
   }
 }
