@@ -203,7 +203,7 @@ public final class SteadyMotion {
       case BLEND_MIXED -> blend(line(beside(0.041, 0, 0), RADIUS_M), joints(READY, 0));
       case OPTIMOVEJ -> {
         Joints goal = new Joints(1, -1, -2, -1.5, 1.2, 0.5);
-        PathLimits some = box.headroom().share(1e-4, 1, Double.POSITIVE_INFINITY);
+        PathLimits some = box.pathLimits().share(1e-4, 1, Double.POSITIVE_INFINITY);
         start(
             new Move(
                 from -> Routes.joints(arm, from, goal, forward.tcpPose(goal, TCP), TCP, some),
@@ -212,7 +212,7 @@ public final class SteadyMotion {
                 JERK_RAMP_S));
       }
       case OPTIMOVEL -> {
-        PathLimits some = box.headroom().share(1e-4, 1, Double.POSITIVE_INFINITY);
+        PathLimits some = box.pathLimits().share(1e-4, 1, Double.POSITIVE_INFINITY);
         Pose goal = beside(0.1, 0.2, 0.1);
         start(
             new Move(

@@ -4,6 +4,7 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.time.FrameTime;
+import org.pendant.motion.TorquePathLimits;
 
 /**
  * Arm model: what the controller believes about its arm: masses, the payload that programs declare,
@@ -11,6 +12,7 @@ import org.pendant.models.time.FrameTime;
  */
 public final class ArmModel {
   private final ArmDynamics dynamics;
+  private final TorquePathLimits pathLimits;
   private final double[] gravity = {0, 0, ArmDynamics.STANDARD_GRAVITY_M_PER_S2};
   private final double[] baseAcceleration = new double[3];
   private Payload from = Payload.NONE;
@@ -23,12 +25,19 @@ public final class ArmModel {
 
   ArmModel(ArmDescription arm) {
     dynamics = new ArmDynamics(arm);
+    pathLimits = new TorquePathLimits(arm);
     dynamics.setGravity(gravity[0], gravity[1], gravity[2]);
+    pathLimits.setGravity(gravity[0], gravity[1], gravity[2]);
   }
 
   /** Dynamics with the payload, gravity and base acceleration that hold now. */
   public ArmDynamics dynamics() {
     return dynamics;
+  }
+
+  /** What moves can be planned with for that payload, gravity and base acceleration. */
+  TorquePathLimits pathLimits() {
+    return pathLimits;
   }
 
   /** The payload that holds now; between two of them while a transition continues. */
@@ -62,6 +71,8 @@ public final class ArmModel {
   }
 
   private void mount() {
+    pathLimits.setGravity(
+        feltAccelerationMPerS2(0), feltAccelerationMPerS2(1), feltAccelerationMPerS2(2));
     mounting =
         new Mounting(
             gravity[0],
@@ -121,5 +132,6 @@ public final class ArmModel {
   private void use(Payload now) {
     payload = now;
     dynamics.setPayload(now);
+    pathLimits.setPayload(now);
   }
 }

@@ -68,7 +68,6 @@ public final class ControlBox implements Host {
   private final ConveyorTracking conveyor = new ConveyorTracking();
   private final PathOffsetting pathOffset = new PathOffsetting();
   private final Servoing servoing;
-  private final TorquePathLimits headroom;
   private final Freedrive freedrive;
   private final ForceMode forceMode;
   private final ContactWatch contactWatch = new ContactWatch();
@@ -113,10 +112,8 @@ public final class ControlBox implements Host {
     toolpaths = new Toolpaths(setup.arm(), setup.systemTime().isEmpty());
     programsFolder = setup.programsFolder();
     servoing = new Servoing(setup.arm(), motion);
-    headroom = new TorquePathLimits(setup.arm());
-    headroom.limitSpeeds(speedCaps);
-    motion.limitRamps(
-        (last, own, before, wanted) -> headroom().reachableScaling(last, own, before, wanted));
+    model.pathLimits().limitSpeeds(speedCaps);
+    motion.limitRamps(model.pathLimits()::reachableScaling);
     // what the flange feels is asked later: freedrive and force mode come first, as it tells them
     freedrive =
         new Freedrive(
@@ -263,13 +260,8 @@ public final class ControlBox implements Host {
   }
 
   /** What the arm is capable of with the current payload and mounting. */
-  public TorquePathLimits headroom() {
-    headroom.setPayload(model.payload());
-    headroom.setGravity(
-        model.feltAccelerationMPerS2(0),
-        model.feltAccelerationMPerS2(1),
-        model.feltAccelerationMPerS2(2));
-    return headroom;
+  public TorquePathLimits pathLimits() {
+    return model.pathLimits();
   }
 
   /** What stands around the arm. */

@@ -102,7 +102,7 @@ final class MotionBuiltins {
 
   private static Outcome movej(Call<ControlBox> call) throws ScriptError {
     ControlBox box = call.host();
-    PathLimits pathLimits = headroom(call);
+    PathLimits pathLimits = pathLimits(call);
     Pose tcp = box.flange().tool().inFlange();
     if (call.kind(0) == ValueKind.POSE) {
       Pose goal = MotionArguments.pose(call, 0);
@@ -123,18 +123,18 @@ final class MotionBuiltins {
   }
 
   /** Motion version 2 plans within what the arm can do, version 1 as it is told (manual 14). */
-  private static PathLimits headroom(Call<ControlBox> call) throws ScriptError {
+  private static PathLimits pathLimits(Call<ControlBox> call) throws ScriptError {
     MoveLimits limits = MotionArguments.moveLimits(call, 1);
     ControlBox box = call.host();
     double asked = limits.timed() ? Double.POSITIVE_INFINITY : limits.speed();
     return box.motionSettings().version() == 2
-        ? box.headroom().share(1, 1, asked)
-        : box.headroom().asAsked(limits);
+        ? box.pathLimits().share(1, 1, asked)
+        : box.pathLimits().asAsked(limits);
   }
 
   private static Outcome movel(Call<ControlBox> call) throws ScriptError {
     ControlBox box = call.host();
-    PathLimits pathLimits = headroom(call);
+    PathLimits pathLimits = pathLimits(call);
     Pose tcp = box.flange().tool().inFlange();
     Pose goal =
         call.kind(0) == ValueKind.POSE

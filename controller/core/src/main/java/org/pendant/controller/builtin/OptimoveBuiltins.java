@@ -61,7 +61,7 @@ final class OptimoveBuiltins {
   private static Outcome optimovej(Call<ControlBox> call) throws ScriptError {
     ControlBox box = call.host();
     Pose tcp = box.flange().tool().inFlange();
-    PathLimits pathLimits = headroom(call);
+    PathLimits pathLimits = pathLimits(call);
     if (call.kind(0) == ValueKind.LIST) {
       Joints goal = MotionArguments.jointsInRange(call, 0, "goal");
       Pose waypoint = box.forward().tcpPose(goal, tcp);
@@ -84,7 +84,7 @@ final class OptimoveBuiltins {
   private static Outcome optimovel(Call<ControlBox> call) throws ScriptError {
     ControlBox box = call.host();
     Pose tcp = box.flange().tool().inFlange();
-    PathLimits pathLimits = headroom(call);
+    PathLimits pathLimits = pathLimits(call);
     MoveGoal goal = MoveGoal.of(call, 0);
     return move(
         call,
@@ -92,10 +92,10 @@ final class OptimoveBuiltins {
         from -> MotionBuiltins.toPose(box, from, goal.inBase(from), tcp, pathLimits));
   }
 
-  private static PathLimits headroom(Call<ControlBox> call) throws ScriptError {
+  private static PathLimits pathLimits(Call<ControlBox> call) throws ScriptError {
     double acceleration = share(call, 1);
     double speed = share(call, 2);
-    return call.host().headroom().share(speed, acceleration, Double.POSITIVE_INFINITY);
+    return call.host().pathLimits().share(speed, acceleration, Double.POSITIVE_INFINITY);
   }
 
   private static double share(Call<ControlBox> call, int index) throws ScriptError {

@@ -58,7 +58,7 @@ final class ProcessMoveBuiltins {
     Pose tcp = box.flange().tool().inFlange();
     Pose goal = pose(call, 0);
     MoveLimits limits = limits(call, 1);
-    PathLimits pathLimits = box.headroom().asAsked(limits);
+    PathLimits pathLimits = box.pathLimits().asAsked(limits);
     return move(
         call, "movep", limits, 3, from -> MotionBuiltins.toPose(box, from, goal, tcp, pathLimits));
   }
@@ -70,7 +70,7 @@ final class ProcessMoveBuiltins {
     Pose goal = pose(call, 1);
     MoveLimits limits = limits(call, 2);
     boolean fixed = call.integer(5, 0, 1) == 1;
-    PathLimits pathLimits = box.headroom().asAsked(limits);
+    PathLimits pathLimits = box.pathLimits().asAsked(limits);
     ArcRoute route = new ArcRoute(box.armDescription(), via, goal, fixed, tcp, pathLimits);
     return move(
         call, "movec", limits, 4, from -> route.from(from, box.forward().tcpPose(from, tcp)));
