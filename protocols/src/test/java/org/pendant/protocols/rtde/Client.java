@@ -11,7 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
 
 /** Speaks to an RTDE server as a program outside does. */
-final class Client implements AutoCloseable {
+public final class Client implements AutoCloseable {
   /** Only a server that is broken lets a client wait that long. */
   private static final int GIVE_UP_MS = 20_000;
 
@@ -25,14 +25,15 @@ final class Client implements AutoCloseable {
   }
 
   /** With protocol version 2. */
-  static Client speaking2(int port) throws IOException {
+  public static Client speaking2(int port) throws IOException {
     Client client = new Client(port);
     client.send('V', new byte[] {0, 2});
     assertEquals("V 01", client.answer());
     return client;
   }
 
-  void send(int type, byte[] payload) throws IOException {
+  /** Sends a package. */
+  public void send(int type, byte[] payload) throws IOException {
     ByteBuffer packet = ByteBuffer.allocate(3 + payload.length);
     packet.putShort((short) (3 + payload.length)).put((byte) type).put(payload);
     socket.getOutputStream().write(packet.array());
@@ -54,7 +55,7 @@ final class Client implements AutoCloseable {
   }
 
   /** Asks for inputs; says the recipe's number and the types. */
-  String inputs(String names) throws IOException {
+  public String inputs(String names) throws IOException {
     send('I', names.getBytes(StandardCharsets.ISO_8859_1));
     return recipe('I');
   }
