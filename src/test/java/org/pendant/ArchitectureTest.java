@@ -290,6 +290,26 @@ final class ArchitectureTest {
           .belongToAnyOf(Controller.class, Drive.class);
 
   @ArchTest
+  static final ArchRule viewsHaveTheRobotAndOnlyTheSessionDrivesIt =
+      noClasses()
+          .that()
+          .resideInAPackage("org.pendant.desktop..")
+          .and()
+          .resideOutsideOfPackage("org.pendant.desktop.session..")
+          .should()
+          .dependOnClassesThat()
+          .belongToAnyOf(Controller.class, Drive.class);
+
+  @ArchTest
+  static final ArchRule whoeverSwitchesAControllerOnKeepsTheRobotOrTheDrive =
+      noFields()
+          .that()
+          .areDeclaredInClassesThat()
+          .resideInAnyPackage("org.pendant.command..", "org.pendant.desktop..")
+          .should()
+          .haveRawType(Controller.class);
+
+  @ArchTest
   static void everyCommandIsARecordOfASealedFamilyThatOneClassCarriesOut(JavaClasses all) {
     List<Class<?>> families =
         all.stream()

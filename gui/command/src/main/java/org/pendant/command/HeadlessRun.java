@@ -5,7 +5,9 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.pendant.controller.Clock;
 import org.pendant.controller.Controller;
+import org.pendant.controller.Drive;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.Robot;
 import org.pendant.controller.VirtualClock;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.command.Command;
@@ -36,7 +38,8 @@ final class HeadlessRun {
 
   private final RunnableFile file;
   private final Source source;
-  private final Controller controller;
+  private final Robot robot;
+  private final Drive drive;
   private final RunOptions options;
   private final Interruption interruption;
   private final WallLimit wall;
@@ -59,7 +62,8 @@ final class HeadlessRun {
       FrameWatcher watcher) {
     this.file = file;
     source = file.source().orElseThrow();
-    this.controller = controller;
+    robot = controller;
+    drive = controller;
     this.options = options;
     this.interruption = interruption;
     this.wall = wall;
@@ -70,7 +74,7 @@ final class HeadlessRun {
 
   ExitCode run(Program program) {
     // what the log says of switching on
-    controller.state().newEntries().forEach(this::print);
+    robot.state().newEntries().forEach(this::print);
     Optional<ProgramsFolder> folder = Optional.of(ProgramsFolder.of(file.file()));
     if (program.secondary()) {
       return runSecondary(new ProgramCommand.RunSecondary(program, folder));
@@ -82,14 +86,14 @@ final class HeadlessRun {
       return ExitCode.PROGRAM_FAILED;
     }
     Optional<String> timedOut = Optional.empty();
-    while (controller.state().program().state() != ProgramState.STOPPED) {
+    while (robot.state().program().state() != ProgramState.STOPPED) {
       timedOut = timedOut(endS);
       if (timedOut.isPresent()
           || interruption.requested()
           || console.outputClosed()
           || watcher.enough()) {
         stop();
-      } else if (controller.state().program().state() == ProgramState.PAUSED) {
+      } else if (robot.state().program().state() == ProgramState.PAUSED) {
         goOnOrStop();
       } else {
         advance();
@@ -101,7 +105,7 @@ final class HeadlessRun {
 
   /** Which time limit is over. */
   private Optional<String> timedOut(double endS) {
-    if (controller.state().timeS() >= endS) {
+    if (robot.state().timeS() >= endS) {
       return Optional.of(endS + " s, its time limit");
     }
     return wall.over()
@@ -136,7 +140,7 @@ final class HeadlessRun {
   }
 
   private Optional<SafetyStop> safetyStop() {
-    return controller.state().safety().stop();
+    return robot.state().safety().stop();
   }
 
   private void resume() {
@@ -144,7 +148,7 @@ final class HeadlessRun {
         Report.note(
             source,
             "paused in line "
-                + controller.state().program().line()
+                + robot.state().program().line()
                 + "; continues at once, as nobody is here to resume it"));
     Optional<String> refusal = ask(new ProgramCommand.ResumeProgram()).complaint();
     if (refusal.isPresent()) {
@@ -154,7 +158,7 @@ final class HeadlessRun {
 
   /** Has the controller carry out a command in the next frame. */
   private Reply ask(Command command) {
-    CompletableFuture<Reply> reply = controller.submit(command);
+    CompletableFuture<Reply> reply = robot.submit(command);
     advance();
     return reply.join();
   }
@@ -162,7 +166,7 @@ final class HeadlessRun {
   /** As fast as possible: nobody wants to wait for a run that is over. */
   private void comeToRest() {
     clock = new VirtualClock();
-    for (int i = 0; i < MAX_FRAMES_TO_REST && controller.state().arm().moving(); i++) {
+    for (int i = 0; i < MAX_FRAMES_TO_REST && robot.state().arm().moving(); i++) {
       advance();
     }
   }
@@ -173,7 +177,7 @@ final class HeadlessRun {
   }
 
   private ExitCode ended() {
-    Ending ending = controller.state().program().ending().orElseThrow();
+    Ending ending = robot.state().program().ending().orElseThrow();
     return switch (ending) {
       case Ending.Finished finished -> ExitCode.DONE;
       case Ending.Halted halted -> ExitCode.DONE;
@@ -194,7 +198,7 @@ final class HeadlessRun {
             heldBy
                 .or(this::safetyStop)
                 .map(SafetyStop::message)
-                .or(() -> controller.state().arm().fault().map(MotionFailure::message));
+                .or(() -> robot.state().arm().fault().map(MotionFailure::message));
         int line = stoppedInLine();
         why.ifPresent(
             reason ->
@@ -209,7 +213,7 @@ final class HeadlessRun {
 
   /** The line of the program that a safety stop met, or the last one that it reached. */
   private int stoppedInLine() {
-    return controller
+    return robot
         .state()
         .safety()
         .stopPlace()
@@ -221,19 +225,19 @@ final class HeadlessRun {
   /** One frame, and what it brought to print and record. */
   private void advance() {
     try {
-      clock.awaitDue(controller::waitsForOutside);
+      clock.awaitDue(drive::waitsForOutside);
     } catch (InterruptedException e) {
       throw new IllegalStateException("nobody interrupts the thread that runs the frames", e);
     }
     tellLost();
-    controller.advance();
-    show(controller.state());
+    drive.advance();
+    show(robot.state());
   }
 
   private void tellLost() {
     if (clock.lostNs() != toldLostNs) {
       toldLostNs = clock.lostNs();
-      var _ = controller.submit(new BoxCommand.NoteLostTime(toldLostNs * 1e-9));
+      var _ = robot.submit(new BoxCommand.NoteLostTime(toldLostNs * 1e-9));
     }
   }
 

@@ -6,7 +6,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
-import org.pendant.controller.Controller;
+import org.pendant.controller.Robot;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
@@ -22,7 +22,7 @@ final class LogPrinter implements AutoCloseable {
   /** Popups and questions that wait for a slow reader; more are not printed. */
   private static final int MAX_WAITING = 1000;
 
-  private final Controller controller;
+  private final Robot robot;
   private final Console console;
   private final String prefix;
   private final Function<ScriptPlace, Optional<String>> origin;
@@ -40,12 +40,9 @@ final class LogPrinter implements AutoCloseable {
    * @param origin what is to be said of where a line of a program comes from
    */
   LogPrinter(
-      Controller controller,
-      Console console,
-      String prefix,
-      Function<ScriptPlace, Optional<String>> origin) {
+      Robot robot, Console console, String prefix, Function<ScriptPlace, Optional<String>> origin) {
     this.origin = origin;
-    this.controller = controller;
+    this.robot = robot;
     this.console = console;
     this.prefix = prefix;
     thread = Thread.ofPlatform().daemon().name("log printer").start(this::run);
@@ -87,7 +84,7 @@ final class LogPrinter implements AutoCloseable {
       waiting.decrementAndGet();
       console.complain(prefix + prompt);
     }
-    for (LogEntry entry : controller.logSince(printed)) {
+    for (LogEntry entry : robot.logSince(printed)) {
       long missed = entry.number() - printed - 1;
       if (missed > 0) {
         console.complain(

@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.Locale;
 import java.util.Optional;
-import org.pendant.controller.Controller;
+import org.pendant.controller.Drive;
 import org.pendant.controller.disk.FileDraft;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.disk.GrowingFile;
@@ -47,11 +47,11 @@ final class RunRecord implements FrameWatcher, AutoCloseable {
     }
   }
 
-  private record Everything(RecordingWriter writer, Controller controller) implements Output {
+  private record Everything(RecordingWriter writer, Drive drive) implements Output {
     @Override
     public void write(ControllerState state) throws IOException {
       writer.write(state);
-      Optional<RecordedProgram> text = RecordedProgram.startedIn(state, controller::programSource);
+      Optional<RecordedProgram> text = RecordedProgram.startedIn(state, drive::programSource);
       if (text.isPresent()) {
         writer.note(text.get());
       }
@@ -74,11 +74,11 @@ final class RunRecord implements FrameWatcher, AutoCloseable {
    *
    * @param file empty for no record
    * @param columns variables that it has besides
-   * @param controller that is recorded; no frame has gone by
+   * @param drive of the robot that is recorded; no frame has gone by
    * @throws UsageException when it cannot be created
    */
   static RunRecord open(
-      Optional<OutputFile> file, RecordColumns columns, Controller controller, Console console)
+      Optional<OutputFile> file, RecordColumns columns, Drive drive, Console console)
       throws UsageException {
     if (file.isEmpty()) {
       return new RunRecord(Optional.empty(), Optional.empty(), console);
@@ -86,12 +86,12 @@ final class RunRecord implements FrameWatcher, AutoCloseable {
     OutputFile wanted = file.get();
     try {
       if (!wanted.replaces()) {
-        Output output = begin(wanted, GrowingFile.create(wanted.path()), columns, controller);
+        Output output = begin(wanted, GrowingFile.create(wanted.path()), columns, drive);
         return new RunRecord(Optional.of(output), Optional.empty(), console);
       }
       FileDraft draft = FileDraft.replacing(wanted.path());
       try {
-        Output output = begin(wanted, draft.out(), columns, controller);
+        Output output = begin(wanted, draft.out(), columns, drive);
         console.complain(
             "pendant run: note: "
                 + wanted.name()
@@ -107,12 +107,11 @@ final class RunRecord implements FrameWatcher, AutoCloseable {
     }
   }
 
-  private static Output begin(
-      OutputFile file, OutputStream out, RecordColumns columns, Controller controller)
+  private static Output begin(OutputFile file, OutputStream out, RecordColumns columns, Drive drive)
       throws IOException {
     try {
       return file.path().toString().toLowerCase(Locale.ROOT).endsWith(RECORDING)
-          ? new Everything(new RecordingWriter(out, controller.state()), controller)
+          ? new Everything(new RecordingWriter(out, drive.state()), drive)
           : new Table(Recorder.to(out, columns.variables()));
     } catch (IOException e) {
       out.close();

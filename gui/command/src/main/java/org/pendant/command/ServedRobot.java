@@ -10,6 +10,7 @@ import java.util.concurrent.TimeoutException;
 import org.pendant.controller.Controller;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.Robot;
 import org.pendant.controller.WallClock;
 import org.pendant.protocols.BoxPorts;
 import org.pendant.protocols.ScriptConnectors;
@@ -43,7 +44,7 @@ final class ServedRobot implements AutoCloseable {
   private final Console console;
   private final ToolSerialLine tool;
   private final ScriptConnectors scriptConnectors;
-  private final Controller controller;
+  private final Robot robot;
   private final FrameLoop loop;
   private final StateBroadcaster frames;
   private final RemotePendant remotePendant;
@@ -62,14 +63,15 @@ final class ServedRobot implements AutoCloseable {
     this.prefix = prefix;
     tool = ToolSerialOption.line(options.toolDevice());
     scriptConnectors = new ScriptConnectors(options.hosts());
-    controller =
+    Controller controller =
         new Controller(
             options.controller().withOutside(scriptConnectors.connectors().withToolSerial(tool)));
-    PeerLog log = ServerLog.of(controller);
+    robot = controller;
+    PeerLog log = ServerLog.of(robot);
     loop = FrameLoop.start(controller, new WallClock());
-    frames = new StateBroadcaster(controller.feed(), log);
-    ServerContext serverContext = new ServerContext(controller, frames, log, options.remote());
-    remotePendant = new RemotePendant(controller, options.panel());
+    frames = new StateBroadcaster(robot.feed(), log);
+    ServerContext serverContext = new ServerContext(robot, frames, log, options.remote());
+    remotePendant = new RemotePendant(robot, options.panel());
     ports = BoxPorts.open(serverContext, numbers(), remotePendant, tool);
   }
 
@@ -133,18 +135,18 @@ final class ServedRobot implements AutoCloseable {
   void printLog() {
     LogPrinter log =
         new LogPrinter(
-            controller,
+            robot,
             console,
             prefix,
             place -> remotePendant.receivedAt(place.source(), place.line()));
     printer = Optional.of(log);
     frames.add(log::look);
-    frames.add(new StartWatch(controller, remotePendant)::look);
+    frames.add(new StartWatch(robot, remotePendant)::look);
   }
 
   /** Whether nothing more comes of it. */
   boolean over() {
-    return controller.state().safety().shutDown() || loop.failure().isPresent();
+    return robot.state().safety().shutDown() || loop.failure().isPresent();
   }
 
   /** What ended it although nobody wanted that. */
@@ -154,7 +156,7 @@ final class ServedRobot implements AutoCloseable {
 
   /** Asks its program to end. */
   Future<?> stop() {
-    return controller.submit(new ProgramCommand.StopProgram());
+    return robot.submit(new ProgramCommand.StopProgram());
   }
 
   /**
@@ -166,7 +168,7 @@ final class ServedRobot implements AutoCloseable {
   void awaitRest(Future<?> stopped, long untilNs) throws InterruptedException {
     try {
       stopped.get(Math.max(0, untilNs - System.nanoTime()), TimeUnit.NANOSECONDS);
-      while (controller.state().arm().moving() && !over() && System.nanoTime() < untilNs) {
+      while (robot.state().arm().moving() && !over() && System.nanoTime() < untilNs) {
         TimeUnit.MILLISECONDS.sleep(2);
       }
     } catch (ExecutionException | TimeoutException e) {

@@ -1,6 +1,6 @@
 package org.pendant.command;
 
-import org.pendant.controller.Controller;
+import org.pendant.controller.Robot;
 import org.pendant.controller.box.MessageCommand;
 import org.pendant.protocols.net.PeerLog;
 
@@ -8,12 +8,12 @@ import org.pendant.protocols.net.PeerLog;
 final class ServerLog {
   private ServerLog() {}
 
-  /** Writes to the log of {@code controller}. */
-  static PeerLog of(Controller controller) {
+  /** Writes to the log of {@code robot}. */
+  static PeerLog of(Robot robot) {
     return new PeerLog(
         (level, text) -> {
           // a line that finds no place among 1024 commands of one frame is lost
-          var _ = controller.submit(new MessageCommand.WriteLog(level, text));
+          var _ = robot.submit(new MessageCommand.WriteLog(level, text));
         });
   }
 }

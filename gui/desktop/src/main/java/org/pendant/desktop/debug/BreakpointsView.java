@@ -58,7 +58,7 @@ public final class BreakpointsView implements View {
         new ConditionCheck(
             new WorkerThread("conditions"),
             EventQueue::invokeLater,
-            workbench.session().controller().builtins(),
+            workbench.session().robot().builtins(),
             openBreakpoints::source);
     table = new JTable(rows);
     setUpTable();

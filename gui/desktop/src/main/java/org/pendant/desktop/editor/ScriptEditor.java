@@ -59,7 +59,7 @@ public final class ScriptEditor implements View {
     assert EventQueue.isDispatchThread();
     this.workbench = workbench;
     this.programs = programs;
-    Catalogue catalogue = workbench.session().controller().builtins();
+    Catalogue catalogue = workbench.session().robot().builtins();
     EditorHost editorHost = new Desk();
     find = new FindBar(this::current);
     status = new EditorStatus(() -> workbench.show(ProblemsView.ID));

@@ -56,9 +56,7 @@ public final class LogView implements View {
     RobotSession session = workbench.session();
     mailbox =
         new LogMailbox(
-            LogPresenter.KEPT,
-            number -> session.controller().logSince(number),
-            InstantSource.system());
+            LogPresenter.KEPT, number -> session.robot().logSince(number), InstantSource.system());
     session.addFrameListener(mailbox);
     detail = new LogDetail(this::showSource);
     LogColumns columns = new LogColumns(workbench.settings());

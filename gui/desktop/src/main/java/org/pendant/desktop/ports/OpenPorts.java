@@ -49,11 +49,11 @@ final class OpenPorts implements AutoCloseable {
               // a line that finds no place among the commands of a frame is lost
               var _ = session.submit(new MessageCommand.WriteLog(level, text));
             });
-    StateBroadcaster frames = new StateBroadcaster(session.controller().feed(), log);
-    ServerContext serverContext = new ServerContext(session.controller(), frames, log, remote);
+    StateBroadcaster frames = new StateBroadcaster(session.robot().feed(), log);
+    ServerContext serverContext = new ServerContext(session.robot(), frames, log, remote);
     RemotePendant remotePendant =
         new RemotePendant(
-            session.controller(),
+            session.robot(),
             new PendantSetup(
                 session.options().robotId(),
                 programs,

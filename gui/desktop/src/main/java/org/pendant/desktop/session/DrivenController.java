@@ -4,8 +4,10 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.Drive;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.Pace;
+import org.pendant.controller.Robot;
 import org.pendant.controller.SteerableClock;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Refusal;
@@ -19,7 +21,8 @@ import org.pendant.recording.replay.Journal;
 /** One controller with the thread that drives it, until it is switched off. */
 final class DrivenController implements AutoCloseable {
   private final SwitchedOn on;
-  private final Controller controller;
+  private final Robot robot;
+  private final Drive drive;
   private final SteerableClock clock;
   private final FrameLoop loop;
   private volatile boolean closed;
@@ -31,14 +34,16 @@ final class DrivenController implements AutoCloseable {
    */
   DrivenController(SwitchedOn on, Pace pace, List<? extends FrameListener> listeners) {
     this.on = on;
-    controller = on.controller();
+    Controller controller = on.controller();
+    robot = controller;
+    drive = controller;
     clock = new SteerableClock(pace);
     loop =
         FrameLoop.start(
             controller,
             clock,
             () -> {
-              ControllerState state = controller.state();
+              ControllerState state = drive.state();
               // A fault here would end the loop, and with it the robot.
               Faults.guard(() -> on.ring().take(state));
               listeners.forEach(each -> Faults.guard(() -> each.frame(state)));
@@ -49,8 +54,8 @@ final class DrivenController implements AutoCloseable {
     return on.options();
   }
 
-  Controller controller() {
-    return controller;
+  Robot robot() {
+    return robot;
   }
 
   Journal journal() {
@@ -74,7 +79,7 @@ final class DrivenController implements AutoCloseable {
   }
 
   CompletableFuture<Reply> submit(Command command) {
-    CompletableFuture<Reply> reply = controller.submit(command);
+    CompletableFuture<Reply> reply = robot.submit(command);
     // What was left too late for the last frame gets its answer here.
     if (closed) {
       reply.complete(
@@ -94,7 +99,7 @@ final class DrivenController implements AutoCloseable {
     loop.close();
     closed = true;
     if (loop.failure().isEmpty()) {
-      controller.applyCommands();
+      drive.applyCommands();
     }
     on.close();
   }

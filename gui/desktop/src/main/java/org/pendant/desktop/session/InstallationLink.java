@@ -62,7 +62,7 @@ public final class InstallationLink implements FrameListener, SwitchListener {
     this.dispatch = dispatch;
     this.tell = tell;
     this.startProgram = startProgram;
-    seen = session.controller().installation();
+    seen = session.robot().installation();
     active.begin(seen);
     active.addListener(this::send);
     session.addFrameListener(this);
@@ -73,7 +73,7 @@ public final class InstallationLink implements FrameListener, SwitchListener {
     Installation wanted = active.current();
     waiting = false;
     active.setWaiting("");
-    if (wanted.equals(session.controller().installation())) {
+    if (wanted.equals(session.robot().installation())) {
       return;
     }
     sent = Optional.of(wanted);
@@ -97,7 +97,7 @@ public final class InstallationLink implements FrameListener, SwitchListener {
     if (between) {
       return;
     }
-    Installation now = session.controller().installation();
+    Installation now = session.robot().installation();
     if (switched) {
       switched = false;
       seen = now;

@@ -5,10 +5,10 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
-import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.Robot;
 import org.pendant.controller.WallClock.Lateness;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
@@ -60,16 +60,16 @@ public final class RobotSession implements AutoCloseable {
     return driven.options();
   }
 
-  /** The controller; another one after {@link #restart}, so nobody should keep it. */
-  public Controller controller() {
-    return driven.controller();
+  /** The robot; another one after {@link #restart}, so nobody should keep it. */
+  public Robot robot() {
+    return driven.robot();
   }
 
   /**
    * The newest snapshot. After {@link #restart} frames, log lines and popups count from 0 again.
    */
   public ControllerState state() {
-    return driven.controller().state();
+    return driven.robot().state();
   }
 
   /**
@@ -88,7 +88,7 @@ public final class RobotSession implements AutoCloseable {
 
   /** Parses, checks and compiles a program; slow, so not for the dispatch thread. */
   public LoadResult load(Source source) {
-    return driven.controller().load(source);
+    return driven.robot().load(source);
   }
 
   /**
@@ -240,7 +240,7 @@ public final class RobotSession implements AutoCloseable {
   }
 
   private void branchOff(DrivenController from, Rerun rerun) throws RerunRefused {
-    SwitchedOn next = SwitchedOn.again(from.options(), from.controller().builtins(), rerun);
+    SwitchedOn next = SwitchedOn.again(from.options(), from.robot().builtins(), rerun);
     switching.lock();
     try {
       if (closed || driven != from) {

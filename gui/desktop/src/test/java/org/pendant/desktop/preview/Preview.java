@@ -37,7 +37,7 @@ public final class Preview {
 
   private static void start(RobotSession session, Path file) throws IOException {
     Source source = Source.of(file.toString(), Files.readAllBytes(file));
-    LoadResult loadResult = session.controller().load(source);
+    LoadResult loadResult = session.robot().load(source);
     var _ = session.submit(new ProgramCommand.StartProgram(loadResult.program().orElseThrow()));
   }
 

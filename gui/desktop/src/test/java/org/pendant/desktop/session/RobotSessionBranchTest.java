@@ -17,11 +17,11 @@ import java.util.function.Predicate;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.DebugCommand;
 import org.pendant.controller.Pace;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.Robot;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.message.Operator;
@@ -112,18 +112,18 @@ final class RobotSessionBranchTest {
   void standsPausedWhereTheRunStoodAndGoesOnOtherwise() throws Exception {
     try (RobotSession session = RobotSession.start(DESKTOP)) {
       List<ControllerState> seen = ran(session, SORTING, 1000);
-      Controller old = session.controller();
+      Robot old = session.robot();
       List<String> told = new ArrayList<>();
       session.addSwitchListener(
           new SwitchListener() {
             @Override
             public void switchingOff() {
-              told.add("off " + (session.controller() == old));
+              told.add("off " + (session.robot().equals(old)));
             }
 
             @Override
             public void switchedOn() {
-              told.add("on " + (session.controller() == old));
+              told.add("on " + (session.robot().equals(old)));
             }
           });
       ControllerState then = seen.get(seen.size() / 2);
@@ -183,11 +183,11 @@ final class RobotSessionBranchTest {
   void thePresentControllerGoesOnUntilThenAndWhenTheBranchIsCancelled() throws Exception {
     try (RobotSession session = RobotSession.start(DESKTOP)) {
       ran(session, SORTING, LONG);
-      Controller old = session.controller();
+      Robot old = session.robot();
       Branching branching = session.branch(LONG);
       branching.cancel();
       assertEquals(new Branching.Outcome.Cancelled(), wait(branching.outcome()));
-      assertSame(old, session.controller());
+      assertSame(old, session.robot());
       long frame = session.state().frame();
       CompletableFuture<ControllerState> next = frame(session, state -> state.frame() > frame);
       session.stepFrame();
@@ -230,12 +230,12 @@ final class RobotSessionBranchTest {
   void whatCannotBeRepeatedIsRefusedAtOnce() throws Exception {
     try (RobotSession session = RobotSession.start(DESKTOP)) {
       ran(session, "def f():\n  textmsg(time(2))\n  sleep(1000)\nend\n", 100);
-      Controller old = session.controller();
+      Robot old = session.robot();
       RerunRefused refused = assertThrows(RerunRefused.class, () -> session.branch(90));
       assertTrue(refused.getMessage().contains("asked for the date"), refused.getMessage());
       assertEquals(Optional.of(refused.getMessage()), session.branchRefusal(90));
       assertEquals(Optional.empty(), session.branchRefusal(0));
-      assertSame(old, session.controller());
+      assertSame(old, session.robot());
     }
   }
 
@@ -245,7 +245,7 @@ final class RobotSessionBranchTest {
         RobotSession other = RobotSession.start(DESKTOP.withRobot("ur10e"))) {
       ran(session, SORTING, 200);
       ControllerState strange = ran(other, "movej([0, -1, -1, 0, 0, 0])\n", 200).getLast();
-      Controller old = session.controller();
+      Robot old = session.robot();
       session.setPace(new Pace.Unlimited());
       wait(frame(session, state -> state.frame() > strange.frame()));
       Branching.Outcome outcome = wait(session.branch(strange).outcome());
@@ -253,7 +253,7 @@ final class RobotSessionBranchTest {
           assertInstanceOf(Branching.Outcome.Refused.class, outcome)
               .reason()
               .startsWith("the run came out otherwise"));
-      assertSame(old, session.controller());
+      assertSame(old, session.robot());
     }
   }
 

@@ -64,7 +64,7 @@ final class RobotSessionTest {
       ask(session.stop());
       frameWith(session, ProgramState.STOPPED).get(30, TimeUnit.SECONDS);
       Program other = program(session, "sleep(1000)\n");
-      ask(session.controller().submit(new ProgramCommand.StartProgram(other)));
+      ask(session.robot().submit(new ProgramCommand.StartProgram(other)));
       frameWith(session, ProgramState.RUNNING).get(30, TimeUnit.SECONDS);
       assertTrue(session.strangerLast());
       assertEquals(1, session.strangersStarted());

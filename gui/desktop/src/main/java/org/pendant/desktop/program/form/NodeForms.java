@@ -53,7 +53,7 @@ public final class NodeForms {
     assert EventQueue.isDispatchThread();
     WorkQueue background = new WorkerThread("program-forms");
     presenter = new FormPresenter(host, new DesktopFiles(scroll, background, host));
-    catalogue = workbench.session().controller().builtins();
+    catalogue = workbench.session().robot().builtins();
     checks =
         () ->
             new ConditionCheck(

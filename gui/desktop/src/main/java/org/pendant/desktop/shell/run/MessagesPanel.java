@@ -4,7 +4,7 @@ import java.awt.Color;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.controller.Controller;
+import org.pendant.controller.Robot;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.theme.Card;
@@ -27,8 +27,8 @@ final class MessagesPanel {
     return card;
   }
 
-  void refresh(ControllerState state, Controller controller) {
-    if (messages.take(state.newestEntry(), controller::logSince)) {
+  void refresh(ControllerState state, Robot robot) {
+    if (messages.take(state.newestEntry(), robot::logSince)) {
       fill();
     }
   }

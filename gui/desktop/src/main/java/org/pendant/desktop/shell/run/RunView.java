@@ -200,7 +200,7 @@ public final class RunView implements View {
     tcp.show(facts.tcp());
     joints.show(facts.joints());
     variables.refresh(snapshot, run.installationVariables());
-    messages.refresh(snapshot, workbench.session().controller());
+    messages.refresh(snapshot, workbench.session().robot());
     buttons.forEach(ActionButton::refresh);
   }
 
