@@ -47,7 +47,7 @@ final class RtdeCommandHandler implements CommandHandler<RtdeCommand> {
     }
     update.writes().forEach(box.signals()::write);
     update.speedFraction().ifPresent(box.motion()::setSpeedFraction);
-    update.externalWrench().ifPresent(box.flange().externalForceSensor()::read);
+    update.externalWrench().ifPresent(box.flange()::readExternalForceSensor);
     box.links().inputWatchdogs().received(update.recipe().names(), box.clock().timeS());
     return Optional.empty();
   }

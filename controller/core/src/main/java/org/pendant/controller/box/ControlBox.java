@@ -114,7 +114,7 @@ public final class ControlBox implements Host {
     servoing = new Servoing(setup.arm(), motion);
     model.pathLimits().limitSpeeds(speedCaps);
     motion.limitRamps(model.pathLimits()::reachableScaling);
-    // what the flange feels is asked later: freedrive and force mode come first, as it tells them
+    FlangeForces forces = new FlangeForces(arm, model);
     freedrive =
         new Freedrive(
             new Freedrive.Setup(
@@ -122,7 +122,7 @@ public final class ControlBox implements Host {
                 arm,
                 model.dynamics(),
                 model::payload,
-                () -> flange().externalWrenchInBase(),
+                forces::externalWrenchInBase,
                 safety,
                 speedCaps,
                 motion));
@@ -132,7 +132,7 @@ public final class ControlBox implements Host {
             new ForceMode.Setup(
                 setup.arm(),
                 arm,
-                () -> flange().controlledWrenchInBase(),
+                forces::controlledWrenchInBase,
                 speedCaps,
                 safety::limits,
                 motion));
@@ -142,6 +142,7 @@ public final class ControlBox implements Host {
                 arm,
                 model,
                 setup.scene().load(),
+                forces,
                 speedCaps,
                 motion,
                 freedrive,

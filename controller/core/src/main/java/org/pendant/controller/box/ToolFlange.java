@@ -2,7 +2,6 @@ package org.pendant.controller.box;
 
 import java.util.Optional;
 import org.pendant.controller.arm.ExternalForceSensor;
-import org.pendant.controller.arm.ForceSensor;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.freedrive.Freedrive;
 import org.pendant.controller.safety.SpeedCaps;
@@ -19,15 +18,9 @@ import org.pendant.motion.force.ForceMode;
  */
 public final class ToolFlange {
   private final Setup setup;
-  private final ForceSensor forceSensor = new ForceSensor();
-  private final ExternalForceSensor externalForceSensor = new ExternalForceSensor();
   private ToolCentre tool = ToolCentre.FLANGE;
   private boolean cogAtTool;
   private boolean loadKnown;
-  private Wrench wrench = Wrench.ZERO;
-
-  /** Whether {@link #wrench} is of the arm as it stands now. */
-  private boolean wrenchKnown;
 
   /**
    * What goes by the tool and the payload, or tells about them.
@@ -35,6 +28,7 @@ public final class ToolFlange {
    * @param arm on whose flange things hang
    * @param model what the controller believes about it
    * @param load what hangs on the flange at first; empty for what programs declare
+   * @param forces feels what pushes the tool
    * @param speedCaps hold limits at the TCP
    * @param motion carries the TCP
    * @param freedrive balances the payload
@@ -45,6 +39,7 @@ public final class ToolFlange {
       SimulatedArm arm,
       ArmModel model,
       Optional<Payload> load,
+      FlangeForces forces,
       SpeedCaps speedCaps,
       MotionControl motion,
       Freedrive freedrive,
@@ -130,81 +125,65 @@ public final class ToolFlange {
       setup.arm().setLoad(setup.model().payload());
     }
     setup.arm().modelChanged();
-    wrenchKnown = false;
+    setup.forces().forget();
   }
 
   /** Hangs something on the flange, whatever programs declare. */
   public void attachLoad(Payload load) {
     loadKnown = true;
     setup.arm().setLoad(load);
-    wrenchKnown = false;
+    setup.forces().forget();
   }
 
   /** From now on what programs declare hangs on the flange. */
   public void followDeclaredPayload() {
     loadKnown = false;
     setup.arm().setLoad(setup.model().payload());
-    wrenchKnown = false;
+    setup.forces().forget();
   }
 
   /** The arm has moved, or feels another gravity: what was felt no longer holds. */
   void armChanged() {
-    wrenchKnown = false;
+    setup.forces().forget();
   }
 
   /** Makes what the force sensor feels now its zero (manual 18.72). */
   public void zeroForceSensor() {
-    forceSensor.zero(setup.arm(), setup.model().payload());
-    wrenchKnown = false;
+    setup.forces().zero();
     setup.forceMode().sensorChanged();
     setup.contactWatch().forget();
   }
 
   /** The external wrench at the flange, along the axes of the base (manual 16.32). */
   public Wrench wrenchInBase() {
-    if (!wrenchKnown) {
-      wrench = forceSensor.wrenchAtFlangeInBase(setup.arm(), setup.model().payload());
-      wrenchKnown = true;
-    }
-    return wrench;
+    return setup.forces().wrenchInBase();
   }
 
   /**
    * What the force sensor feels, with weights and without its zero, at the flange along its axes.
    */
   public Wrench rawWrench() {
-    return forceSensor.felt();
+    return setup.forces().rawWrench();
   }
 
   /**
-   * What force control has to go by, as {@link #wrenchInBase}: what an external sensor feels, while
-   * there is one.
+   * Takes what an external force/torque sensor reads now.
+   *
+   * @param wrench on the tool at the point where it measures, N and Nm along the axes of the flange
    */
-  Wrench controlledWrenchInBase() {
-    return externalForceSensor.enabled() ? externalWrenchInBase() : wrenchInBase();
-  }
-
-  /** What an external sensor feels, at the flange along the axes of the base; 0 without one. */
-  Wrench externalWrenchInBase() {
-    return externalForceSensor.enabled()
-        ? externalForceSensor.wrenchAtFlangeInBase(setup.arm(), setup.model().payload())
-        : Wrench.ZERO;
-  }
-
-  /** What an external force/torque sensor reads. */
-  public ExternalForceSensor externalForceSensor() {
-    return externalForceSensor;
+  public void readExternalForceSensor(Wrench wrench) {
+    setup.forces().externalSensor().read(wrench);
   }
 
   /** Has force control use an external sensor from now on (manual 18.2). */
   public void useExternalForceSensor(ExternalForceSensor.Attachment mounting) {
-    externalForceSensor.enable(mounting);
+    setup.forces().externalSensor().enable(mounting);
     setup.forceMode().sensorChanged();
   }
 
   /** Has force control use the sensor in the flange again. */
   public void useOwnForceSensor() {
-    externalForceSensor.disable();
+    setup.forces().externalSensor().disable();
     setup.forceMode().sensorChanged();
   }
 }
