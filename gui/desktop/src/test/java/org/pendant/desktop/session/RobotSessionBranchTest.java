@@ -118,12 +118,12 @@ final class RobotSessionBranchTest {
           new SwitchListener() {
             @Override
             public void switchingOff() {
-              told.add("off " + (session.robot().equals(old)));
+              told.add("off " + session.robot().equals(old));
             }
 
             @Override
             public void switchedOn() {
-              told.add("on " + (session.robot().equals(old)));
+              told.add("on " + session.robot().equals(old));
             }
           });
       ControllerState then = seen.get(seen.size() / 2);
