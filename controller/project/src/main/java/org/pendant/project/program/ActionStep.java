@@ -2,7 +2,7 @@ package org.pendant.project.program;
 
 import java.util.List;
 
-/** Does something else than moving, or only structures the tree. */
+/** Action node: does something else than moving, or only structures the tree. */
 public sealed interface ActionStep extends Step {
 
   /** Waits for something. */

@@ -6,7 +6,7 @@ import java.util.regex.Pattern;
 import org.pendant.controller.installation.ControlHost;
 
 /**
- * What a driver sends for External Control nodes.
+ * Control script: what a driver sends for External Control nodes.
  *
  * @param from who has sent it
  * @param header what stands once before all that the program does; may be empty

@@ -3,8 +3,8 @@ package org.pendant.project.program;
 import java.util.List;
 
 /**
- * The node of the URCap External Control, by which a program hands the arm over to a driver: its
- * script is asked for when the program starts.
+ * External Control: the node of the URCap of that name, by which a program hands the arm over to a
+ * driver: its script is asked for when the program starts.
  */
 public final class ExternalControl {
   /** What the node is called in files of PolyScope. */

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** Where a program has the arm go first. */
+/** First waypoint: where a program moves the arm first. */
 public final class FirstWaypoint {
   private final ProgramTree tree;
   private final Set<String> called = new HashSet<>();

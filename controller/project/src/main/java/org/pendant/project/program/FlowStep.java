@@ -2,7 +2,7 @@ package org.pendant.project.program;
 
 import java.util.OptionalDouble;
 
-/** Decides which nodes run. */
+/** Flow node: decides which nodes run. */
 public sealed interface FlowStep extends Step {
 
   /**

@@ -2,7 +2,7 @@ package org.pendant.project.program;
 
 import java.util.List;
 
-/** A node that Pendant does not know; it is kept as it was. */
+/** Foreign node, which Pendant does not know; it is kept as it was. */
 public sealed interface ForeignStep extends Step {
 
   /**

@@ -2,7 +2,7 @@ package org.pendant.project.program;
 
 import java.util.OptionalDouble;
 
-/** How long a {@link FlowStep.Loop} goes on. */
+/** Loop rule: how long a {@link FlowStep.Loop} continues. */
 public sealed interface LoopRule {
 
   /** For ever. */

@@ -2,7 +2,7 @@ package org.pendant.project.program;
 
 import java.util.OptionalDouble;
 
-/** Moves the arm, or belongs to a move. */
+/** Motion node: moves the arm, or belongs to a move. */
 public sealed interface MotionStep extends Step {
 
   /**

@@ -1,6 +1,6 @@
 package org.pendant.project.program;
 
-/** The sort of path that a {@link MotionStep.Move} takes. */
+/** Move kind: the sort of path that a {@link MotionStep.Move} takes. */
 public enum MoveKind {
   /** Each joint goes its own way: {@code movej}. */
   JOINT,

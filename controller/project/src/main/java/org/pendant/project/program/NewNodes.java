@@ -22,9 +22,9 @@ import org.pendant.project.program.TemplateStep.PatternPoint;
 import org.pendant.project.program.TemplateStep.PatternRole;
 
 /**
- * Makes nodes as a palette adds them: with the values that a robot's own screen begins with, and
- * with the nodes below them that they cannot do without. Names are such that the tree does not have
- * yet.
+ * Node factory: makes nodes as a palette adds them: with the values that a robot's own screen
+ * begins with, and with the nodes below them that they cannot do without. Names are such that the
+ * tree does not have yet.
  */
 public final class NewNodes {
   private final Set<String> taken;

@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.pendant.project.program.TemplateStep.PartKind;
 import org.pendant.project.program.TemplateStep.PatternRole;
 
-/** The kinds of nodes as people choose them from a palette and read them on a screen. */
+/** Node kinds as people choose them from a palette and read them on a screen. */
 public enum NodeKind {
   MOVE_JOINT(Group.BASIC, "MoveJ"),
   MOVE_LINEAR(Group.BASIC, "MoveL"),

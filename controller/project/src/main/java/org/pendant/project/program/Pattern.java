@@ -2,7 +2,7 @@ package org.pendant.project.program;
 
 import java.util.List;
 
-/** The places of a {@link TemplateStep.Palletizing}. Corners are names of waypoints. */
+/** Pattern: the places of a {@link TemplateStep.Palletizing}. Corners are names of waypoints. */
 public sealed interface Pattern {
 
   /** Places at equal distances from a first to a last one. */

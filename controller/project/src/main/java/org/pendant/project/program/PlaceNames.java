@@ -13,7 +13,7 @@ import org.pendant.language.parse.LexemeReader;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
 
-/** Calls taught places otherwise, wherever nodes or the code in them speak of them. */
+/** Renaming of taught places, wherever nodes or the code in them name them. */
 public final class PlaceNames {
   /** Endings of the variables that a place has in the script: its pose, its joint positions. */
   private static final List<String> VARIABLES = List.of("_p", "_q");

@@ -4,7 +4,10 @@ import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
 
-/** Which nodes may stand below which. The order among the children is not its concern. */
+/**
+ * Placement rules: which nodes may stand below which. The order among the children is not its
+ * concern.
+ */
 public final class Placement {
   private Placement() {}
 

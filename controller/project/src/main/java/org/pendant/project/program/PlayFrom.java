@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Starting a program at a node in its middle: the same program whose first turn begins there. What
- * stands before the node is left out of that turn, the sequence before the start too; initial
- * values, threads and events are as always.
+ * Play from a node: starts a program at a node in its middle: the same program whose first turn
+ * begins there. What stands before the node is left out of that turn, the sequence before the start
+ * too; initial values, threads and events are as always.
  *
  * <p>The branches and loops around the node count as entered: their conditions are not asked, and a
  * loop goes on with whole turns of its own, a counting one from 0.

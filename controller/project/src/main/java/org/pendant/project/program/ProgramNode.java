@@ -3,7 +3,7 @@ package org.pendant.project.program;
 import java.util.List;
 
 /**
- * A node of a program with all that is below it; immutable.
+ * Program node with all that is below it; immutable.
  *
  * @param key tells it from all other nodes of its tree, also after it has moved or changed; means
  *     nothing outside of the running Pendant

@@ -16,8 +16,8 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
 /**
- * A program as a tree; immutable. Each change answers another tree, which shares what is as before;
- * so a history of trees costs little.
+ * Program tree; immutable. Each change answers another tree, which shares what is as before; so a
+ * history of trees costs little.
  *
  * @param installation name of the installation file that it was made for; empty for none
  * @param waypoints places that were taught, by name, in the order in which they are written

@@ -2,7 +2,10 @@ package org.pendant.project.program;
 
 import java.util.List;
 
-/** A part of a program as a whole; such nodes stand at the top of the tree and nowhere else. */
+/**
+ * Section: a part of a program as a whole; such nodes stand at the top of the tree and nowhere
+ * else.
+ */
 public sealed interface Section extends Step {
 
   /** Values that variables have before anything else runs; has no children. At most one. */

@@ -3,7 +3,7 @@ package org.pendant.project.program;
 import java.util.List;
 import org.pendant.project.program.TemplateStep.Seek;
 
-/** A seek with one of its many components changed. */
+/** Seek change: a seek with one of its many components changed. */
 public record SeekChange(Seek was) {
   /** Takes items from the stack, or puts them on it. */
   public Seek destack(boolean destack) {

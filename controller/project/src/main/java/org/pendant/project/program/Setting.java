@@ -2,7 +2,7 @@ package org.pendant.project.program;
 
 import org.pendant.models.pose.Pose;
 
-/** What a {@link ActionStep.SetAction} sets. Signals are such as {@code digital_out[0]}. */
+/** Setting that a {@link ActionStep.SetAction} sets. Signals are such as {@code digital_out[0]}. */
 public sealed interface Setting {
 
   /** Nothing. */

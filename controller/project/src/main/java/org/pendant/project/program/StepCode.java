@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 
-/** The URScript that people have typed into a step: expressions, script lines, stubs. */
+/** Step code: the URScript that people have typed into a step: expressions, script lines, stubs. */
 public final class StepCode {
   private StepCode() {}
 

@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 
-/** What a node is called, in one line: in the tree and in the labels of the script. */
+/** Step names: what a node is called, in one line: in the tree and in the labels of the script. */
 public final class StepNames {
   private static final Pattern BLANKS = Pattern.compile("\\s+");
   private static final String UNNAMED = "?";

@@ -3,7 +3,10 @@ package org.pendant.project.program;
 import java.util.List;
 import java.util.OptionalDouble;
 
-/** A task that is set up by filling in a form, with children for what the task does on its way. */
+/**
+ * Template node: a task that is set up by filling in a form, with children for what the task does
+ * on its way.
+ */
 public sealed interface TemplateStep extends Step {
 
   /**

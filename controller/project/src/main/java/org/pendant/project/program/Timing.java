@@ -1,6 +1,6 @@
 package org.pendant.project.program;
 
-/** How fast a waypoint is gone to. */
+/** Timing: how fast the arm moves to a waypoint. */
 public sealed interface Timing {
 
   /** As the move says. */

@@ -1,6 +1,6 @@
 package org.pendant.project.program;
 
-/** Which TCP a move is about. */
+/** Tool choice: which TCP a move is about. */
 public sealed interface ToolChoice {
 
   /** The one that is active when the move begins. */

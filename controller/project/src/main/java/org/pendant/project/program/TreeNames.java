@@ -5,7 +5,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 
-/** Names that a program tree gives to something, also where nobody has taught that yet. */
+/**
+ * Tree names: the names that a program tree gives to something, also where it has not been taught
+ * yet.
+ */
 public final class TreeNames {
   private TreeNames() {}
 

@@ -2,7 +2,7 @@ package org.pendant.project.program;
 
 import java.util.OptionalDouble;
 
-/** What ends a way early. */
+/** Until rule: what ends a move early. */
 public sealed interface UntilRule {
 
   /**

@@ -1,6 +1,9 @@
 package org.pendant.project.program;
 
-/** What a {@link ActionStep.Wait} waits for. Signals are such as {@code digital_in[0]}. */
+/**
+ * Wait condition: what a {@link ActionStep.Wait} waits for. Signals are such as {@code
+ * digital_in[0]}.
+ */
 public sealed interface WaitFor {
 
   /** Nothing. */

@@ -4,7 +4,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /**
- * A place that was taught.
+ * Waypoint position: a place that was taught.
  *
  * @param tcp pose of the TCP in the feature, m and rotation vector in rad
  * @param feature {@code Base} or the name of a feature of the installation

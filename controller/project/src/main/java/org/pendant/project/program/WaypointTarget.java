@@ -1,6 +1,6 @@
 package org.pendant.project.program;
 
-/** Where a {@link MotionStep.Waypoint} is. */
+/** Waypoint target: where a {@link MotionStep.Waypoint} is. */
 public sealed interface WaypointTarget {
 
   /**

@@ -15,7 +15,7 @@ import org.pendant.project.installation.urp.UrInstallations;
 import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.program.text.TextProblem;
 
-/** Reads installations by the endings of their names. */
+/** Installation file: reads installations by the endings of their names. */
 public final class InstallationFile {
   /** Far above any real one. */
   public static final int MAX_BYTES = 32 << 20;

@@ -1,6 +1,6 @@
 package org.pendant.project.installation.file;
 
-/** A file that is no installation, or a wrong one. */
+/** Installation file error: a file that is no installation, or a wrong one. */
 public final class InstallationTrouble extends Exception {
   private static final long serialVersionUID = 1L;
 

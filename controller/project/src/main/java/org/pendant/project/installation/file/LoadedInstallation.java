@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.controller.installation.Installation;
 
 /**
- * An installation as it was read from a file.
+ * Loaded installation as it was read from a file.
  *
  * @param installation what it says
  * @param remarks what of it was not understood; none for files in our own form

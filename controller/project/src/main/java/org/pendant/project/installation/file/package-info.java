@@ -1,5 +1,5 @@
 /**
- * Files of installations, of every form there is. Open {@link
+ * Installation files of every form there is. Open {@link
  * org.pendant.project.installation.file.InstallationFile} first.
  */
 package org.pendant.project.installation.file;

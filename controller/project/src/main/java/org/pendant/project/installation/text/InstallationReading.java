@@ -37,7 +37,7 @@ import org.pendant.project.program.text.LineText;
 import org.pendant.project.program.text.TextProblem;
 import org.pendant.project.program.text.WrongText;
 
-/** Reads a text once, line by line, and goes on after what is wrong. */
+/** Installation parser: reads a text once, line by line, and continues after what is wrong. */
 final class InstallationReading {
   /** Far above any real one; a longer text is something else. */
   private static final int LONGEST = 4 << 20;

@@ -3,7 +3,7 @@ package org.pendant.project.installation.text;
 import org.pendant.controller.installation.Installation;
 
 /**
- * Installations as text: a heading, then one thing a line, in an order that never changes. The same
+ * Installation text: a heading, then one thing a line, in an order that never changes. The same
  * installation always gives the same text, and reading it gives the same installation, to the last
  * digit of every number. docs/installations.md describes the lines.
  */

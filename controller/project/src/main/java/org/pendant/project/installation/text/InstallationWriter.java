@@ -18,7 +18,10 @@ import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
 import org.pendant.controller.world.Vector3;
 
-/** Writes an installation line by line; {@link InstallationReading} reads the same lines. */
+/**
+ * Installation writer: writes an installation line by line; {@link InstallationReading} reads the
+ * same lines.
+ */
 final class InstallationWriter {
   private final StringBuilder out = new StringBuilder();
 

@@ -14,7 +14,7 @@ import org.pendant.project.program.text.LineText;
 import org.pendant.project.program.text.LineText.Value;
 import org.pendant.project.program.text.WrongText;
 
-/** The fields of one line, asked for one by one; each is refused with its place. */
+/** Line fields: the fields of one line, asked for one by one; each is refused with its place. */
 final class LineFields {
   private static final Pattern NUMBER =
       Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");

@@ -2,7 +2,7 @@ package org.pendant.project.installation.text;
 
 import org.pendant.project.program.text.LineText;
 
-/** Writes one line: a word, then fields. */
+/** Line writer: writes one line: a word, then fields. */
 final class LineWriter {
   private final StringBuilder out;
 

@@ -5,7 +5,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.project.program.text.TextProblem;
 
 /**
- * An installation as it was read.
+ * Installation as it was read.
  *
  * @param installation what could be understood
  * @param problems what could not, in the order of the lines; the installation is the whole one only

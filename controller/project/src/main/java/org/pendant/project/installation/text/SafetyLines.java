@@ -14,7 +14,7 @@ import org.pendant.controller.safety.ToolDirection;
 import org.pendant.models.arm.Joints;
 import org.pendant.project.program.text.WrongText;
 
-/** The lines below {@code safety}: a limit each, then planes and the tool direction. */
+/** Safety lines, below {@code safety}: a limit each, then planes and the tool direction. */
 final class SafetyLines {
   static final String HEADING = "safety";
 

@@ -3,7 +3,7 @@ package org.pendant.project.installation.text;
 import java.util.List;
 import java.util.Locale;
 
-/** How constants and numbers are written. */
+/** Words of the format: how constants and numbers are written. */
 final class Words {
   /** Above it whole numbers are written as doubles are. */
   private static final double MAX_WHOLE = 1e15;

@@ -6,8 +6,8 @@ import org.pendant.controller.installation.ControlHost;
 import org.pendant.project.polyscope.xml.XmlElement;
 
 /**
- * Takes what is known of URCaps out of what they keep in an installation: pairs of key and value
- * each.
+ * Contribution reader: takes what is known of URCaps out of what they keep in an installation:
+ * pairs of key and value each.
  */
 final class ContributionReader {
   private static final String EXTERNAL_CONTROL = "External Control";

@@ -11,7 +11,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.project.polyscope.xml.XmlElement;
 
-/** Takes features out of the element that holds them. */
+/** Feature reader: takes features out of the element that contains them. */
 final class FeatureReader {
   private static final String POINT = "GeomPoseNode";
   private static final String LINE = "GeomLineNode";

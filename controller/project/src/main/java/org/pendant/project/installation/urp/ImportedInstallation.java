@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.controller.installation.Installation;
 
 /**
- * An installation as it was read from a file of PolyScope.
+ * Imported installation as it was read from a file of PolyScope.
  *
  * @param installation what was understood; the rest is as in a new one
  * @param remarks what was not understood

@@ -15,7 +15,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.polyscope.xml.XmlElement;
 
-/** Takes out of one file what is known of its form. */
+/** Installation reader: takes out of one file what is known of its form. */
 final class InstallationReader {
   /** What the only payload of older files is called here. */
   private static final String ONLY_PAYLOAD = "Payload";

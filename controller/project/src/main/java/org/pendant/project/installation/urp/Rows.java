@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.project.polyscope.xml.XmlElement;
 
-/** Values that stand in one attribute with commas between. */
+/** Rows of values that stand in one attribute with commas between. */
 final class Rows {
   private Rows() {}
 

@@ -14,7 +14,7 @@ import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.controller.safety.ToolDirection;
 import org.pendant.project.installation.urp.SafetySections.Section;
 
-/** Takes planes and the direction of the tool out of safety settings. */
+/** Safety border reader: takes planes and the direction of the tool out of safety settings. */
 final class SafetyBorderReader {
   private static final String DISABLED = "DISABLED";
   private static final int MAX_NAME = 100;

@@ -2,7 +2,10 @@ package org.pendant.project.installation.urp;
 
 import java.util.List;
 
-/** What is told of safety settings: with their lines, and so much that people can read it. */
+/**
+ * Safety remarks: what is told of safety settings: with their lines, and so much that people can
+ * read it.
+ */
 final class SafetyRemarks {
   /** Files that were not made to annoy have far less. */
   static final int MOST = 50;

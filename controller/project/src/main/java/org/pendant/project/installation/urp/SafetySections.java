@@ -10,8 +10,8 @@ import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 
 /**
- * The text of safety settings: sections, each a heading in brackets and lines {@code key = value}.
- * It notes which of them have been asked for, so that the rest can be told.
+ * Safety sections: the text of safety settings, in sections, each a heading in brackets and lines
+ * {@code key = value}. It notes which of them have been asked for, so that the rest can be told.
  */
 final class SafetySections {
   /** Real ones have 200 lines. */

@@ -18,8 +18,9 @@ import org.pendant.project.installation.urp.SafetySections.Section;
 import org.pendant.project.polyscope.xml.XmlElement;
 
 /**
- * Takes limits, planes and tool direction out of the text of safety settings. What is missing or
- * broken in it is left to the arm, for which infinity stands in the limits.
+ * Safety settings reader: takes limits, planes and tool direction out of the text of safety
+ * settings. What is missing or broken in it is left to the arm, for which infinity stands in the
+ * limits.
  */
 final class SafetySettingsReader {
   /** Revolutions from here on stand for no limit: robots write the largest whole number. */

@@ -13,7 +13,10 @@ import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
 import org.pendant.project.polyscope.xml.XmlElement;
 
-/** Takes names and actions of signals, and signals of Modbus devices, out of the element IOs. */
+/**
+ * Signal reader: takes names and actions of signals, and signals of Modbus devices, out of the
+ * element IOs.
+ */
 final class SignalReader {
   private static final String NAMES = "Names";
   private static final String ACTIONS = "Actions";

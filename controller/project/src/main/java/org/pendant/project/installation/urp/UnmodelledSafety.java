@@ -6,7 +6,7 @@ import java.util.Map;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.project.installation.urp.SafetySections.Section;
 
-/** Tells what safety settings demand that the simulated robot has not. */
+/** Unmodelled safety settings: tells what settings demand that the simulated robot has not. */
 final class UnmodelledSafety {
   static final String WORKPIECE = "WorkpieceConfiguration";
 

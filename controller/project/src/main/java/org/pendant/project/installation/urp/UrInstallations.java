@@ -9,8 +9,8 @@ import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.polyscope.xml.XmlElement;
 
 /**
- * Reads installations and the values of their variables. Their form is not published; what is known
- * of it is in docs/program-files.md.
+ * Installation import: reads installations of PolyScope and the values of their variables. Their
+ * form is not published; what is known of it is in docs/program-files.md.
  */
 public final class UrInstallations {
   /** Ending of the names of installations. */

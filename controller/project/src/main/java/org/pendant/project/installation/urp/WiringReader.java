@@ -13,7 +13,10 @@ import org.pendant.controller.io.ToolOutputMode;
 import org.pendant.controller.io.ToolPinMode;
 import org.pendant.project.polyscope.xml.XmlElement;
 
-/** Takes the domains of analog signals and the tool connector out of the elements about them. */
+/**
+ * Wiring reader: takes the domains of analog signals and the tool connector out of the elements
+ * about them.
+ */
 final class WiringReader {
   private static final Wiring USUAL = Wiring.STANDARD;
 

@@ -26,8 +26,8 @@ import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
 
 /**
- * Reads and writes such files. Nothing that a file only points to is ever loaded, and what it can
- * take up is bounded.
+ * Packed XML: reads and writes such files. Nothing that a file only points to is ever loaded, and
+ * what it can take up is bounded.
  */
 public final class PackedXml {
   /** Far above any real one; what is larger was made to fill the memory. */

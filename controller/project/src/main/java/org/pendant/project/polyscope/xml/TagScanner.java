@@ -1,8 +1,8 @@
 package org.pendant.project.polyscope.xml;
 
 /**
- * Finds where tags begin and end in a text whose form a parser checks at the same time: parsers do
- * not tell, and elements that nobody understands are to be kept to the letter.
+ * Tag scanner: finds where tags begin and end in a text whose form a parser checks at the same
+ * time: parsers do not tell, and elements that Pendant does not know are to be kept to the letter.
  */
 final class TagScanner {
   private final XmlSource source;

@@ -1,6 +1,6 @@
 package org.pendant.project.polyscope.xml;
 
-/** A file is not what it should be. */
+/** File format error: a file is not what it should be. */
 public final class UnreadableFile extends Exception {
   private static final long serialVersionUID = 1;
 

@@ -12,7 +12,7 @@ import java.util.stream.Collectors;
 import javax.xml.stream.XMLStreamReader;
 
 /**
- * An element of such a file. It notes which of its attributes and children have been asked for, so
+ * XML element of such a file. It notes which of its attributes and children have been asked for, so
  * that one can tell afterwards what nobody has understood. Not for several threads.
  */
 public final class XmlElement {

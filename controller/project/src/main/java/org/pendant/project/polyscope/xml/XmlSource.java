@@ -2,7 +2,7 @@ package org.pendant.project.polyscope.xml;
 
 import java.util.Arrays;
 
-/** The text of a file, and which line an offset is in. */
+/** XML source: the text of a file, and which line an offset is in. */
 final class XmlSource {
   private final String text;
   private final int[] lineStarts;

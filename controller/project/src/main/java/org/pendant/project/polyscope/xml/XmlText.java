@@ -5,7 +5,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Writes XML, indented by two blanks, and knows the paths of elements for references. */
+/**
+ * XML writer: writes XML, indented by two blanks, and knows the paths of elements for references.
+ */
 public final class XmlText {
   private final StringBuilder out = new StringBuilder();
   private final List<Level> open = new ArrayList<>(List.of(new Level("", 1)));

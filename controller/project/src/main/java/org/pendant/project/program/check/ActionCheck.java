@@ -9,7 +9,7 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.Setting;
 import org.pendant.project.program.WaitFor;
 
-/** Checks nodes that do something else than moving. */
+/** Action check: checks nodes that do something else than moving. */
 final class ActionCheck {
   private final CheckContext findings;
   private final SignalCheck signals;

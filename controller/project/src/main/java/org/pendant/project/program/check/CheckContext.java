@@ -22,7 +22,10 @@ import org.pendant.project.program.Section;
 import org.pendant.project.program.ToolChoice;
 import org.pendant.project.program.WaypointPosition;
 
-/** What has been found out about a tree so far, and the questions that many nodes ask about it. */
+/**
+ * Check context: what has been found out about a tree so far, and the questions that many nodes ask
+ * about it.
+ */
 final class CheckContext {
   private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z_0-9]*");
 

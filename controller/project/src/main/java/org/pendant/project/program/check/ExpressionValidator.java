@@ -15,8 +15,9 @@ import org.pendant.language.syntax.Statement;
 import org.pendant.project.program.check.CheckContext.TypedText;
 
 /**
- * Finds expressions that cannot be read. All are read in one go, as conditions one below another;
- * only when something is wrong are they taken apart, half by half, to find out what.
+ * Expression validator: finds expressions that cannot be read. All are read in one go, as
+ * conditions one below another; only when something is wrong are they taken apart, half by half, to
+ * find out what.
  */
 final class ExpressionValidator {
   private static final String BEFORE = "if (";

@@ -7,7 +7,10 @@ import org.pendant.project.program.FlowStep;
 import org.pendant.project.program.LoopRule;
 import org.pendant.project.program.ProgramNode;
 
-/** Checks nodes that decide what runs, and the order in which those stand beside each other. */
+/**
+ * Flow check: checks nodes that decide what runs, and the order in which those stand beside each
+ * other.
+ */
 final class FlowCheck {
   private final CheckContext findings;
 

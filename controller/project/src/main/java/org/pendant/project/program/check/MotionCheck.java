@@ -12,7 +12,7 @@ import org.pendant.project.program.UntilRule;
 import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.WaypointTarget;
 
-/** Checks moves and what belongs to them. */
+/** Motion check: checks moves and what belongs to them. */
 final class MotionCheck {
   private static final int VIA_AND_END = 2;
 

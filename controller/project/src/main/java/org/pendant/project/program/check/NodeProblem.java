@@ -1,7 +1,7 @@
 package org.pendant.project.program.check;
 
 /**
- * Why a program cannot run yet, or what people should know about a node.
+ * Node problem: why a program cannot run yet, or what people should know about a node.
  *
  * @param key of the node that has to be changed
  * @param field of its form that it is about, as the component of the step's record is called; empty

@@ -22,8 +22,8 @@ import org.pendant.project.program.TemplateStep;
 import org.pendant.script.function.Builtins;
 
 /**
- * Finds everything that keeps a tree from running, at the node and field where people can change
- * it. Suppressed nodes are not looked at. Pure; any thread may call it.
+ * Program check: finds everything that keeps a tree from running, at the node and field where
+ * people can change it. Suppressed nodes are not looked at. Pure; any thread may call it.
  */
 public final class ProgramCheck {
   private final CheckContext findings;

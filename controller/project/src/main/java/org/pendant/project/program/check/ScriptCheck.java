@@ -23,8 +23,8 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.vm.ProgramLoader;
 
 /**
- * Finds what shows only in the script of the whole tree, such as variables that nothing assigns and
- * script lines that do not fit together.
+ * Script check: finds what shows only in the script of the whole tree, such as variables that
+ * nothing assigns and script lines that do not fit together.
  */
 final class ScriptCheck {
   private static final String PROGRAM = "program";

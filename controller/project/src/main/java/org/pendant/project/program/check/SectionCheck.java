@@ -6,7 +6,7 @@ import org.pendant.project.program.NodeKind;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.Section;
 
-/** Checks the nodes at the top of a tree. */
+/** Section check: checks the nodes at the top of a tree. */
 final class SectionCheck {
   private final CheckContext findings;
   private final Set<NodeKind> single = new HashSet<>();

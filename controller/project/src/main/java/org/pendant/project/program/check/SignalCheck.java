@@ -9,7 +9,7 @@ import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.project.program.ProgramNode;
 
-/** Checks that signals exist and are of the kind that a node needs. */
+/** Signal check: checks that signals exist and are of the kind that a node needs. */
 final class SignalCheck {
   private static final Pattern NAME = Pattern.compile("(\\w+)\\[(\\d{1,3})\\]");
 

@@ -16,7 +16,7 @@ import org.pendant.project.program.TemplateStep.PartKind;
 import org.pendant.project.program.TemplateStep.PatternRole;
 import org.pendant.project.program.TreeNames;
 
-/** Checks templates. */
+/** Template check: checks templates. */
 final class TemplateCheck {
   private static final int AXES = 6;
   private static final int DIRECTION = 3;

@@ -1,5 +1,5 @@
 /**
- * What keeps a program tree from running. Open {@link
+ * Program checks: what keeps a program tree from running. Open {@link
  * org.pendant.project.program.check.ProgramCheck} first.
  */
 package org.pendant.project.program.check;

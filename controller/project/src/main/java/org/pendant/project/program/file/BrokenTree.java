@@ -2,7 +2,7 @@ package org.pendant.project.program.file;
 
 import java.util.List;
 
-/** A file holds no program tree, or one that cannot be read to its end. */
+/** Tree file error: a file has no program tree, or one that cannot be read to its end. */
 public final class BrokenTree extends Exception {
   private static final long serialVersionUID = 1;
 

@@ -33,8 +33,8 @@ import org.pendant.project.program.urp.UrpPrograms;
 import org.pendant.project.program.urp.UrpxPrograms;
 
 /**
- * A file with a program tree, together with the installation that it runs in. Immutable; reads
- * nothing itself.
+ * Tree file: a file with a program tree, together with the installation that it runs in. Immutable;
+ * reads nothing itself.
  */
 public final class TreeFile {
   /** Endings of such files that can be written as well. */

@@ -8,7 +8,7 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.Setting;
 import org.pendant.project.program.WaitFor;
 
-/** Writes what is neither a move nor a decision. */
+/** Action writer: writes what is neither a move nor a decision. */
 final class ActionWriter {
   private final ScriptContext context;
   private final ScriptStepWriter steps;

@@ -6,7 +6,7 @@ import org.pendant.controller.installation.NamedTool;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.program.ToolChoice;
 
-/** Writes which TCP is active. */
+/** Active tool writer: writes which TCP is active. */
 final class ActiveTool {
   private final Installation installation;
   private final ScriptLines lines;

@@ -11,7 +11,7 @@ import org.pendant.project.program.Timing;
 import org.pendant.project.program.UntilRule;
 import org.pendant.project.program.WaypointPosition;
 
-/** Writes ways that something ends early. */
+/** Direction writer: writes directional moves that something ends early. */
 final class DirectionWriter {
   private static final String TCP_SPEED = "get_target_tcp_speed()";
 

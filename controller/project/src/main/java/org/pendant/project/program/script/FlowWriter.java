@@ -5,7 +5,7 @@ import org.pendant.project.program.FlowStep;
 import org.pendant.project.program.LoopRule;
 import org.pendant.project.program.ProgramNode;
 
-/** Writes decisions and loops. */
+/** Flow writer: writes decisions and loops. */
 final class FlowWriter {
   /** So many alternatives stand inside of each other; the language has a limit for open blocks. */
   private static final int MAX_NESTED = 12;

@@ -4,7 +4,7 @@ import org.pendant.project.program.ExternalControl;
 import org.pendant.project.program.ForeignStep;
 import org.pendant.project.program.ProgramNode;
 
-/** Writes nodes of others: what stands in for them, or a remark. */
+/** Foreign node writer: writes what stands in for nodes of others, or a remark. */
 final class ForeignWriter {
   private final ScriptContext context;
   private final ScriptLines lines;

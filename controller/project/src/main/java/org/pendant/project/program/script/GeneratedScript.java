@@ -7,7 +7,7 @@ import org.pendant.project.program.ControlScript;
 import org.pendant.project.program.ProgramNode;
 
 /**
- * The script of a program tree.
+ * Generated script of a program tree.
  *
  * @param text all of it; lines end with a line feed
  * @param places which lines belong to which node, in the order of the nodes' line numbers; a node

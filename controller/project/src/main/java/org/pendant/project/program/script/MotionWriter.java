@@ -15,7 +15,7 @@ import org.pendant.project.program.ToolChoice;
 import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.WaypointTarget;
 
-/** Writes moves and the places that they go to. */
+/** Motion writer: writes moves and the places that they lead to. */
 final class MotionWriter {
   private static final String ACTIVE_TOOL = "get_tcp_offset()";
 

@@ -8,7 +8,9 @@ import org.pendant.project.program.TemplateStep;
 import org.pendant.project.program.TemplateStep.PartKind;
 import org.pendant.project.program.TreeNames;
 
-/** Writes palletizing: one place of a pattern each time, in the order of the pattern. */
+/**
+ * Pallet writer: writes palletizing: one place of a pattern each time, in the order of the pattern.
+ */
 final class PalletWriter {
   private static final int SQUARE_CORNERS = 4;
   private static final int BOX_CORNERS = 8;

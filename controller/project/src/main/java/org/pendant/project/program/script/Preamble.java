@@ -22,7 +22,10 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.project.program.WaypointPosition;
 
-/** Writes what the installation sets up, and the variables that it and the places give. */
+/**
+ * Preamble writer: writes what the installation sets up, and the variables that it and the places
+ * give.
+ */
 final class Preamble {
   private static final NamedPayload NO_PAYLOAD =
       new NamedPayload("", 0, new Vector3(0, 0, 0), Inertia.NONE);

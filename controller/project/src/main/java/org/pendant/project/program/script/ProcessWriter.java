@@ -8,7 +8,10 @@ import org.pendant.project.program.TemplateStep;
 import org.pendant.project.program.TemplateStep.ForceKind;
 import org.pendant.project.program.WaypointPosition;
 
-/** Writes templates that have the arm give way to something while their children run. */
+/**
+ * Process writer: writes templates in which the arm gives way to something while their children
+ * run.
+ */
 final class ProcessWriter {
   private static final List<Boolean> ALONG_Z = List.of(false, false, true, false, false, false);
   private static final double STOP_M_PER_S2 = 5;

@@ -12,7 +12,7 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.WaypointPosition;
 
-/** What all who write a part of one script share. */
+/** Script context: what all writers of one script share. */
 final class ScriptContext {
   private final ProgramTree tree;
   private final Installation installation;

@@ -6,7 +6,7 @@ import org.pendant.project.program.ControlScript;
 import org.pendant.project.program.PlayFrom;
 import org.pendant.project.program.ProgramTree;
 
-/** Makes the script that a program tree runs as. Pure; any thread may call it. */
+/** Script generator: makes the script that a program tree runs as. Pure; any thread may call it. */
 public final class ScriptGenerator {
   private ScriptGenerator() {}
 

@@ -15,8 +15,8 @@ import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.StepNames;
 
 /**
- * A script while it is written, line by line, and which lines belong to which node. A node may be
- * written several times; it has its first number then.
+ * Script lines: a script while it is written, line by line, and which lines belong to which node. A
+ * node may be written several times; it has its first number then.
  */
 final class ScriptLines {
   /** The label of a node at which a program cannot be held. */

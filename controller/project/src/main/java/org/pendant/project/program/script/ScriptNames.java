@@ -12,8 +12,8 @@ import org.pendant.language.signature.Signature;
 import org.pendant.project.program.TreeNames;
 
 /**
- * The names in a script. What people call things need not be names of the language, so each gets
- * one: legal, and that of nothing else.
+ * Script names: the names in a script. What people call things need not be names of the language,
+ * so each gets one: legal, and that of nothing else.
  */
 final class ScriptNames {
   private static final Set<String> KEYWORDS =

@@ -6,7 +6,10 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.Section;
 import org.pendant.project.program.TreeNames;
 
-/** Writes a program as a whole: the sections of the tree, and what they need around them. */
+/**
+ * Program writer: writes a program as a whole: the sections of the tree, and what they need around
+ * them.
+ */
 final class ScriptProgramWriter {
   private final ScriptContext context;
   private final ScriptLines lines;

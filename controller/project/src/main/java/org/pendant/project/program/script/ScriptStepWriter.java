@@ -9,7 +9,7 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.Section;
 import org.pendant.project.program.TemplateStep;
 
-/** Writes nodes, each by the writer of its family. */
+/** Step writer: writes nodes, each by the writer of its family. */
 final class ScriptStepWriter {
   private final ScriptContext context;
   private final MotionWriter motion;

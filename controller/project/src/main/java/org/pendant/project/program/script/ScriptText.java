@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
-/** Values as URScript writes them. */
+/** Script text: values as URScript writes them. */
 final class ScriptText {
   private ScriptText() {}
 

@@ -8,8 +8,8 @@ import org.pendant.project.program.TemplateStep;
 import org.pendant.project.program.TemplateStep.PartKind;
 
 /**
- * Writes the search along a stack. The level is how far from the start the last item was found; the
- * next search begins one item before where the next one is expected.
+ * Seek writer: writes the search along a stack. The level is how far from the start the last item
+ * was found; the next search begins one item before where the next one is expected.
  */
 final class SeekWriter {
   /** What was found may be hard. */

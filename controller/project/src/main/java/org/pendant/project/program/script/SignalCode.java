@@ -10,7 +10,10 @@ import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalBank;
 
-/** The calls that read and set a signal, such as {@code digital_out[0]} or one of a device. */
+/**
+ * Signal code: the calls that read and set a signal, such as {@code digital_out[0]} or one of a
+ * device.
+ */
 final class SignalCode {
   private final Installation installation;
 

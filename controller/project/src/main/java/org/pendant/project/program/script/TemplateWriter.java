@@ -11,7 +11,10 @@ import org.pendant.project.program.TemplateStep.PartKind;
 import org.pendant.project.program.TemplateStep.PatternRole;
 import org.pendant.project.program.TreeNames;
 
-/** Writes templates, each by the writer of its kind, and what is below those that have places. */
+/**
+ * Template writer: writes templates, each by the writer of its kind, and what is below those that
+ * have places.
+ */
 final class TemplateWriter {
   private final ScriptContext context;
   private final ScriptStepWriter steps;

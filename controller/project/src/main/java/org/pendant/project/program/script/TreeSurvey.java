@@ -22,7 +22,7 @@ import org.pendant.project.program.StepCode;
 import org.pendant.project.program.TemplateStep;
 import org.pendant.project.program.TreeNames;
 
-/** What the nodes of a tree use that are not suppressed. */
+/** Tree survey: what the nodes of a tree use that are not suppressed. */
 final class TreeSurvey {
   private static final Pattern WORD = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*");
 

@@ -3,8 +3,8 @@ package org.pendant.project.program.script;
 import org.pendant.project.program.ProgramNode;
 
 /**
- * A move in a thread of its own, while the program looks in each frame whether something ends it.
- * Begins with {@link #startMove} or {@link #startNodes}; then {@link #watch}, the endings, and
+ * Watched move in a thread of its own, while the program looks in each frame whether something ends
+ * it. Begins with {@link #startMove} or {@link #startNodes}; then {@link #watch}, the endings, and
  * {@link #close}.
  */
 final class WatchedMove {

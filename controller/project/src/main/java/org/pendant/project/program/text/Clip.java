@@ -8,7 +8,7 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.WaypointPosition;
 
 /**
- * Nodes on their way from one program to another.
+ * Clipboard text: nodes on their way from one program to another.
  *
  * @param nodes in order
  * @param waypoints the places that they refer to, by name

@@ -4,7 +4,7 @@ import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.RecordComponent;
 import java.util.Arrays;
 
-/** Takes records apart and puts them together. */
+/** Record components: takes records apart and puts them together. */
 final class Components {
   private static final ClassValue<Boolean> USUAL =
       new ClassValue<>() {

@@ -13,7 +13,8 @@ import org.pendant.project.program.Section;
 import org.pendant.project.program.Step;
 
 /**
- * Which records stand for which words; the names of records and their components are the format.
+ * Text forms: which records stand for which words; the names of records and their components are
+ * the format.
  */
 final class Forms {
   /** Components that are lines of text below the node, not fields. */

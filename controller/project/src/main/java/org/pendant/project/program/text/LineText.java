@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * One line: a word, then fields {@code key=value}. A value is a word, a number, a text in quotes or
- * a list of these in brackets.
+ * Line text: one line, a word, then fields {@code key=value}. A value is a word, a number, a text
+ * in quotes or a list of these in brackets.
  *
  * @param word with which it begins
  * @param fields by key, in order

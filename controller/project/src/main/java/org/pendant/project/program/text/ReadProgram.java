@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.project.program.ProgramTree;
 
 /**
- * A program as it was read.
+ * Program as it was read.
  *
  * @param tree what could be understood
  * @param problems what could not, in the order of the lines; the tree is the whole program only if

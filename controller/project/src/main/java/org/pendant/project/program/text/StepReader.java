@@ -12,7 +12,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.program.text.LineText.Value;
 
-/** Puts a record together from the fields of a line. */
+/** Step reader: puts a record together from the fields of a line. */
 final class StepReader {
   private final LineText line;
   private final int column;

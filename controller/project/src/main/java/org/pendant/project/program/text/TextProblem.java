@@ -1,7 +1,7 @@
 package org.pendant.project.program.text;
 
 /**
- * Something in a text that cannot be understood.
+ * Text problem: something in a text that cannot be understood.
  *
  * @param line where it is, from 1
  * @param column where it begins, in characters from 1

@@ -17,7 +17,7 @@ import org.pendant.project.program.Section.InitialValue;
 import org.pendant.project.program.Step;
 import org.pendant.project.program.WaypointPosition;
 
-/** Reads a text once, line by line, and goes on after what is wrong. */
+/** Program parser: reads a text once, line by line, and continues after what is wrong. */
 final class TextReading {
   private static final int MAX_PROBLEMS = 100;
   private static final int MAX_NODES = 200_000;

@@ -7,7 +7,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.project.program.Section.InitialValue;
 import org.pendant.project.program.Step;
 
-/** Writes one step: its line, and the lines of text that belong to it. */
+/** Step writer: writes one step: its line, and the lines of text that belong to it. */
 final class TextStepWriter {
   private final StringBuilder out;
 

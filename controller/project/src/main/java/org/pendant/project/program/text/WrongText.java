@@ -1,6 +1,6 @@
 package org.pendant.project.program.text;
 
-/** A line that cannot be understood. */
+/** Text error: a line that cannot be understood. */
 public final class WrongText extends Exception {
   private static final long serialVersionUID = 1;
 

@@ -15,7 +15,7 @@ import org.pendant.project.program.Setting;
 import org.pendant.project.program.Step;
 import org.pendant.project.program.WaitFor;
 
-/** Understands the elements that wait, set, ask and compute. */
+/** Action reader: understands the elements that wait, set, ask and compute. */
 final class ActionReader {
   private final ExpressionReader expressions;
   private final UrpSignals signals;

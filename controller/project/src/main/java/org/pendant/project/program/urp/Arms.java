@@ -12,7 +12,10 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.project.polyscope.xml.XmlElement;
 
-/** The arm that a program was made on, of which files keep the calibrated lengths and angles. */
+/**
+ * Arm of a program: the one that it was made on, of which files keep the calibrated lengths and
+ * angles.
+ */
 final class Arms {
   private static final String USUAL = "ur5e";
   private static final double QUARTER = Math.PI / 2;

@@ -6,7 +6,10 @@ import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.polyscope.xml.XmlElement;
 import org.pendant.project.program.TreeNames;
 
-/** Reads expressions, which files keep as rows of single characters, tokens and names. */
+/**
+ * Expression reader: reads expressions, which files keep as rows of single characters, tokens and
+ * names.
+ */
 final class ExpressionReader {
   /** Names the feature that a variable stands for. */
   static final String FEATURE = "featureName";

@@ -5,7 +5,7 @@ import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.polyscope.xml.XmlElement;
 import org.pendant.project.program.WaypointPosition;
 
-/** What features are called there and here. */
+/** Feature names: what features are called in PolyScope and in Pendant. */
 final class Features {
   /** What the base is called in files. */
   static final String BASE = "Joint_0_name";

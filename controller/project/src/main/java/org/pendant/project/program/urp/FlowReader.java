@@ -8,7 +8,7 @@ import org.pendant.project.program.FlowStep;
 import org.pendant.project.program.LoopRule;
 import org.pendant.project.program.Step;
 
-/** Understands the elements that decide what runs, or how what is below them runs. */
+/** Flow reader: understands the elements that decide what runs, or how what is below them runs. */
 final class FlowReader {
   /** The value of what runs when no case fits. */
   static final String DEFAULT_CASE = Integer.toString(Integer.MAX_VALUE);

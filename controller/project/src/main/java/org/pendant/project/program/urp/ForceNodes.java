@@ -14,8 +14,8 @@ import org.pendant.project.program.TemplateStep;
 import org.pendant.project.program.TemplateStep.ForceKind;
 
 /**
- * Nodes with force mode. Files have limits of both sorts for each axis: how fast it may give way,
- * and how far it may be off when it does not.
+ * Force nodes: nodes with force mode. Files have limits of both sorts for each axis: how fast it
+ * may give way, and how far it may be off when it does not.
  */
 final class ForceNodes {
   static final String ELEMENT = "Force";

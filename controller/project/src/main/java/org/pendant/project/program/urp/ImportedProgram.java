@@ -7,7 +7,7 @@ import org.pendant.controller.installation.NamedTool;
 import org.pendant.project.program.ProgramTree;
 
 /**
- * A program as it was read from a file of PolyScope.
+ * Imported program as it was read from a file of PolyScope.
  *
  * @param name of the program, as the file says
  * @param tree all that is in it

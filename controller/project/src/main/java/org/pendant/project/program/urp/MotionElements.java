@@ -17,7 +17,10 @@ import org.pendant.project.program.UntilRule;
 import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.WaypointTarget;
 
-/** Begins the elements of steps that move the arm, with all that is in them but other nodes. */
+/**
+ * Motion elements: begins the elements of steps that move the arm, with all that is in them but
+ * other nodes.
+ */
 final class MotionElements {
   private static final String TURN_STOP_RAD_PER_S2 = "34.90658503988659";
 

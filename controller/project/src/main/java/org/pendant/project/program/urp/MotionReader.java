@@ -18,7 +18,7 @@ import org.pendant.project.program.ToolChoice;
 import org.pendant.project.program.UntilRule;
 import org.pendant.project.program.WaypointTarget;
 
-/** Understands the elements that move the arm. */
+/** Motion reader: understands the elements that move the arm. */
 final class MotionReader {
   static final String DIRECTION = "gui.program.direction.MoveDirectionNode";
 

@@ -15,7 +15,7 @@ import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.polyscope.xml.XmlElement;
 import org.pendant.project.program.WaypointPosition;
 
-/** Collects the places that were taught. */
+/** Position list: collects the places that were taught. */
 final class Positions {
   /** Where we write the pose in full, as files of PolyScope keep the joints alone. */
   static final String OWN_POSE = "pendantPose";

@@ -7,7 +7,7 @@ import org.pendant.project.polyscope.xml.XmlElement;
 import org.pendant.project.program.ExternalControl;
 import org.pendant.project.program.ForeignStep;
 
-/** Keeps elements to the letter that nobody understands. */
+/** Preserved elements: keeps elements to the letter that Pendant does not know. */
 final class PreservedElements {
   /** Begins a comment before a contributed node: the script in its place. */
   static final String STUB = "pendant-stub ";

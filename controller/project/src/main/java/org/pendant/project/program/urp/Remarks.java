@@ -6,7 +6,10 @@ import java.util.List;
 import java.util.Map;
 import org.pendant.project.polyscope.xml.XmlElement;
 
-/** What is to be said about a file that was read; the same is said once, for the first place. */
+/**
+ * Remarks: what is to be said about a file that was read; the same is said once, for the first
+ * place.
+ */
 final class Remarks {
   private static final int MOST = 200;
 

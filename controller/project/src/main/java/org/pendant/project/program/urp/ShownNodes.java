@@ -13,7 +13,7 @@ import org.pendant.project.program.script.GeneratedScript;
 import org.pendant.project.program.script.GeneratedScript.NodeLines;
 
 /**
- * The nodes of a program of PolyScope X, which are only shown, and the lines of its script, which
+ * Shown nodes of a program of PolyScope X, which are only shown, and the lines of its script, which
  * run: remarks in the script say at which node it is.
  */
 public final class ShownNodes {

@@ -12,7 +12,8 @@ import org.pendant.project.program.Setting;
 import org.pendant.project.program.WaitFor;
 
 /**
- * Begins the elements of steps that do not move the arm, with all that is in them but other nodes.
+ * Step elements: begins the elements of steps that do not move the arm, with all that is in them
+ * but other nodes.
  */
 final class StepElements {
   private static final Pattern NAME = Pattern.compile("[A-Za-z_]\\w*");

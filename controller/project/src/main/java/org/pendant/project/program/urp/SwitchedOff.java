@@ -7,8 +7,8 @@ import java.util.regex.Pattern;
 import org.pendant.project.polyscope.xml.XmlElement;
 
 /**
- * A node that people have suppressed: it stands in a wrapper, in the part of what is suppressed,
- * and its class says which node it is.
+ * Suppressed node: it stands in a wrapper, in the part of what is suppressed, and its class says
+ * which node it is.
  */
 final class SwitchedOff {
   /** The element around it. */

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Set;
 import org.pendant.project.polyscope.xml.XmlElement;
 
-/** Finds what nobody has asked for in elements that were understood. */
+/** Unread parts: finds what was not asked for in elements that were understood. */
 final class Unread {
   /** Attributes and elements that tell nothing that a simulated robot could use. */
   private static final Set<String> NOT_NEEDED =

@@ -22,7 +22,7 @@ import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.text.Clip;
 import org.pendant.project.program.text.ProgramText;
 
-/** Makes a tree of the elements of one file. */
+/** Program reader: makes a tree of the elements of one file. */
 final class UrpProgramReader {
   static final String ROOT = "URProgram";
 

@@ -27,8 +27,9 @@ import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.text.ProgramText;
 
 /**
- * Makes the elements of a tree. What was written is read again at once: a node that does not come
- * back as it was is written in a form of our own, with its text in it, so that nothing is lost.
+ * Program writer: makes the elements of a tree. What was written is read again at once: a node that
+ * does not come back as it was is written in a form of our own, with its text in it, so that
+ * nothing is lost.
  */
 final class UrpProgramWriter {
   private static final String VERSION = "5.24.1";

@@ -7,8 +7,9 @@ import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.program.ProgramTree;
 
 /**
- * Reads and writes {@code .urp} files. Their form is not published; what is known of it is in
- * docs/program-files.md. Whatever is not understood is kept to the letter.
+ * Program files of PolyScope 5: reads and writes {@code .urp} files. Their form is not published;
+ * what is known of it is in docs/program-files.md. Whatever is not understood is kept to the
+ * letter.
  */
 public final class UrpPrograms {
   /** Ending of the names of such files. */

@@ -9,7 +9,7 @@ import org.pendant.controller.installation.SignalUse;
 import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.polyscope.xml.XmlElement;
 
-/** What signals are called there and here. */
+/** Signal names: what signals are called in PolyScope and in Pendant. */
 final class UrpSignals {
   private static final Pattern NUMBERED = Pattern.compile("(\\w+)\\[(\\d{1,3})\\]");
 

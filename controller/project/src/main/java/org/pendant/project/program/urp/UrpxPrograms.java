@@ -26,10 +26,10 @@ import tools.jackson.core.TokenStreamLocation;
 import tools.jackson.core.json.JsonFactory;
 
 /**
- * Reads {@code .urpx} files, in which PolyScope X keeps a program with all that belongs to it. Its
- * nodes are those of web pages, each with a form of its own; what they do stands beside them as a
- * script. That runs; the nodes are shown, suppressed. So is what sets up the robot, if it needs
- * functions that only PolyScope X has.
+ * Program files of PolyScope X: reads {@code .urpx} files, which contain a program with all that
+ * belongs to it. Its nodes are those of web pages, each with a form of its own; what they do stands
+ * beside them as a script. That runs; the nodes are shown, suppressed. So is what sets up the
+ * robot, if it needs functions that only PolyScope X has.
  */
 public final class UrpxPrograms {
   /** Ending of the names of such files. */

@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.pendant.project.polyscope.xml.XmlElement;
 
-/** Reads numbers and the like; what cannot be one counts as missing. */
+/** Value reader: reads numbers and the like; what cannot be one counts as missing. */
 final class Values {
   private static final Set<String> YES = Set.of("true", "1", "yes", "hi", "high", "on");
 

@@ -5,7 +5,7 @@ import org.pendant.project.program.MoveKind;
 import org.pendant.project.program.WaypointPosition;
 
 /**
- * What the move around a node, and what comes next, say of it.
+ * Context of a node: what the move around it, and what comes next, say of it.
  *
  * @param feature our name of it
  * @param sharedBlendM of waypoints and circles that have none of their own
