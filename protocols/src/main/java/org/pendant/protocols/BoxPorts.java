@@ -23,7 +23,7 @@ import org.pendant.protocols.teachpendant.RemotePendant;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.protocols.toolserial.ToolSerialServer;
 
-/** All ports of a control box. */
+/** Ports of a control box, all of them. */
 public final class BoxPorts implements AutoCloseable {
   private final List<Server> servers = new ArrayList<>();
   private final PortOpening opening = new PortOpening();

@@ -1,5 +1,5 @@
 /**
- * The outside world's doors to a controller: each protocol that a control box speaks gets a package
+ * Protocols, by which clients reach a controller: each one that a control box speaks gets a package
  * of its own below this one, split into messages, framing and session. Open {@link
  * org.pendant.protocols.BoxPorts} first, which opens them all.
  */

@@ -2,7 +2,7 @@ package org.pendant.protocols.dashboard;
 
 import java.util.List;
 
-/** What can be asked of the dashboard server. */
+/** Dashboard command: what can be asked of the dashboard server. */
 enum DashboardCommand {
   LOAD_INSTALLATION("load installation", Effect.ACTS, Argument.TAKEN),
   LOAD("load", Effect.ACTS, Argument.TAKEN),

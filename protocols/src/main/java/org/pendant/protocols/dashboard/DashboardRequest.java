@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * One line that a client has sent.
+ * Dashboard request: one line that a client has sent.
  *
  * @param argument what follows the words, without blanks around it; may be empty
  */

@@ -8,7 +8,7 @@ import org.pendant.protocols.net.LineCutter;
 import org.pendant.protocols.net.ProtocolException;
 import org.pendant.protocols.net.Session;
 
-/** One client of the dashboard server: an answer to every line, in their order. */
+/** Dashboard session: one client, with an answer to every line, in their order. */
 final class DashboardSession implements Session {
   private static final int MAX_LINE = 1 << 16;
   private static final String GREETING = "Connected: Universal Robots Dashboard Server";

@@ -3,7 +3,7 @@ package org.pendant.protocols.dashboard;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.RobotBits;
 
-/** How the dashboard server calls the safety modes. */
+/** Safety mode names of the dashboard server. */
 final class SafetyModeNames {
   private SafetyModeNames() {}
 

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Which computers scripts may connect to. Immutable. */
+/** Allowed hosts: which computers scripts may connect to. Immutable. */
 public final class AllowedHosts {
   /** Every computer. */
   public static final AllowedHosts ANY = new AllowedHosts(true, List.of());

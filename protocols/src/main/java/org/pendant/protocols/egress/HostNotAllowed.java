@@ -2,7 +2,7 @@ package org.pendant.protocols.egress;
 
 import java.net.ConnectException;
 
-/** A script wanted to go where the user does not allow it. */
+/** Host refusal: a script asked for a connection that the user does not allow. */
 public final class HostNotAllowed extends ConnectException {
   private static final long serialVersionUID = 1L;
 

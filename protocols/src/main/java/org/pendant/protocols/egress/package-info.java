@@ -1,5 +1,5 @@
 /**
- * Connecting to other computers on behalf of scripts, as far as the user allows. Open {@link
+ * Outgoing connections on behalf of scripts, as far as the user allows them. Open {@link
  * org.pendant.protocols.egress.HostPolicy} first.
  */
 package org.pendant.protocols.egress;

@@ -6,7 +6,10 @@ import java.util.OptionalInt;
 import java.util.function.IntFunction;
 import org.pendant.controller.eip.AssemblyPair;
 
-/** The assemblies as explicit messages read them: attribute 3 is the data, 4 their size. */
+/**
+ * Assembly object: the assemblies as explicit messages read them: attribute 3 is the data, 4 their
+ * size.
+ */
 final class AssemblyObject implements CipObject {
   private static final int DATA = 3;
   private static final int SIZE = 4;

@@ -3,7 +3,7 @@ package org.pendant.protocols.eip;
 import java.nio.ByteBuffer;
 import java.util.Optional;
 
-/** A class of objects whose attributes can be read (CIP volume 1, chapter 5). */
+/** CIP object: a class of objects whose attributes can be read (CIP volume 1, chapter 5). */
 interface CipObject {
   /** Revision of the class. */
   int revision();

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * What a message is for: a padded path of segments (CIP volume 1, appendix C).
+ * CIP path: what a message is for, a padded path of segments (CIP volume 1, appendix C).
  *
  * @param key what the device must be
  * @param objectClass number of the class

@@ -2,7 +2,10 @@ package org.pendant.protocols.eip;
 
 import java.util.List;
 
-/** A request is not carried out; the answer tells why in numbers (CIP volume 1, appendix B). */
+/**
+ * CIP refusal: a request is not carried out; the answer tells why in numbers (CIP volume 1,
+ * appendix B).
+ */
 final class CipRefusal extends Exception {
   /** Something about a connection; the first extended word says what. */
   static final int CONNECTION = 0x01;

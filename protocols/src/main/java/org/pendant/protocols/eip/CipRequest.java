@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * A request to an object (CIP volume 1, 2-4).
+ * CIP request to an object (CIP volume 1, 2-4).
  *
  * @param service what to do
  * @param path the bytes of the path to the object

@@ -1,6 +1,9 @@
 package org.pendant.protocols.eip;
 
-/** Why a connection is not opened or closed: extended status (CIP volume 1, table 3-5.29). */
+/**
+ * Connection fault: why a connection is not opened or closed: extended status (CIP volume 1, table
+ * 3-5.29).
+ */
 enum ConnectionFault {
   DUPLICATE(0x0100),
   TRANSPORT(0x0103),

@@ -2,7 +2,7 @@ package org.pendant.protocols.eip;
 
 import java.nio.ByteBuffer;
 
-/** What tells the connections of all originators apart. */
+/** Connection name: tells the connections of all originators apart. */
 record ConnectionName(int serial, int vendor, int originatorSerial) {
   static ConnectionName decode(ByteBuffer in) {
     int serial = Short.toUnsignedInt(in.getShort());

@@ -1,7 +1,8 @@
 package org.pendant.protocols.eip;
 
 /**
- * How data go in one direction of a connection (CIP volume 1, 3-5.5.1.1).
+ * Connection parameters: how data are sent in one direction of a connection (CIP volume 1,
+ * 3-5.5.1.1).
  *
  * @param bytes size of a packet's data with the numbers in front
  * @param variable whether packets may be shorter

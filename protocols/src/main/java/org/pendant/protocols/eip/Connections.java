@@ -14,7 +14,7 @@ import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.PeriodicTasks;
 
-/** All connections of scanners: opens and closes them, and keeps their data going. Any thread. */
+/** Connections of scanners: opens and closes them, and keeps their data going. Any thread. */
 final class Connections implements AutoCloseable {
   /** Most connections with cyclic data. */
   static final int MAX_CYCLIC = 32;

@@ -11,9 +11,9 @@ import org.pendant.controller.rtde.InputRecipe;
 import org.pendant.controller.rtde.InputUpdate;
 
 /**
- * The built-in assembly from scanner to robot, instance 112: speed slider, outputs, and input
- * registers. It has the fields of an RTDE package, with floats where that has doubles, and so they
- * are taken, checked and owned in the same way.
+ * Control assembly: the built-in one from scanner to robot, instance 112: speed slider, outputs,
+ * and input registers. It has the fields of an RTDE package, with floats where that has doubles,
+ * and so they are taken, checked and owned in the same way.
  */
 final class ControlAssembly {
   /** Its size. */

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
 /**
- * One connection with cyclic data in both directions. Whoever uses it holds the lock of the
+ * Cyclic connection: cyclic data in both directions. Whoever uses it holds the lock of the
  * connections.
  */
 final class CyclicConnection {

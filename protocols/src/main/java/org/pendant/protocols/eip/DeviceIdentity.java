@@ -3,7 +3,7 @@ package org.pendant.protocols.eip;
 import org.pendant.controller.state.SoftwareVersion;
 
 /**
- * What the adapter says that it is (CIP volume 1, 5-2).
+ * Device identity: what the adapter says that it is (CIP volume 1, 5-2).
  *
  * @param major of the revision
  * @param minor of the revision

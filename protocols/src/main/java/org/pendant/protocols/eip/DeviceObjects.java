@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.IntSupplier;
 
-/** The objects that every device has, and what they tell about a box. */
+/** Device objects: those that every device has, and what they tell about a box. */
 final class DeviceObjects {
   static final int IDENTITY = 0x01;
   static final int MESSAGE_ROUTER = 0x02;

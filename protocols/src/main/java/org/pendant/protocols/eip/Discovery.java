@@ -12,7 +12,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 
 /**
- * Answers datagrams from who only wants to know what there is; sessions are for TCP.
+ * Discovery: answers datagrams of clients that only ask which devices there are; sessions are for
+ * TCP.
  *
  * <p>Anybody can write a foreign address on a datagram, and answers are longer than questions. So
  * an answer never begets another one: questions carry no data, answers always do. And there are few

@@ -20,7 +20,7 @@ import org.pendant.protocols.server.Server;
 import org.pendant.protocols.server.ServerContext;
 
 /**
- * The EtherNet/IP adapter of a control box, with the service that configures its assemblies. Local
+ * EtherNet/IP adapter of a control box, with the service that configures its assemblies. Local
  * control does not keep scanners from writing: what they reach are inputs and outputs, not
  * commands.
  */

@@ -11,7 +11,7 @@ import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.net.ProtocolException;
 import org.pendant.protocols.net.Session;
 
-/** The messages of one client. Requests are answered in their order. */
+/** EtherNet/IP session: the messages of one client. Requests are answered in their order. */
 final class EipSession implements Session {
   /** Interface handle and timeout in front of the items. */
   private static final int ITEMS_AT = 6;

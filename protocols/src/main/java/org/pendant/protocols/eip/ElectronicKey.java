@@ -3,7 +3,8 @@ package org.pendant.protocols.eip;
 import java.util.Optional;
 
 /**
- * What a scanner expects to be connected to; zero is for whatever it is (CIP volume 1, C-1.4.5.2).
+ * Electronic key: what a scanner expects to be connected to; zero stands for any device (CIP volume
+ * 1, C-1.4.5.2).
  *
  * @param compatible whether an older device that this one can stand for is right as well
  */

@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 
-/** The commands of the encapsulation layer, and answers that need no session. */
+/** Encapsulation layer: its commands, and answers that need no session. */
 final class Encapsulation {
   static final int NOP = 0x0000;
   static final int LIST_SERVICES = 0x0004;

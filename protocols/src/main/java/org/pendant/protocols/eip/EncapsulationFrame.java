@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * One message of the encapsulation layer (CIP volume 2, chapter 2).
+ * Encapsulation frame: one message of the encapsulation layer (CIP volume 2, chapter 2).
  *
  * @param command what is asked; see {@link Encapsulation}
  * @param session number that the adapter gave

@@ -5,7 +5,7 @@ import java.nio.ByteOrder;
 import java.util.Optional;
 import org.pendant.protocols.net.ProtocolException;
 
-/** Cuts what one peer sends into encapsulation frames. */
+/** Encapsulation reader: cuts what one peer sends into encapsulation frames. */
 final class EncapsulationReader {
   private static final int LENGTH_AT = 2;
   private static final int LENGTH_KNOWN = 4;

@@ -4,7 +4,7 @@ import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
 
-/** One explicit message and what goes with it besides the request itself. */
+/** Exchange: one explicit message and what goes with it besides the request itself. */
 final class Exchange {
   private final InetSocketAddress peer;
   private final int session;

@@ -1,7 +1,7 @@
 package org.pendant.protocols.eip;
 
 /**
- * A connection for messages; it belongs to a session and ends with it.
+ * Explicit connection: one for messages; it belongs to a session and ends with it.
  *
  * @param id number of packets to the box
  * @param heardNs when the last message came, by the computer's clock

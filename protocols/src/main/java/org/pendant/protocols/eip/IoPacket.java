@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * One packet of cyclic data (CIP volume 2, 3-2).
+ * I/O packet: one packet of cyclic data (CIP volume 2, 3-2).
  *
  * @param connection number of the direction of a connection
  * @param number counts the packets of a connection

@@ -5,7 +5,10 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
-/** Puts a message together; numbers are little-endian unless a method says otherwise. */
+/**
+ * Little-endian message writer: puts a message together; numbers are little-endian unless a method
+ * says otherwise.
+ */
 final class LittleEndian {
   private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
 

@@ -5,7 +5,7 @@ import java.nio.ByteOrder;
 import java.util.Map;
 import java.util.Optional;
 
-/** Takes explicit messages to the objects that they are for. */
+/** Message router: takes explicit messages to the objects that they are for. */
 final class MessageRouter {
   private static final int REVISION = 1;
   private static final int MAX_INSTANCE = 2;

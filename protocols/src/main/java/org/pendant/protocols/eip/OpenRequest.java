@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * What a Forward_Open or Large_Forward_Open asks for (CIP volume 1, 3-5.5.2).
+ * Open request: what a Forward_Open or Large_Forward_Open asks for (CIP volume 1, 3-5.5.2).
  *
  * @param toOriginatorId number that the originator gives packets to it
  * @param timeoutMultiplier 4 times 2 to the power of this many intervals without a packet

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * One item of the common packet format (CIP volume 2, 2-6).
+ * Packet item: one item of the common packet format (CIP volume 2, 2-6).
  *
  * @param type what it is
  * @param data little-endian, from position to limit

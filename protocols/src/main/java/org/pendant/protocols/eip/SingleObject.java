@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 
 /**
- * A class with one instance.
+ * Singleton object: a class with one instance.
  *
  * @param attributes from attribute 1 on, each as it is when asked for
  */

@@ -14,7 +14,10 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.SoftwareVersion;
 import org.pendant.protocols.packet.PacketLayout;
 
-/** The built-in assembly from robot to scanner, instance 100: what a snapshot says. Any thread. */
+/**
+ * State assembly: the built-in one from robot to scanner, instance 100: what a snapshot says. Any
+ * thread.
+ */
 final class StateAssembly {
   /** Its size. */
   static final int BYTES = 480;

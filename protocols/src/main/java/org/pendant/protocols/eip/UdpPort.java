@@ -11,7 +11,7 @@ import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.protocols.net.Listening;
 import org.pendant.protocols.net.PeerLog;
 
-/** A UDP port. What comes is handed on in one thread; anybody may send. */
+/** UDP port. What comes is handed on in one thread; anybody may send. */
 final class UdpPort implements AutoCloseable {
   /** Longer datagrams are cut off, and so no packet of ours any more. */
   private static final int LONGEST = 2048;

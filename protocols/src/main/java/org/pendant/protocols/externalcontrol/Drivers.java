@@ -8,7 +8,7 @@ import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.egress.HostPolicy;
 
 /**
- * Those who can be asked for the script of External Control nodes. Any thread.
+ * Drivers that can be asked for the script of External Control nodes. Any thread.
  *
  * @param hostPolicy the way to them
  * @param chosen whom to ask whatever installations say

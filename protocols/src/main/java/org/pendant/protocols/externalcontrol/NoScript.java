@@ -1,6 +1,8 @@
 package org.pendant.protocols.externalcontrol;
 
-/** A driver has sent no script; the message says who should have, and what is wrong. */
+/**
+ * Missing script: a driver has sent none; the message says which should have, and what is wrong.
+ */
 public final class NoScript extends Exception {
   private static final long serialVersionUID = 1L;
 

@@ -1,7 +1,7 @@
 package org.pendant.protocols.externalcontrol;
 
 /**
- * How long a driver may take.
+ * Time limits of drivers: how long one may take.
  *
  * @param connectMs until it has taken the connection, for each address of its host, ms
  * @param answerMs until it begins to answer, or goes on with a line, ms

@@ -19,9 +19,9 @@ import org.pendant.protocols.egress.HostNotAllowed;
 import org.pendant.protocols.egress.HostPolicy;
 
 /**
- * One question to a driver for its script, in a thread of its own, so that whoever waits for the
- * answer can be told to wait no more. The driver is sent a line and answers with the text; that it
- * has ended shows by silence, as drivers keep the connection open.
+ * Script request to a driver, in a thread of its own, so that the thread that waits for the answer
+ * can be told to wait no more. The driver is sent a line and answers with the text; that it has
+ * ended shows by silence, as drivers keep the connection open.
  */
 public final class ScriptRequest {
   private static final byte[] LINE = "request_program\n".getBytes(StandardCharsets.US_ASCII);

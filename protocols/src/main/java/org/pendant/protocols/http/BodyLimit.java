@@ -3,7 +3,7 @@ package org.pendant.protocols.http;
 import java.util.Optional;
 
 /**
- * How large the body of a request may be.
+ * Body limit: how large the body of a request may be.
  *
  * @param keptBytes of a larger one nothing is kept, and the request is refused
  * @param readBytes with a larger one the client is disconnected at once

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** What a form sends, {@code multipart/form-data} (RFC 7578). */
+/** Form data: what a form sends, {@code multipart/form-data} (RFC 7578). */
 public final class FormData {
   /** More parts than any form that is understood here has. */
   private static final int MAX_PARTS = 16;

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * One request by HTTP.
+ * HTTP request.
  *
  * @param method such as {@code POST}
  * @param path what it is about, without a query

@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.pendant.protocols.net.ProtocolException;
 
-/** Cuts what one peer sends into requests of HTTP with a body of known length. */
+/** HTTP framing: cuts what one peer sends into requests with a body of known length. */
 final class HttpCutter {
   /** Most bytes of a head. */
   static final int MAX_HEAD = 8192;

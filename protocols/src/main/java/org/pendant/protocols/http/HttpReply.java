@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 
 /**
- * The answer to a request.
+ * HTTP reply to a request.
  *
  * @param type of the body, such as {@code text/xml}
  * @param allowed the methods there are instead; empty unless the method was wrong

@@ -1,6 +1,9 @@
 package org.pendant.protocols.http;
 
-/** Answers requests; those of one client come one after the other, in a thread of its own. */
+/**
+ * HTTP service: answers requests; those of one client come one after the other, in a thread of its
+ * own.
+ */
 @FunctionalInterface
 public interface HttpService {
   /** The answer to a request; may wait. */

@@ -7,7 +7,7 @@ import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.net.ProtocolException;
 import org.pendant.protocols.net.Session;
 
-/** The requests of one client, answered in their order. */
+/** HTTP session: the requests of one client, answered in their order. */
 public final class HttpSession implements Session {
   private static final byte[] GO_ON =
       "HTTP/1.1 100 Continue\r\n\r\n".getBytes(StandardCharsets.US_ASCII);

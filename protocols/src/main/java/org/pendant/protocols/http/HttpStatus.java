@@ -1,6 +1,6 @@
 package org.pendant.protocols.http;
 
-/** What came of a request (RFC 9110, 15). */
+/** HTTP status: what came of a request (RFC 9110, 15). */
 public enum HttpStatus {
   OK(200, "OK"),
   BAD_REQUEST(400, "Bad Request"),

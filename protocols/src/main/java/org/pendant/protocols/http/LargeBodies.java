@@ -2,7 +2,7 @@ package org.pendant.protocols.http;
 
 import java.util.concurrent.Semaphore;
 
-/** How many large bodies of requests are kept at once by a server. Any thread may use it. */
+/** Large bodies: how many of them are kept at once by a server. Any thread may use it. */
 public final class LargeBodies {
   private final Semaphore places;
 

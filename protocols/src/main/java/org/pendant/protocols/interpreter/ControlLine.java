@@ -3,7 +3,7 @@ package org.pendant.protocols.interpreter;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What a line can ask for that is no statement (manual 13.5 to 13.7). */
+/** Control line: what a line can ask for that is no statement (manual 13.5 to 13.7). */
 enum ControlLine {
   ABORT,
   SKIPBUFFER,

@@ -10,7 +10,7 @@ import org.pendant.protocols.net.FaultGuard;
 import org.pendant.protocols.server.ServerContext;
 import org.pendant.script.vm.InterpreterJournal;
 
-/** Keeps the log files up to date, in a thread of its own. */
+/** Interpreter log: keeps the log files up to date, in a thread of its own. */
 final class InterpreterLog implements AutoCloseable {
   private final ServerContext serverContext;
   private final InterpreterJournal journal;

@@ -8,7 +8,7 @@ import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.Server;
 import org.pendant.protocols.server.ServerContext;
 
-/** The port of interpreter mode (manual 13). */
+/** Interpreter server: the port of interpreter mode (manual 13). */
 public final class InterpreterServer implements Server {
   /** Where it listens on a real box. */
   public static final int STANDARD_PORT = 30_020;

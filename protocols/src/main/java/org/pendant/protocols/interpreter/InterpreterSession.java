@@ -18,8 +18,8 @@ import org.pendant.script.vm.Interpreter;
 import org.pendant.script.vm.InterpreterStatus;
 
 /**
- * One client of interpreter mode. Lines are answered when the controller has dealt with them;
- * control lines are not held up by statements that wait.
+ * Interpreter session: one client of interpreter mode. Lines are answered when the controller has
+ * dealt with them; control lines are not held up by statements that wait.
  */
 final class InterpreterSession implements Session {
   private static final int MAX_LINE = 1 << 16;

@@ -10,7 +10,7 @@ import org.pendant.controller.Robot;
 import org.pendant.controller.command.Reply;
 import org.pendant.script.vm.InterpretedLine;
 
-/** The statements of one client on their way to the controller, a few at a time. */
+/** Line queue: the statements of one client on their way to the controller, a few at a time. */
 final class LineQueue {
   /** Most lines of one client in a frame: each is checked in the frame loop. */
   private static final int MAX_UNDER_WAY = 16;

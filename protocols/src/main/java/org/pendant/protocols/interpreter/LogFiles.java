@@ -12,8 +12,8 @@ import org.pendant.protocols.teachpendant.InterpreterFiles;
 import org.pendant.script.vm.InterpreterEvent;
 
 /**
- * The three log files of interpreter mode (manual 13.8): what is interpreted now, what was cleared
- * last, and what programs keep.
+ * Log files of interpreter mode (manual 13.8): what is interpreted now, what was cleared last, and
+ * what programs keep.
  */
 final class LogFiles {
   /** What programs keep is begun anew beyond this: nobody can fill the disk. */

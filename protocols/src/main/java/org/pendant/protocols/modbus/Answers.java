@@ -30,7 +30,7 @@ import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.protocols.modbus.RefusedRequest.Reason;
 
-/** Carries out requests on a box. Any thread, one request at a time. */
+/** Request execution: carries out requests on a box. Any thread, one request at a time. */
 final class Answers {
   /** The box behind a server. */
   interface Box {

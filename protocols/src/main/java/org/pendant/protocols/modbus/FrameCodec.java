@@ -10,7 +10,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 
-/** Frames as j2mod's messages and back. */
+/** Frame codec: frames as j2mod's messages and back. */
 final class FrameCodec {
   private FrameCodec() {}
 

@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.util.Optional;
 import org.pendant.protocols.net.ProtocolException;
 
-/** Puts requests together from bytes that come cut anywhere. */
+/** Modbus frame reader: puts requests together from bytes that come cut anywhere. */
 final class ModbusFrameReader {
   /** Transaction (2 bytes), protocol (2), length of the rest (2); the unit counts to the rest. */
   static final int PREFIX = 6;

@@ -12,7 +12,7 @@ import org.pendant.protocols.server.Server;
 import org.pendant.protocols.server.ServerContext;
 
 /**
- * The Modbus server of a control box. Every request is answered from one snapshot; what is written
+ * Modbus server of a control box. Every request is answered from one snapshot; what is written
  * shows in the next one. Local control does not keep clients from writing: what they reach are
  * signals, not commands.
  */

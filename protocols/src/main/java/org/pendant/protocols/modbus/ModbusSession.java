@@ -8,7 +8,7 @@ import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.ProtocolException;
 import org.pendant.protocols.net.Session;
 
-/** One client: its requests are answered in their order. */
+/** Modbus session: one client, whose requests are answered in their order. */
 final class ModbusSession implements Session {
   private static final int PROTOCOL_AT = 2;
 

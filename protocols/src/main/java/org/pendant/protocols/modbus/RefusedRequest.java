@@ -1,6 +1,6 @@
 package org.pendant.protocols.modbus;
 
-/** A request that is answered by one of the protocol's exceptions. */
+/** Refused request, answered by one of the protocol's exceptions. */
 final class RefusedRequest extends Exception {
   private static final long serialVersionUID = 1L;
 

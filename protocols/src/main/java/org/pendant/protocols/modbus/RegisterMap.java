@@ -13,7 +13,8 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.protocols.modbus.RefusedRequest.Reason;
 
 /**
- * Ranges of the registers and bits of {@link PortImage}; one address that there is not refuses all.
+ * Register map: ranges of the registers and bits of {@link PortImage}; one address that does not
+ * exist refuses all.
  */
 final class RegisterMap {
   private static final int FULL = 0xFFFF;

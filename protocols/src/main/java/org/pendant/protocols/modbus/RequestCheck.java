@@ -5,8 +5,8 @@ import java.nio.ByteBuffer;
 import org.pendant.protocols.modbus.RefusedRequest.Reason;
 
 /**
- * Looks whether a request is what the Modbus application protocol (V1.1b3, section 6) allows,
- * before it is decoded: the library that decodes takes numbers and lengths as they come.
+ * Request check: whether a request is what the Modbus application protocol (V1.1b3, section 6)
+ * allows, before it is decoded: the library that decodes takes numbers and lengths as they come.
  */
 final class RequestCheck {
   /** Most bits that one request reads. */

@@ -1,5 +1,5 @@
 /**
- * The Modbus TCP server (port 502): the box's signals, the memory that scripts share with Modbus
+ * Modbus TCP server (port 502): the box's signals, the memory that scripts share with Modbus
  * clients, and the arm's state, as registers and bits. Open {@link
  * org.pendant.protocols.modbus.ModbusServer} first.
  */

@@ -16,8 +16,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * One connection to a device, from when it is open to its end. The thread of the device asks, a
- * second one receives. Questions do not wait for the answers of others, unless the device wants it.
+ * Connection to a device, from when it is open to its end. The thread of the device asks, a second
+ * one receives. Questions do not wait for the answers of others, unless the device wants it.
  */
 final class Conversation {
   /** Most questions that wait for an answer at once. */

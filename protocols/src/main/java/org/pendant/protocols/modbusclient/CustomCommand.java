@@ -7,7 +7,10 @@ import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** A request that a script has made itself (manual 18.22); what is answered does not matter. */
+/**
+ * Custom command: a request that a script has made itself (manual 18.22); what is answered does not
+ * matter.
+ */
 final class CustomCommand implements Pending, Asker {
   private final DeviceRequest question;
   private final Device device;

@@ -24,7 +24,7 @@ import org.pendant.protocols.egress.HostNotAllowed;
 import org.pendant.protocols.egress.HostPolicy;
 
 /**
- * A device and everything that is wanted of it. A thread of its own keeps a connection as long as
+ * Device and everything that is wanted of it. A thread of its own keeps a connection as long as
  * there is something, makes it again when it is lost, and asks; others only leave wishes and wake
  * it.
  */

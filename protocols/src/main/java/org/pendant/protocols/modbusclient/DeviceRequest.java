@@ -30,7 +30,7 @@ import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 import org.pendant.controller.external.ModbusExchange;
 
-/** A request to a device and how its answer is read. Pure: bytes in, bytes out. */
+/** Device request and how its answer is read. Pure: bytes in, bytes out. */
 final class DeviceRequest {
   /** Bytes of an answer to a write: prefix, unit, function, address, count. */
   private static final int WRITTEN_LENGTH = ResponseFrame.PREFIX + 6;

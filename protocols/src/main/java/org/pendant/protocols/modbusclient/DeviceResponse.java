@@ -2,7 +2,7 @@ package org.pendant.protocols.modbusclient;
 
 import java.util.List;
 
-/** What a device says to a question. */
+/** Device response: what a device answers to a request. */
 sealed interface DeviceResponse {
   /**
    * What was read.

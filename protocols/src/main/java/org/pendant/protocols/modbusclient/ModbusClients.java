@@ -10,7 +10,9 @@ import org.pendant.controller.external.ModbusPoint;
 import org.pendant.controller.external.Pending;
 import org.pendant.protocols.egress.HostPolicy;
 
-/** Speaks to the Modbus devices of one controller; signals at the same address share it. */
+/**
+ * Modbus clients of one controller: connect to its devices; signals at the same address share it.
+ */
 public final class ModbusClients implements ModbusConnector, AutoCloseable {
   private final HostPolicy hostPolicy;
   private final Map<ModbusAddress, Device> devices = new ConcurrentHashMap<>();

@@ -9,8 +9,8 @@ import org.pendant.controller.external.ModbusPoint;
 import org.pendant.controller.external.ModbusReading;
 
 /**
- * One signal. The frame loop leaves wishes in volatile fields, the thread of the device leaves what
- * it has read; neither waits for the other.
+ * Point: one signal of a device. The frame loop leaves wishes in volatile fields, the thread of the
+ * device leaves what it has read; neither waits for the other.
  */
 final class Point implements ModbusPoint, Asker {
   private static final int STANDARD_HZ = 10;

@@ -8,7 +8,7 @@ import java.net.ProtocolException;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 
-/** Cuts the answers out of what a device sends. */
+/** Response framing: cuts the answers out of what a device sends. */
 final class ResponseFrame {
   /** Transaction (2 bytes), protocol (2), length of the rest (2); the unit counts to the rest. */
   static final int PREFIX = 6;

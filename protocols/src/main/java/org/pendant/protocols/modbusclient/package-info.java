@@ -1,5 +1,5 @@
 /**
- * The Modbus client of scripts: one connection a device, on virtual threads, with j2mod's messages.
+ * Modbus client of scripts: one connection a device, on virtual threads, with j2mod's messages.
  * Open {@link org.pendant.protocols.modbusclient.ModbusClients} first; what scripts make of the
  * values is the controller's business.
  */

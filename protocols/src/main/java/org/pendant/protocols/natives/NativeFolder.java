@@ -13,8 +13,9 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Finds a folder that only this user can write, for the native parts of libraries. What lies in it
- * is loaded as code of this process, so it must never be one that others can make or fill first.
+ * Native library folder: finds a folder that only this user can write, for the native parts of
+ * libraries. What lies in it is loaded as code of this process, so it must never be one that others
+ * can make or fill first.
  */
 public final class NativeFolder {
   private static final String NAME = "pendant-native";

@@ -5,8 +5,8 @@ import java.time.Duration;
 import org.pendant.controller.message.LogEntry.Level;
 
 /**
- * Takes peers from a port, one after the other, until it is closed. Where the system gives no more,
- * such as no more open files, it waits, longer each time, and says so once.
+ * Acceptor: takes peers from a port, one after the other, until it is closed. Where the system
+ * gives no more, such as no more open files, it waits, longer each time, and says so once.
  */
 final class Acceptor<P> implements Runnable {
   /** The first wait, and the longest. */

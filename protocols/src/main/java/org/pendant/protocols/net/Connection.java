@@ -14,10 +14,10 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
 /**
- * One peer of a port. Sending never waits for the peer: what it does not take at once goes to a
- * bounded outbox, and a thread of the connection's own carries that out. Most messages go out in
- * the sender's thread for this reason: waking another one for each would make the intervals of what
- * is sent at a rate as uneven as the machine is busy.
+ * Connection of one peer to a port. Sending never waits for the peer: what it does not take at once
+ * goes to a bounded outbox, and a thread of the connection's own carries that out. Most messages go
+ * out in the sender's thread for this reason: waking another one for each would make the intervals
+ * of what is sent at a rate as uneven as the machine is busy.
  */
 public final class Connection implements Occupant {
   private static final int RECEIVE_BYTES = 1 << 16;

@@ -12,9 +12,10 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * The places of one port. When all are taken, a newcomer gets the place of whoever is silent for
- * longest, so that peers that only hold their places shut nobody out; peers of the address that
- * holds most places go first. Some places are kept for this computer itself. Any thread.
+ * Connection slots: the places of one port. When all are taken, a newcomer gets the place of
+ * whoever is silent for longest, so that peers that only hold their places shut nobody out; peers
+ * of the address that holds most places go first. Some places are kept for this computer itself.
+ * Any thread.
  */
 final class ConnectionSlots<C extends Occupant> {
   /** One place of so many is for this computer only. */

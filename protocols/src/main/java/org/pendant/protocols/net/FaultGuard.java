@@ -4,8 +4,9 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.pendant.controller.message.LogEntry.Level;
 
 /**
- * Runs a task that comes again and again, so that a fault in it does not end the thread that the
- * others need as well. The fault is logged, once for all that follow each other. Any thread.
+ * Fault guard: runs a task that comes again and again, so that a fault in it does not end the
+ * thread that the others need as well. The fault is logged, once for all that follow each other.
+ * Any thread.
  */
 public final class FaultGuard {
   private final String what;

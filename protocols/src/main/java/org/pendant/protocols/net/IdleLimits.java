@@ -4,7 +4,8 @@ import java.time.Duration;
 import java.util.Optional;
 
 /**
- * How long a peer may say nothing before it is disconnected, as its protocol has it.
+ * Idle limits: how long a peer may say nothing before it is disconnected, according to its
+ * protocol.
  *
  * @param firstWord after connecting; empty where peers may only listen
  * @param afterwards between what it says; empty where peers may stay as long as they like

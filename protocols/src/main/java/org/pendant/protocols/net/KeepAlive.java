@@ -6,7 +6,7 @@ import java.net.StandardSocketOptions;
 import java.nio.channels.SocketChannel;
 import jdk.net.ExtendedSocketOptions;
 
-/** Lets the system find out that a peer's computer is gone, which no packet says. */
+/** Keep-alive: lets the system find out that a peer's computer is gone, which no packet says. */
 final class KeepAlive {
   private static final int FIRST_AFTER_S = 60;
   private static final int INTERVAL_S = 10;

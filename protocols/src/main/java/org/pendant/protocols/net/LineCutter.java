@@ -7,8 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Cuts what one peer sends into lines. A line ends with a line feed, before which a carriage return
- * does not count.
+ * Line framing: cuts what one peer sends into lines. A line ends with a line feed, before which a
+ * carriage return does not count.
  */
 public final class LineCutter {
   private final int longest;

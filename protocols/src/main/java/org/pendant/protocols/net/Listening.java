@@ -3,7 +3,7 @@ package org.pendant.protocols.net;
 import java.net.InetAddress;
 
 /**
- * Where a server listens.
+ * Listening address: where a server listens.
  *
  * @param name of the protocol, for messages, such as {@code Dashboard}
  * @param host address of the interface

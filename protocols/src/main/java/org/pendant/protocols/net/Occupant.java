@@ -2,7 +2,7 @@ package org.pendant.protocols.net;
 
 import java.net.InetAddress;
 
-/** Who has one of the places of a port. */
+/** Occupant of one of the places of a port. */
 interface Occupant {
   /** Where it is. */
   InetAddress address();

@@ -9,9 +9,9 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.LongSupplier;
 
 /**
- * What is sent to one peer. It goes out at once, in the sender's thread, as far as the peer's
- * window has room; the rest waits here, with a bound on its bytes, for a thread that carries it
- * out.
+ * Outbox: what is sent to one peer. It goes out at once, in the sender's thread, as far as the
+ * peer's window has room; the rest waits here, with a bound on its bytes, for a thread that carries
+ * it out.
  */
 final class Outbox {
   /** Most bytes that wait. */

@@ -6,8 +6,8 @@ import java.util.function.LongSupplier;
 import org.pendant.controller.message.LogEntry.Level;
 
 /**
- * The controller's log as servers use it: at most {@link #PER_SECOND} lines a second, so that a
- * hostile peer cannot push everything else out. Any thread.
+ * Peer log: the controller's log as servers use it: at most {@link #PER_SECOND} lines a second, so
+ * that a hostile peer cannot push everything else out. Any thread.
  */
 public final class PeerLog {
   /** Lines that are written in a second; of more only the number. */

@@ -5,8 +5,8 @@ import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Tasks that run again and again, all in one thread. One that throws is logged and runs again at
- * its next time ({@link FaultGuard}): a watchdog must not end by its own fault.
+ * Periodic tasks, which run again and again, all in one thread. One that throws is logged and runs
+ * again at its next time ({@link FaultGuard}): a watchdog must not end by its own fault.
  */
 public final class PeriodicTasks implements AutoCloseable {
   private final PeerLog log;

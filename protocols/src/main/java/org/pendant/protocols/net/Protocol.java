@@ -1,6 +1,6 @@
 package org.pendant.protocols.net;
 
-/** What is spoken at a port. */
+/** Protocol that is spoken at a port. */
 @FunctionalInterface
 public interface Protocol {
   /**

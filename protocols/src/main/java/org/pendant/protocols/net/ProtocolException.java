@@ -1,6 +1,6 @@
 package org.pendant.protocols.net;
 
-/** What a peer sent cannot be understood, and the connection has to end. */
+/** Protocol error: what a peer sent cannot be understood, and the connection has to end. */
 public final class ProtocolException extends Exception {
   private static final long serialVersionUID = 1L;
 

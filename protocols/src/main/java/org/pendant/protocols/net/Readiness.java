@@ -6,7 +6,10 @@ import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
 import java.util.Optional;
 
-/** Lets one thread wait until a channel that does not block can be read, or written. */
+/**
+ * Channel readiness: lets one thread wait until a channel that does not block can be read, or
+ * written.
+ */
 final class Readiness implements AutoCloseable {
   private final SocketChannel channel;
   private final int operation;

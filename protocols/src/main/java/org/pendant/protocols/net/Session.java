@@ -3,8 +3,8 @@ package org.pendant.protocols.net;
 import java.nio.ByteBuffer;
 
 /**
- * One peer's conversation. {@link #received} and {@link #closed} are called by the connection's own
- * thread, never at the same time; both may wait.
+ * Session: one peer's conversation. {@link #received} and {@link #closed} are called by the
+ * connection's own thread, never at the same time; both may wait.
  */
 public interface Session {
   /**

@@ -1,7 +1,7 @@
 package org.pendant.protocols.net;
 
 /**
- * How a peer is silent.
+ * Silence of a peer: how it is silent.
  *
  * @param lastsNs for how long, ns
  */

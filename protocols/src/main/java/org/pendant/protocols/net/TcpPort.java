@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.function.LongSupplier;
 import org.pendant.controller.message.LogEntry.Level;
 
-/** A TCP port at which one protocol is spoken. Each peer has threads of its own. */
+/** TCP port at which one protocol is spoken. Each peer has threads of its own. */
 public final class TcpPort implements AutoCloseable {
   /** A session that has not let go of a closed port by then never will. */
   private static final Duration PATIENCE = Duration.ofSeconds(1);

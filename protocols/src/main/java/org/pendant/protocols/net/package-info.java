@@ -1,5 +1,5 @@
 /**
- * What all servers share: a TCP port that accepts and bounds connections, the thread that hands out
- * frames, and a log that a hostile peer cannot fill.
+ * Server basics: a TCP port that accepts and bounds connections, the thread that hands out frames,
+ * and a log that a hostile peer cannot fill.
  */
 package org.pendant.protocols.net;

@@ -11,8 +11,8 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.protocols.packet.PacketLayout.Slot;
 
 /**
- * Where the numbers of a layout come from. A quantity of which enough is wanted is read as a whole,
- * of others each component by itself.
+ * Number sources: where the numbers of a layout come from. A quantity of which enough is wanted is
+ * read as a whole, of others each component by itself.
  */
 final class NumberSources {
   /** Reading one component costs about as much as reading so many of a whole. */

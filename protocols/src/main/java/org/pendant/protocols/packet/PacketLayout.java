@@ -11,9 +11,9 @@ import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.controller.state.ControllerState;
 
 /**
- * The layout of a packet of a fixed size: bytes that never change, and state quantities at their
- * places. The numbers of a snapshot are read first, each quantity once, and then put into the
- * packet. Only one thread at a time uses an object.
+ * Packet layout of a fixed size: bytes that never change, and state quantities at their places. The
+ * numbers of a snapshot are read first, each quantity once, and then put into the packet. Only one
+ * thread at a time uses an object.
  */
 public final class PacketLayout {
   private final byte[] packet;

@@ -5,8 +5,8 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
 /**
- * Numbers of one type that follow each other where they come from, and stand at equal distances in
- * the packet.
+ * Run of numbers of one type that follow each other where they come from, and stand at equal
+ * distances in the packet.
  *
  * @param from index of the first among all numbers
  * @param count how many they are

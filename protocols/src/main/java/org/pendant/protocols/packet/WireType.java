@@ -1,6 +1,9 @@
 package org.pendant.protocols.packet;
 
-/** How a number stands in a packet. Whole numbers lose the bits above those that they have. */
+/**
+ * Wire type: how a number stands in a packet. Whole numbers lose the bits above those that they
+ * have.
+ */
 public enum WireType {
   INT8(1),
   INT16(2),

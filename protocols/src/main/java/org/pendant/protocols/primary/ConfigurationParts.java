@@ -7,8 +7,8 @@ import org.pendant.models.arm.JointLimits;
 import org.pendant.models.arm.Joints;
 
 /**
- * The two parts of a full robot state that never change: kinematics (type 5) and configuration
- * (type 6).
+ * Configuration parts of a full robot state, which never change: kinematics (type 5) and
+ * configuration (type 6).
  */
 final class ConfigurationParts {
   static final int KINEMATICS_BYTES = 225;

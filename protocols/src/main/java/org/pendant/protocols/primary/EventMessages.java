@@ -17,7 +17,7 @@ import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.ProgramEvent;
 import org.pendant.script.vm.ScriptFailure;
 
-/** Which messages tell what has happened. */
+/** Event messages: which messages tell what has happened. */
 final class EventMessages {
   static final String STARTED = "PROGRAM_XXX_STARTED";
   static final String STOPPED = "PROGRAM_XXX_STOPPED";

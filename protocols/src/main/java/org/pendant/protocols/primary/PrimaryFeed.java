@@ -14,9 +14,9 @@ import org.pendant.script.vm.ProgramEvent;
 import org.pendant.script.vm.ProgramLabel;
 
 /**
- * Sends the same to all clients of a kind: the state every 50 frames and when a mode changes,
- * messages in the frame in which something happens. One at a time changes who listens or sends, so
- * that a new client gets its greeting first and misses nothing behind it.
+ * Primary feed: sends the same to all clients of a kind: the state every 50 frames and when a mode
+ * changes, messages in the frame in which something happens. One at a time changes who listens or
+ * sends, so that a new client gets its greeting first and misses nothing behind it.
  */
 final class PrimaryFeed {
   /** Frames from one state to the next: ten a second. */

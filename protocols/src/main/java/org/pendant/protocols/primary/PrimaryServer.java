@@ -15,7 +15,10 @@ import org.pendant.protocols.server.PortOpening;
 import org.pendant.protocols.server.Server;
 import org.pendant.protocols.server.ServerContext;
 
-/** Ports 30001 and 30002, which take scripts, and their read-only twins 30011 and 30012. */
+/**
+ * Primary server: ports 30001 and 30002, which take scripts, and their read-only twins 30011 and
+ * 30012.
+ */
 public final class PrimaryServer implements Server {
   /** Where most clients send their scripts. */
   public static final int PRIMARY = 30001;

@@ -1,8 +1,8 @@
 package org.pendant.protocols.primary;
 
 /**
- * What the box tells primary clients as it happens. Texts are bytes, one {@code char} a byte; times
- * are controller time in µs.
+ * Robot message: what the box tells primary clients as it happens. Texts are bytes, one {@code
+ * char} a byte; times are controller time in µs.
  */
 sealed interface RobotMessage {
 

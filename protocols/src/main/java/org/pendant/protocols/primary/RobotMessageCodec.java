@@ -4,7 +4,10 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import org.pendant.controller.state.SoftwareVersion;
 
-/** Robot messages as bytes, big-endian: {@code i32 size, u8 20, u64 time, i8 source, i8 type}. */
+/**
+ * Robot message codec: robot messages as bytes, big-endian: {@code i32 size, u8 20, u64 time, i8
+ * source, i8 type}.
+ */
 final class RobotMessageCodec {
   private static final int HEADER = 15;
   private static final byte ROBOT_MESSAGE = 20;

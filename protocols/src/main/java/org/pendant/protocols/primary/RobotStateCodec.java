@@ -15,8 +15,8 @@ import org.pendant.models.arm.Joints;
 import org.pendant.protocols.packet.PacketLayout;
 
 /**
- * The robot state as bytes, big-endian: {@code i32 size, u8 16}, then parts of {@code u32 size, u8
- * type} and a body each. Only one thread at a time uses an object.
+ * Robot state codec: the state as bytes, big-endian: {@code i32 size, u8 16}, then parts of {@code
+ * u32 size, u8 type} and a body each. Only one thread at a time uses an object.
  */
 final class RobotStateCodec {
   static final int PERIODIC_BYTES = 716;

@@ -19,8 +19,8 @@ import org.pendant.script.value.Value;
 import org.pendant.script.value.ValueKind;
 
 /**
- * Script values as bytes, as since version 5.9: a type, then the value. Structs and handles have no
- * type of their own there: they go as text.
+ * Value codec: script values as bytes, as since version 5.9: a type, then the value. Structs and
+ * handles have no type of their own there: they go as text.
  */
 final class ValueCodec {
   private static final byte NONE = 0;

@@ -9,9 +9,9 @@ import org.pendant.script.value.Value;
 import org.pendant.script.variables.VariableSample;
 
 /**
- * Global variables as bytes, big-endian: {@code i32 size, u8 25, u64 time, i8 part, u16 first
- * variable}, then names or values with a line end behind each. Where there are many, several
- * packages follow each other.
+ * Variable packages: global variables as bytes, big-endian: {@code i32 size, u8 25, u64 time, i8
+ * part, u16 first variable}, then names or values with a line end after each. Where there are many,
+ * several packages follow each other.
  */
 final class VariablePackages {
   /** A package that some clients still take; one variable alone may be longer. */

@@ -6,9 +6,9 @@ import org.pendant.protocols.packet.PacketLayout;
 import org.pendant.protocols.packet.WireType;
 
 /**
- * The package of version 5.10 and later, big-endian: {@code i32 size}, then 152 doubles. The same
- * quantities as output fields, in a fixed order; whole numbers and bits are doubles as well. Only
- * one thread at a time uses an object.
+ * Real-time codec: the package of version 5.10 and later, big-endian: {@code i32 size}, then 152
+ * doubles. The same quantities as output fields, in a fixed order; whole numbers and bits are
+ * doubles as well. Only one thread at a time uses an object.
  */
 final class RealtimeCodec {
   /** Bytes of a package. */

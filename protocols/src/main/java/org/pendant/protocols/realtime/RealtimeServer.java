@@ -19,7 +19,7 @@ import org.pendant.protocols.server.PortOpening;
 import org.pendant.protocols.server.Server;
 import org.pendant.protocols.server.ServerContext;
 
-/** Port 30003, which takes scripts, and its read-only twin 30013. */
+/** Real-time server: port 30003, which takes scripts, and its read-only twin 30013. */
 public final class RealtimeServer implements Server {
   /** Where it listens on a real box. */
   public static final int REALTIME = 30003;

@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.protocols.http.HttpReply;
 import org.pendant.protocols.http.HttpStatus;
 
-/** Answers in the forms of the API. */
+/** API replies: answers in the forms of the API. */
 final class ApiReply {
   private static final String JSON = "application/json";
 

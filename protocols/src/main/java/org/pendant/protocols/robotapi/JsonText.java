@@ -8,7 +8,7 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.core.json.JsonFactory;
 
-/** An object of JSON, made member after member. */
+/** JSON writer: an object of JSON, made member after member. */
 final class JsonText {
   private final List<Consumer<JsonGenerator>> members = new ArrayList<>();
 

@@ -2,7 +2,7 @@ package org.pendant.protocols.robotapi;
 
 import java.util.Optional;
 
-/** What clients can ask for. */
+/** Operation that clients can ask for. */
 enum Operation {
   DESCRIPTION("GET", "/openapi.json", "What there is"),
   ROBOT_MODE("GET", "/robotstate/v1/robotmode", "The robot mode"),

@@ -14,7 +14,7 @@ import org.pendant.protocols.http.LargeBodies;
 import org.pendant.protocols.teachpendant.ProgramStore;
 import org.pendant.protocols.teachpendant.StoreTrouble;
 
-/** Takes programs of PolyScope X from clients, and gives them. Any thread. */
+/** Program transfers: takes programs of PolyScope X from clients, and gives them. Any thread. */
 final class ProgramTransfers {
   /** The part of the form that the program is. */
   private static final String FIELD = "file";

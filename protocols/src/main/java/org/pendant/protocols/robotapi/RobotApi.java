@@ -10,7 +10,7 @@ import org.pendant.protocols.http.HttpService;
 import org.pendant.protocols.http.HttpStatus;
 import org.pendant.protocols.server.RemoteControl;
 
-/** Finds out what a request asks for, and whether its sender may. */
+/** Robot API: finds out what a request asks for, and whether its sender may. */
 final class RobotApi implements HttpService {
   /** In front of every path. */
   static final String ADDRESS = "/universal-robots/robot-api";

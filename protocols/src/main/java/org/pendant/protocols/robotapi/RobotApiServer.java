@@ -11,7 +11,7 @@ import org.pendant.protocols.server.Server;
 import org.pendant.protocols.server.ServerContext;
 import org.pendant.protocols.teachpendant.RemotePendant;
 
-/** The Robot API of a control box with PolyScope X. */
+/** Robot API server of a control box with PolyScope X. */
 public final class RobotApiServer implements Server {
   /** Where it listens on a real box. */
   public static final int STANDARD_PORT = 80;

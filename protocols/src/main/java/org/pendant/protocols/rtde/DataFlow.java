@@ -6,8 +6,8 @@ import java.util.function.Consumer;
 import org.pendant.controller.state.ControllerState;
 
 /**
- * The data packages of one client. The client's own thread sets up, starts and pauses; the thread
- * that hands out frames sends.
+ * Data flow: the data packages of one client. The client's own thread sets up, starts and pauses;
+ * the thread that hands out frames sends.
  */
 final class DataFlow {
   private final Consumer<byte[]> sending;

@@ -8,7 +8,10 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.protocols.packet.PacketLayout;
 import org.pendant.protocols.packet.WireType;
 
-/** Which fields a client gets, and how they are sent. Only one thread at a time uses an object. */
+/**
+ * Output recipe: which fields a client gets, and how they are sent. Only one thread at a time uses
+ * an object.
+ */
 final class OutputRecipe {
   /** The only recipe of a connection. */
   static final int ID = 1;

@@ -1,8 +1,9 @@
 package org.pendant.protocols.rtde;
 
 /**
- * Chooses the frames in which something is due that comes less often than frames do: as evenly as
- * frames allow, the first one at once. A frequency that does not divide 500 Hz is kept on average.
+ * Pacing: chooses the frames in which something is due that comes less often than frames do: as
+ * evenly as frames allow, the first one immediately. A frequency that does not divide 500 Hz is
+ * kept on average.
  */
 final class Pacing {
   /** How often frames come, Hz. */

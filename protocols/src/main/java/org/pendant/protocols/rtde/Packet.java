@@ -3,7 +3,7 @@ package org.pendant.protocols.rtde;
 import java.nio.ByteBuffer;
 
 /**
- * One package as it comes: a size of two bytes that counts itself, a type of one byte, the rest.
+ * RTDE package as it comes: a size of two bytes that counts itself, a type of one byte, the rest.
  *
  * @param type a letter, see {@link PacketType}; others are possible
  * @param payload big-endian, between position and limit

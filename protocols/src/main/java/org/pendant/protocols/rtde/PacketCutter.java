@@ -6,8 +6,8 @@ import java.util.Optional;
 import org.pendant.protocols.net.ProtocolException;
 
 /**
- * Puts packages together from bytes that come cut anywhere. Memory follows the longest package that
- * has come, at most 64 KiB.
+ * Packet framing: puts packages together from bytes that come cut anywhere. Memory follows the
+ * longest package that has come, at most 64 KiB.
  */
 final class PacketCutter {
   private byte[] begun = new byte[256];

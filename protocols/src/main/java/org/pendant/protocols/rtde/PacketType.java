@@ -1,6 +1,6 @@
 package org.pendant.protocols.rtde;
 
-/** The letters that say what a package is, the same in both directions. */
+/** Packet types: the letters that say what a package is, the same in both directions. */
 final class PacketType {
   static final int PROTOCOL_VERSION = 'V';
   static final int CONTROLLER_VERSION = 'v';

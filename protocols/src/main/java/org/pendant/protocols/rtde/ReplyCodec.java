@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.pendant.controller.state.SoftwareVersion;
 
-/** What goes to clients, as packages. */
+/** Reply codec: what is sent to clients, as packages. */
 final class ReplyCodec {
   private static final String SOURCE = "RTDE";
   private static final int MAX_TEXT = 255;

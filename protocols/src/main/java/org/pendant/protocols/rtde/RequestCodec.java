@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Packages of clients as requests. */
+/** Request codec: packages of clients as requests. */
 final class RequestCodec {
   /** Most bytes that the names of a recipe may take together. */
   static final int MAX_NAMES = 16_384;

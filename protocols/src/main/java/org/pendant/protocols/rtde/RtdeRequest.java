@@ -3,7 +3,7 @@ package org.pendant.protocols.rtde;
 import java.nio.ByteBuffer;
 import java.util.List;
 
-/** What a client asks for. */
+/** RTDE request: what a client asks for. */
 sealed interface RtdeRequest {
   /** To speak a version of the protocol from now on. */
   record ProtocolVersion(int version) implements RtdeRequest {}

@@ -11,8 +11,8 @@ import org.pendant.protocols.server.Server;
 import org.pendant.protocols.server.ServerContext;
 
 /**
- * The real-time data exchange of a control box. Local control does not keep clients from writing:
- * what they reach are inputs and outputs, not commands.
+ * RTDE server: the real-time data exchange of a control box. Local control does not keep clients
+ * from writing: what they reach are inputs and outputs, not commands.
  */
 public final class RtdeServer implements Server {
   /** Where it listens on a real box. */

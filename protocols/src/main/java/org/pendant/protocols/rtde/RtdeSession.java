@@ -21,7 +21,10 @@ import org.pendant.protocols.net.ProtocolException;
 import org.pendant.protocols.net.Session;
 import org.pendant.protocols.server.ServerContext;
 
-/** One client. Requests are answered in their order; nothing comes unasked before a start. */
+/**
+ * RTDE session: one client. Requests are answered in their order; nothing comes unasked before a
+ * start.
+ */
 final class RtdeSession implements Session {
   private static final int NEWEST_VERSION = 2;
   private static final double MIN_HZ = 1;

@@ -2,7 +2,7 @@ package org.pendant.protocols.rtde;
 
 import org.pendant.controller.message.LogEntry.Level;
 
-/** How bad it is what a text message says. */
+/** Text level: how severe the content of a text message is. */
 enum TextLevel {
   EXCEPTION(0, Level.ERROR),
   ERROR(1, Level.ERROR),

@@ -10,9 +10,10 @@ import org.pendant.language.source.Source;
 import org.pendant.script.vm.LoadResult;
 
 /**
- * Compiles what clients send, in the order in which it came. Long texts have a lane of their own,
- * so that one client's does not hold up another's short one; both are platform threads, as
- * compiling computes without a pause and nests deeply. They end when there is nothing to do.
+ * Compile lanes: compile what clients send, in the order in which it came. Long texts have a lane
+ * of their own, so that one client's does not hold up another's short one; both are platform
+ * threads, as compiling computes without a pause and nests deeply. They end when there is nothing
+ * to do.
  */
 final class CompileLanes {
   /** Bytes of a text that takes about as long as clients notice. */

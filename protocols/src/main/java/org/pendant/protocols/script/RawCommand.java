@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** A line that the box carries out itself: it is no script. */
+/** Raw command: a line that the box carries out itself: it is no script. */
 sealed interface RawCommand {
 
   /** {@code power on}: the arm gets power and rests on its brakes. */

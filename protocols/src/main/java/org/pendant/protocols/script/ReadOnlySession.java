@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import org.pendant.protocols.net.Session;
 
 /**
- * A client that nobody listens to.
+ * Read-only session: a client whose input is ignored.
  *
  * @param left runs when it has gone
  */

@@ -9,10 +9,10 @@ import java.util.Optional;
 import org.pendant.protocols.net.ProtocolException;
 
 /**
- * Cuts the bytes of one client into programs and lines by the column rule (manual 2): a program
- * begins with {@code def} or {@code sec} in the first column and ends with {@code end} there;
- * outside of programs every line stands for itself. Blank lines and comments outside of programs
- * say nothing.
+ * Script framing: cuts the bytes of one client into programs and lines by the column rule (manual
+ * 2): a program begins with {@code def} or {@code sec} in the first column and ends with {@code
+ * end} there; outside of programs every line stands for itself. Blank lines and comments outside of
+ * programs say nothing.
  */
 final class ScriptFramer implements AutoCloseable {
   /** Bytes of the longest program or line. */

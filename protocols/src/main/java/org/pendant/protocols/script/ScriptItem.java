@@ -1,6 +1,8 @@
 package org.pendant.protocols.script;
 
-/** One complete thing that a client has sent. Texts are bytes, one {@code char} a byte. */
+/**
+ * Script item: one complete thing that a client has sent. Texts are bytes, one {@code char} a byte.
+ */
 sealed interface ScriptItem {
 
   /**

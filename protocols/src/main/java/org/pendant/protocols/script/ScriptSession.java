@@ -8,7 +8,7 @@ import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.ProtocolException;
 import org.pendant.protocols.net.Session;
 
-/** What one client sends, item by item. */
+/** Script session: what one client sends, item by item. */
 final class ScriptSession implements Session {
   private final Client client;
   private final ScriptHandler scriptHandler;

@@ -1,6 +1,6 @@
 package org.pendant.protocols.script;
 
-/** Why something that a client sent did not run; primary clients are told. */
+/** Script error: why something that a client sent did not run; primary clients are told. */
 public sealed interface ScriptTrouble {
 
   /**

@@ -2,7 +2,7 @@ package org.pendant.protocols.script;
 
 import java.util.concurrent.atomic.AtomicLong;
 
-/** How much unfinished text all clients together may leave with a box. Any thread. */
+/** Text budget: how much unfinished text all clients together may leave with a box. Any thread. */
 final class TextBudget {
   /** Bytes that all unfinished texts may take together. */
   static final long CAPACITY = 64L << 20;

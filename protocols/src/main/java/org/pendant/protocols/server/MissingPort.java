@@ -1,7 +1,7 @@
 package org.pendant.protocols.server;
 
 /**
- * A port that could not be had.
+ * Missing port: one that could not be opened.
  *
  * @param standardPort its number on a real box
  * @param why the message, which names protocol, address and port

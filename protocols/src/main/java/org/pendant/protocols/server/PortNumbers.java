@@ -6,7 +6,7 @@ import java.util.Map;
 import org.pendant.protocols.net.Listening;
 
 /**
- * Where the servers of one controller listen.
+ * Port numbers: where the servers of one controller listen.
  *
  * @param host address of the interface
  * @param offset is added to every standard port number

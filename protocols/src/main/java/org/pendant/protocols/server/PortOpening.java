@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Opens what it can, and keeps account of the ports that cannot be had. */
+/** Port opening: opens the ports that can be opened, and keeps account of those that cannot. */
 public final class PortOpening {
   private final List<MissingPort> missing = new ArrayList<>();
 

@@ -3,7 +3,7 @@ package org.pendant.protocols.server;
 import java.util.List;
 import org.pendant.protocols.net.TcpPort;
 
-/** One or several ports that expose a controller. */
+/** Server: one or several ports that expose a controller. */
 public interface Server extends AutoCloseable {
   /** The ports it listens at. */
   List<TcpPort> ports();

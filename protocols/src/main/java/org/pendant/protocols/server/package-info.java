@@ -1,5 +1,4 @@
 /**
- * What servers get to work with: the controller, its frames, who may control it, and where to
- * listen.
+ * Server context: the controller, its frames, which clients may control it, and where to listen.
  */
 package org.pendant.protocols.server;

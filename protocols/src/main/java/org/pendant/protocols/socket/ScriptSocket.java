@@ -14,8 +14,8 @@ import org.pendant.controller.external.ExternalSocket;
 import org.pendant.controller.external.ReceivedBytes;
 
 /**
- * One TCP connection of a script. A thread connects and then receives, another one sends; the frame
- * loop only touches what lies between.
+ * Script socket: one TCP connection of a script. A thread connects and then receives, another one
+ * sends; the frame loop only touches what lies between.
  */
 final class ScriptSocket implements ExternalSocket {
   /** How long a connection may take; the script itself gives up earlier. */

@@ -7,7 +7,7 @@ import org.pendant.controller.external.ExternalSocket;
 import org.pendant.controller.external.SocketConnector;
 import org.pendant.protocols.egress.HostPolicy;
 
-/** Opens the sockets of the scripts of one controller. */
+/** Script sockets: opens the sockets of the scripts of one controller. */
 public final class ScriptSockets implements SocketConnector, AutoCloseable {
   private final HostPolicy hostPolicy;
   private final Set<ScriptSocket> open = ConcurrentHashMap.newKeySet();

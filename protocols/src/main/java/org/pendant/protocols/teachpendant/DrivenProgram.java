@@ -6,7 +6,7 @@ import org.pendant.project.program.script.GeneratedScript;
 import org.pendant.script.vm.Program;
 
 /**
- * A program for one run, with what a driver has sent.
+ * Driven program: a program for one run, with what a driver has sent.
  *
  * @param program compiled
  * @param tree with what was sent

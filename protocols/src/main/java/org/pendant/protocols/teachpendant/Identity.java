@@ -1,7 +1,7 @@
 package org.pendant.protocols.teachpendant;
 
 /**
- * What stands on the type plate.
+ * Identity: what stands on the type plate.
  *
  * @param model size of the robot without its series, such as {@code UR5}
  * @param serialNumber digits only

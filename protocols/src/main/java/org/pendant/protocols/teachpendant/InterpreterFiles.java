@@ -2,7 +2,7 @@ package org.pendant.protocols.teachpendant;
 
 import java.util.List;
 
-/** The log files of interpreter mode (manual 13.8), in the folder for logs. */
+/** Interpreter log files (manual 13.8), in the folder for logs. */
 public final class InterpreterFiles {
   /** Of the present interpreter mode. */
   public static final String CURRENT = "interpreter.log";

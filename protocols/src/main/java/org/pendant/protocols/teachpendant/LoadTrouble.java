@@ -1,6 +1,6 @@
 package org.pendant.protocols.teachpendant;
 
-/** A file cannot be loaded. */
+/** Load error: a file cannot be loaded. */
 public final class LoadTrouble extends Exception {
   private static final long serialVersionUID = 1L;
 

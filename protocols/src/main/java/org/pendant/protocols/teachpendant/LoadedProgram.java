@@ -6,7 +6,7 @@ import org.pendant.project.program.file.TreeFile;
 import org.pendant.script.vm.Program;
 
 /**
- * A program that waits to be played.
+ * Loaded program that waits to be played.
  *
  * @param name of the file without its folder, as clients are told it
  * @param path below {@code /programs/}, as clients are told it

@@ -1,6 +1,6 @@
 package org.pendant.protocols.teachpendant;
 
-/** Operational mode: whether a person works beside the robot, or nobody. */
+/** Operational mode: whether a person works beside the robot or not. */
 public enum OperationalMode {
   /** The robot has no such modes, or nobody has chosen one. */
   NONE,

@@ -5,7 +5,7 @@ import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.protocols.externalcontrol.Drivers;
 
 /**
- * What a pendant belongs to.
+ * Pendant setup: what a pendant belongs to.
  *
  * @param robotId an id of the library of arms
  * @param programs where programs and installations are

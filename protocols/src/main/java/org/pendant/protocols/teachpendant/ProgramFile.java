@@ -9,7 +9,7 @@ import org.pendant.project.program.file.TreeFile;
 import org.pendant.project.program.urp.UrpxPrograms;
 
 /**
- * A program of the programs folder.
+ * Program file of the programs folder.
  *
  * @param name of the file
  * @param created when it was made, as far as the file system knows

@@ -17,8 +17,8 @@ import org.pendant.protocols.teachpendant.StoreTrouble.Kind;
 import org.pendant.script.value.ScriptError;
 
 /**
- * Programs of PolyScope X that clients put into the programs folder itself and take out of it, by
- * the names that the programs say in themselves. Any thread.
+ * Program store: programs of PolyScope X that clients put into the programs folder itself and take
+ * out of it, by the names that the programs say in themselves. Any thread.
  */
 public final class ProgramStore {
   /** Most bytes of a program: what is sent to a client has to fit into what may wait for it. */

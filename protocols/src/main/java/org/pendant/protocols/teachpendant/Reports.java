@@ -26,8 +26,8 @@ import org.pendant.language.source.ByteText;
 import org.pendant.language.source.VisibleText;
 
 /**
- * Files with what there is to know about a box: its log, its state, the loaded program, the log
- * files of interpreter mode. Any thread; writes files, so it may take long.
+ * Reports: files with what there is to know about a box: its log, its state, the loaded program,
+ * the log files of interpreter mode. Any thread; writes files, so it may take long.
  */
 public final class Reports {
   private static final DateTimeFormatter STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss-SSS");

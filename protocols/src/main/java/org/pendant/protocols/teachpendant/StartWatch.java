@@ -6,7 +6,10 @@ import org.pendant.controller.installation.StartEdge;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.state.ControllerState;
 
-/** Plays the loaded program when the input asks for it that the installation names. */
+/**
+ * Start input watch: plays the loaded program when the input asks for it that the installation
+ * names.
+ */
 public final class StartWatch {
   private final Robot robot;
   private final RemotePendant remotePendant;

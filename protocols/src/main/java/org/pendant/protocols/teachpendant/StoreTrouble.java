@@ -1,6 +1,6 @@
 package org.pendant.protocols.teachpendant;
 
-/** A program is neither taken nor given. */
+/** Store error: a program is neither taken nor given. */
 public final class StoreTrouble extends Exception {
   private static final long serialVersionUID = 1L;
 

@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.pendant.controller.external.ToolCommunication;
 
-/** A serial device of this computer. */
+/** Serial port of this computer. */
 final class ComPort implements SerialDevice {
   private static final int DATA_BITS = 8;
 

@@ -7,7 +7,8 @@ import java.util.function.Consumer;
 import org.pendant.controller.external.ToolCommunication;
 
 /**
- * The serial device of a line, there or not. One thread works it; {@link #interrupt} is for others.
+ * Device line: the serial device of a line, present or not. One thread works it; {@link #interrupt}
+ * is for others.
  */
 final class DeviceLine {
   private static final double NS_PER_S = 1e9;

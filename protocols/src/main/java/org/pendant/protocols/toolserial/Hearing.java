@@ -5,7 +5,10 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.pendant.controller.external.ToolCommunication;
 
-/** Reads what comes from a device, in a thread of its own, cut into messages by silence. */
+/**
+ * Device reader: reads what comes from a device, in a thread of its own, cut into messages by
+ * silence.
+ */
 final class Hearing {
   /** A message that is longer goes on in pieces. */
   private static final int LONGEST = 4096;

@@ -3,7 +3,7 @@ package org.pendant.protocols.toolserial;
 import java.io.IOException;
 import org.pendant.controller.external.ToolCommunication;
 
-/** An open serial device. */
+/** Serial device that is open. */
 interface SerialDevice extends AutoCloseable {
   /** Opens a device. */
   @FunctionalInterface

@@ -5,7 +5,7 @@ import java.io.IOException;
 import org.pendant.protocols.natives.NativeFolder;
 
 /**
- * Loads jSerialComm from a folder that only this user can write.
+ * Serial library: loads jSerialComm from a folder that only this user can write.
  *
  * <p>While its class is initialised, that library empties a folder of a known name among the
  * temporary files, following links, then loads what it finds or unpacks there, open to everybody.

@@ -15,7 +15,7 @@ import org.pendant.controller.external.ToolCommunication;
 import org.pendant.controller.external.ToolSerialConnector;
 
 /**
- * The serial line of one tool connector. It is a bus, as RS-485 is: what one on it sends, all
+ * Tool serial line of one tool connector. It is a bus, as RS-485 is: what one on it sends, all
  * others hear. On it are those who {@link #join}, and a serial device where there is one. While
  * programs have turned it off, what is sent is lost.
  *

@@ -11,7 +11,10 @@ import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.Server;
 
-/** The tool's serial line as a TCP port: its clients are on the line, byte for byte. */
+/**
+ * Tool serial server: the tool's serial line as a TCP port, whose clients are on the line, byte for
+ * byte.
+ */
 public final class ToolSerialServer implements Server {
   /** Where people's programs look for it. */
   public static final int STANDARD_PORT = 54_321;

@@ -9,7 +9,7 @@ import org.apache.xmlrpc.parser.XmlRpcResponseParser;
 import org.xml.sax.Attributes;
 import org.xml.sax.SAXException;
 
-/** Reads an answer; of a fault nothing but its number and its text. */
+/** Answer parser: reads an answer; of a fault nothing but its number and its text. */
 final class AnswerParser extends XmlRpcResponseParser {
   private int depth;
   private Optional<XmlRpcFault> fault = Optional.empty();

@@ -14,7 +14,7 @@ import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
 import org.xml.sax.XMLReader;
 
-/** Reads the calls that a server of ours gets. */
+/** Call reader: reads the calls that a server of ours gets. */
 public final class CallReader {
   private CallReader() {}
 

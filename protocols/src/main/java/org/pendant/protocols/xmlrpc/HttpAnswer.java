@@ -6,7 +6,7 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 
-/** Reads one HTTP answer, of whatever server. */
+/** HTTP answer: reads one, of whatever server. */
 final class HttpAnswer {
   private static final int MAX_LINE = 8192;
   private static final int MAX_HEADERS = 100;

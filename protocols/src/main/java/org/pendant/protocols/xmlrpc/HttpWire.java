@@ -3,7 +3,7 @@ package org.pendant.protocols.xmlrpc;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 
-/** HTTP/1.1 with a connection that stays open as long as the server likes. */
+/** HTTP wire: HTTP/1.1 with a connection that stays open as long as the server likes. */
 final class HttpWire implements Wire {
   private final RpcConnection line;
   private final String authority;

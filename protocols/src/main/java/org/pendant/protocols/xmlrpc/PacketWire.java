@@ -6,9 +6,9 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Packets on a plain TCP connection, the form of XML-RPC that the manual calls pstream (18.40). An
- * escape byte and a word of three letters stand for the begin and the end of a packet, for nothing,
- * and for the escape byte itself.
+ * Packet wire: packets on a plain TCP connection, the form of XML-RPC that the manual calls pstream
+ * (18.40). An escape byte and a word of three letters stand for the begin and the end of a packet,
+ * for nothing, and for the escape byte itself.
  */
 final class PacketWire implements Wire {
   private static final int ESCAPE = 0x1B;

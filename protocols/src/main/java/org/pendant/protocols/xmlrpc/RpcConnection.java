@@ -11,8 +11,8 @@ import java.util.Optional;
 import org.pendant.protocols.egress.HostPolicy;
 
 /**
- * A TCP connection to one server, made when it is needed and kept. One thread at a time uses it;
- * every other may {@link #close} it.
+ * RPC connection: a TCP connection to one server, made when it is needed and kept. One thread at a
+ * time uses it; every other may {@link #close} it.
  */
 final class RpcConnection {
   /** Most bytes of an answer. */

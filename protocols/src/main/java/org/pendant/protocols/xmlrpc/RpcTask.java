@@ -9,7 +9,7 @@ import org.pendant.controller.external.Pending;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
-/** Work that waits for a server, in a thread of its own. */
+/** RPC task: work that waits for a server, in a thread of its own. */
 final class RpcTask implements Pending {
   private final FutureTask<Value> work;
   private final Consumer<RpcTask> afterwards;

@@ -8,7 +8,7 @@ import org.xml.sax.SAXException;
 import org.xml.sax.XMLReader;
 import org.xml.sax.helpers.DefaultHandler;
 
-/** XML parsers that load nothing from elsewhere and keep within bounds. */
+/** Safe XML parsers, which load nothing from elsewhere and keep within bounds. */
 final class SafeXml {
   /** Elements within each other; every level of a list or struct takes up to four. */
   static final int DEEPEST = 90;

@@ -14,8 +14,8 @@ import org.xml.sax.ContentHandler;
 import org.xml.sax.SAXException;
 
 /**
- * The types of XML-RPC as scripts need them: structs keep the order of their members, and the two
- * types that many servers add, {@code nil} and {@code i8}, are understood.
+ * Script types: the types of XML-RPC as scripts need them: structs keep the order of their members,
+ * and the two types that many servers add, {@code nil} and {@code i8}, are understood.
  */
 final class ScriptTypes extends TypeFactoryImpl {
   private static final TypeSerializer PLAIN_DOUBLE = new PlainDouble();

@@ -9,7 +9,10 @@ import org.apache.xmlrpc.parser.RecursiveTypeParserImpl;
 import org.xml.sax.Attributes;
 import org.xml.sax.SAXException;
 
-/** Reads a struct with its members in their order, which the library's own parser loses. */
+/**
+ * Struct parser: reads a struct with its members in their order, which the library's own parser
+ * loses.
+ */
 final class StructParser extends RecursiveTypeParserImpl {
   private static final int STRUCT = 0;
   private static final int MEMBER = 1;

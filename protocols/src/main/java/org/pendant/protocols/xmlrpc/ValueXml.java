@@ -21,8 +21,8 @@ import org.pendant.script.value.StructValue;
 import org.pendant.script.value.Value;
 
 /**
- * Values of scripts as the types of XML-RPC and back: lists and matrices are arrays, and a pose is
- * a struct of x, y, z (m), rx, ry, rz (rad), as the real controller has it.
+ * Value conversion: values of scripts as the types of XML-RPC and back: lists and matrices are
+ * arrays, and a pose is a struct of x, y, z (m), rx, ry, rz (rad), as the real controller has it.
  */
 final class ValueXml {
   private static final List<String> POSE = List.of("x", "y", "z", "rx", "ry", "rz");

@@ -2,7 +2,7 @@ package org.pendant.protocols.xmlrpc;
 
 import java.io.IOException;
 
-/** Carries a call to a server and brings the answer, whatever is in them. */
+/** Wire: carries a call to a server and brings the answer, whatever is in them. */
 interface Wire {
   /** Waits until it is known whether the server is there. */
   void probe() throws IOException;

@@ -14,9 +14,9 @@ import org.xml.sax.SAXException;
 import org.xml.sax.XMLReader;
 
 /**
- * The library's way to a server, by our connection and with our parser: the library's own would
- * make a Java object of a fault's cause (CVE-2019-17570) and load what a document type names
- * (CVE-2016-5002).
+ * Wire transport: the library's path to a server, by our connection and with our parser: the
+ * library's own would make a Java object of a fault's cause (CVE-2019-17570) and load what a
+ * document type names (CVE-2016-5002).
  */
 final class WireTransport extends XmlRpcStreamTransport {
   private final Wire wire;

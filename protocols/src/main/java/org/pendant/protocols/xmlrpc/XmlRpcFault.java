@@ -2,7 +2,7 @@ package org.pendant.protocols.xmlrpc;
 
 import org.apache.xmlrpc.XmlRpcException;
 
-/** The server answered that it could not do what was asked. */
+/** XML-RPC fault: the server answered that it could not do what was asked. */
 final class XmlRpcFault extends XmlRpcException {
   private static final long serialVersionUID = 1L;
 

@@ -19,8 +19,8 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
 /**
- * One handle of a script. Its calls take turns, each in a thread of its own: a server that serves
- * one connection at a time would never come to a second one.
+ * XML-RPC link: one handle of a script. Its calls take turns, each in a thread of its own: a server
+ * that serves one connection at a time would never come to a second one.
  */
 final class XmlRpcLink implements RpcLink {
   private static final int MAX_MESSAGE = 300;

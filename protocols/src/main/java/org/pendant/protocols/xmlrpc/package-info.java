@@ -1,5 +1,5 @@
 /**
- * Remote procedure calls of scripts, by XML-RPC. Open {@link
+ * XML-RPC: remote procedure calls of scripts. Open {@link
  * org.pendant.protocols.xmlrpc.XmlRpcConnector} first. The library writes and reads the XML; what
  * servers send is bounded and never becomes a Java object of their choice.
  */

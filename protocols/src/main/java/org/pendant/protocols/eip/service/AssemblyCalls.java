@@ -11,7 +11,7 @@ import org.pendant.protocols.http.HttpService;
 import org.pendant.protocols.http.HttpStatus;
 import org.pendant.protocols.xmlrpc.CallReader;
 
-/** What can be called (manual 21.1.1, 21.1.2). */
+/** Assembly calls: what can be called (manual 21.1.1, 21.1.2). */
 final class AssemblyCalls implements HttpService {
   private static final String POST = "POST";
   private static final int NOT_XML_RPC = 1;

@@ -8,7 +8,7 @@ import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.server.PortNumbers;
 
-/** Listens for calls that configure assemblies. */
+/** Assembly service: listens for calls that configure assemblies. */
 public final class AssemblyService {
   /** Where it listens on a real box. */
   public static final int STANDARD_PORT = 40_000;

@@ -2,7 +2,7 @@ package org.pendant.protocols.eip.service;
 
 import org.pendant.controller.eip.AssemblyPair;
 
-/** What the service works on. */
+/** Configuration that the service works on. */
 public interface Configuration {
   /** Makes the assemblies of a pair; answers whether they are there. Waits for the next frame. */
   boolean add(AssemblyPair pair) throws InterruptedException;
