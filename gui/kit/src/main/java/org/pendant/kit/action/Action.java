@@ -3,7 +3,7 @@ package org.pendant.kit.action;
 import java.util.function.BooleanSupplier;
 
 /**
- * Something that people can do.
+ * Action: something that people can do.
  *
  * @param id stable name in settings, such as {@code program.run}
  * @param title what menus and palette show, such as {@code Run program}

@@ -12,9 +12,9 @@ import javax.swing.KeyStroke;
 import org.pendant.kit.settings.Settings;
 
 /**
- * The actions of one window. On macOS they are done with Cmd where they come with control. Keys
- * that people have chosen are settings named {@code key.} and the action's id; {@code none} there
- * takes the key away.
+ * Action table: the actions of one window. On macOS they are done with Cmd where they come with
+ * control. Keys that people have chosen are settings named {@code key.} and the action's id; {@code
+ * none} there takes the key away.
  */
 public final class ActionTable implements Actions {
   private static final String NONE = "none";

@@ -2,7 +2,7 @@ package org.pendant.kit.action;
 
 import java.util.List;
 
-/** Every action of the window; keys can be changed by people. */
+/** Actions of the window, all of them; keys can be changed by people. */
 public interface Actions {
 
   /**

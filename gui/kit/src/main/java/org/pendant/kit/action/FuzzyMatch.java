@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * Whether the letters of a query occur in a text in their order, and how well: letters at the begin
- * of words and letters in a row count more.
+ * Fuzzy match: whether the letters of a query occur in a text in their order, and how well: letters
+ * at the start of words and letters in a row count more.
  *
  * @param score higher is better
  */

@@ -8,7 +8,7 @@ import java.util.Locale;
 import java.util.Set;
 import javax.swing.KeyStroke;
 
-/** How keys are held and written on a kind of computer. */
+/** Key style: how keys are pressed together and written on a kind of computer. */
 enum KeyStyle {
   /** Ctrl is the key of menus; names are joined by a plus sign. */
   PC("Ctrl", "Alt", "Shift", "Meta", "+"),

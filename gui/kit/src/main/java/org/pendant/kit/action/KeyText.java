@@ -5,7 +5,7 @@ import java.awt.event.KeyEvent;
 import java.util.Map;
 import javax.swing.KeyStroke;
 
-/** Keys as people and settings write them. */
+/** Key text: keys as people and settings write them. */
 public final class KeyText {
   private static final KeyStyle STYLE = KeyStyle.of(System.getProperty("os.name", ""));
 

@@ -6,8 +6,8 @@ import java.util.function.Consumer;
 import org.pendant.kit.fault.Faults;
 
 /**
- * Does what is slow outside of the dispatch thread and hands the result to it. Every task is
- * followed by either its result or a reason, whatever it throws.
+ * Background work: does what is slow outside of the dispatch thread and hands the result to it.
+ * Every task is followed by either its result or a reason, whatever it throws.
  */
 public final class Background {
   private Background() {}

@@ -1,6 +1,6 @@
 package org.pendant.kit.background;
 
-/** Where work is done that would hold up the window. Pieces of work come one after the other. */
+/** Work queue: does work that would block the window. Pieces of work come one after the other. */
 public interface WorkQueue {
 
   /** Does {@code work} not before {@code delayMs} milliseconds have passed. */

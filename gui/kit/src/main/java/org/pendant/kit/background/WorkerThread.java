@@ -5,7 +5,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.pendant.kit.fault.Faults;
 
-/** One thread that does what would hold up the window. It does not keep the program alive. */
+/** Worker thread that does what would block the window. It does not keep the program alive. */
 public final class WorkerThread implements WorkQueue {
   private final ScheduledExecutorService executor;
 

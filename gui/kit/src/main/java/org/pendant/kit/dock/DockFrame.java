@@ -21,7 +21,9 @@ import javax.swing.SwingUtilities;
 import javax.swing.plaf.LayerUI;
 import org.pendant.kit.theme.Palette;
 
-/** The views: one in the main area, the others as tabs in docks on three sides of it. */
+/**
+ * Dock frame: the views, one in the main area, the others as tabs in docks on three sides of it.
+ */
 public final class DockFrame {
   private final DockPlan plan;
   private final Map<String, Dockable> views = new LinkedHashMap<>();

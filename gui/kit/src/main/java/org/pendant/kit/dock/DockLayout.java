@@ -10,7 +10,7 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.function.Consumer;
 
-/** Places the main area, the docks around it and the dividers between them. */
+/** Dock layout: places the main area, the docks around it and the dividers between them. */
 final class DockLayout implements LayoutManager {
   /** The main area keeps this width and height, in pixels before scaling, as long as it can. */
   private static final int MAIN_WIDTH = 280;

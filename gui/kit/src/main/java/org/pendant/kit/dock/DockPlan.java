@@ -9,9 +9,9 @@ import java.util.Optional;
 import org.pendant.kit.settings.Settings;
 
 /**
- * Which view is where, which one is in front, and how large the docks are. Every change is
- * remembered in the settings; what they name and is not there is left out, what they do not name is
- * where it belongs at first.
+ * Dock plan: which view is where, which one is in front, and how large the docks are. Every change
+ * is remembered in the settings; what they name and is not there is left out, what they do not name
+ * is where it belongs at first.
  */
 public final class DockPlan {
   /** Smallest size of a dock, in pixels before scaling. */

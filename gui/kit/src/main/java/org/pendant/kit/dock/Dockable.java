@@ -2,7 +2,7 @@ package org.pendant.kit.dock;
 
 import javax.swing.JComponent;
 
-/** Part of the window that is docked: a screen or a panel. Only the dispatch thread calls it. */
+/** Dockable part of the window: a screen or a panel. Only the dispatch thread calls it. */
 public interface Dockable {
 
   /** Stable name in settings and commands, such as {@code log}. */

@@ -2,7 +2,7 @@ package org.pendant.kit.dock;
 
 import java.util.Locale;
 
-/** Where a view can be. */
+/** Side of the window at which a view can be. */
 public enum Side {
   /** In the middle, one at a time. */
   MAIN("the main area"),

@@ -13,7 +13,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
 
-/** Moves views to other sides: by dragging their tabs, or by a menu on them. */
+/** Tab drag: moves views to other sides: by dragging their tabs, or by a menu on them. */
 final class TabDrag extends MouseAdapter {
   /** A shorter way (pixels) is a click with an unsteady hand. */
   private static final int SLACK = 10;

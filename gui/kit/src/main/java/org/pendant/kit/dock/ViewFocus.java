@@ -15,8 +15,9 @@ import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 
 /**
- * Where keys go in a view that comes to the front: where they went last, at first to its text,
- * table, tree or list. Never to a button that nobody has chosen: a space would press it.
+ * View focus: where keys are sent in a view that comes to the front: where they went last, at first
+ * to its text, table, tree or list. Never to a button that nobody has chosen: a space would press
+ * it.
  */
 final class ViewFocus {
   private final Map<Dockable, Component> last = new HashMap<>();

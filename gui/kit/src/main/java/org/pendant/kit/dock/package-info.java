@@ -1,5 +1,5 @@
 /**
- * Where the views are: the main area and docks at its sides. Open {@link
+ * Docks: where the views are: the main area and docks at its sides. Open {@link
  * org.pendant.kit.dock.DockFrame} first; {@link org.pendant.kit.dock.DockPlan} is what is
  * remembered of it.
  */

@@ -3,7 +3,7 @@ package org.pendant.kit.export;
 import java.io.IOException;
 import java.nio.file.Path;
 
-/** Writes something to a file; runs outside of the dispatch thread. */
+/** Export: writes something to a file; runs outside of the dispatch thread. */
 @FunctionalInterface
 public interface Export {
   /** Creates the file, or replaces it when all of the new one is there. */

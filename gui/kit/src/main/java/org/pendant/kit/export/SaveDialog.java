@@ -18,8 +18,8 @@ import org.pendant.controller.disk.FileTrouble;
 import org.pendant.kit.fault.Faults;
 
 /**
- * Asks where to save and saves there, while the window behind it can be used. A file that exists is
- * replaced only after the button was pressed a second time.
+ * Save dialog: asks where to save and saves there, while the window behind it can be used. A file
+ * that exists is replaced only after the button was pressed a second time.
  */
 public final class SaveDialog {
   private final JDialog dialog;

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 
 /**
- * What is to be saved, for whoever asks where.
+ * Save request: what is to be saved, for the dialog that asks where.
  *
  * @param title of the question
  * @param suggestion the file unless people want otherwise; its folder is the first that is shown

@@ -1,4 +1,5 @@
 /**
- * How screens hand what they show to a file. Open {@link org.pendant.kit.export.SaveDialog} first.
+ * Export: how screens hand what they show to a file. Open {@link org.pendant.kit.export.SaveDialog}
+ * first.
  */
 package org.pendant.kit.export;

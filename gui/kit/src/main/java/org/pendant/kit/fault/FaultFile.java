@@ -12,8 +12,9 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A file with the faults of ours. Each kind of fault is written once with all there is to know; how
- * often it came again is written at 10, 100, 1000 times and so on. Any thread may call it.
+ * Fault file: a file with the faults of ours. Each kind of fault is written once with all there is
+ * to know; how often it came again is written at 10, 100, 1000 times and so on. Any thread may call
+ * it.
  */
 public final class FaultFile {
   /** A file of this size (bytes) is put aside; only the newest one that was is kept. */

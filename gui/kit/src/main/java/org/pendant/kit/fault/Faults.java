@@ -3,7 +3,7 @@ package org.pendant.kit.fault;
 import java.util.function.Consumer;
 import javax.swing.Timer;
 
-/** Keeps a fault of ours from ending more than the piece of work that made it. */
+/** Fault handling: keeps a fault of ours from ending more than the piece of work that made it. */
 public final class Faults {
   private Faults() {}
 

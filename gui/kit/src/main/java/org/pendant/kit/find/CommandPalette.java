@@ -26,7 +26,7 @@ import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Overlay;
 import org.pendant.kit.theme.Palette;
 
-/** Finds an action by a few letters and does it. */
+/** Command palette: finds an action by a few letters and does it. */
 public final class CommandPalette {
   private final ActionTable actions;
   private final Overlay overlay;

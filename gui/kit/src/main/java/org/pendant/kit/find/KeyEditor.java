@@ -23,7 +23,7 @@ import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Overlay;
 import org.pendant.kit.theme.Palette;
 
-/** Shows and changes the keys of the actions. */
+/** Key editor: shows and changes the keys of the actions. */
 public final class KeyEditor {
   private final ActionTable actions;
   private final Overlay overlay;

@@ -1,2 +1,5 @@
-/** Finding and rebinding actions. Open {@link org.pendant.kit.find.CommandPalette} first. */
+/**
+ * Action search: finding and rebinding actions. Open {@link org.pendant.kit.find.CommandPalette}
+ * first.
+ */
 package org.pendant.kit.find;

@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** In what a form shows and takes numbers; inside they count in SI. */
+/** Measure: in what a form shows and takes numbers; inside they count in SI. */
 public enum Measure {
   MILLIMETRE("mm", 1e-3, 3),
   MILLIMETRE_PER_S("mm/s", 1e-3, 3),

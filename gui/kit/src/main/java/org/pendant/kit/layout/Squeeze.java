@@ -9,7 +9,7 @@ import java.awt.event.ComponentEvent;
 import java.util.List;
 import javax.swing.JComponent;
 
-/** Leaves out parts of a row, one after the other, until what is left fits its width. */
+/** Squeezing of a row: leaves out parts, one after the other, until what is left fits its width. */
 public final class Squeeze {
   private final JComponent row;
   private final List<Part> parts;

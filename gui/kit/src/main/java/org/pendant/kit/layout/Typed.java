@@ -4,7 +4,7 @@ import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 
 /**
- * Hears of every change of a text field.
+ * Typing listener: hears of every change of a text field.
  *
  * @param changed runs after each
  */

@@ -3,7 +3,7 @@ package org.pendant.kit.settings;
 import java.nio.file.Path;
 import java.util.Map;
 
-/** Where Pendant keeps what belongs to the user. */
+/** Configuration folder: where Pendant keeps what belongs to the user. */
 public final class ConfigurationFolder {
   /** System property that names another folder, for tests and trials. */
   public static final String PROPERTY = "pendant.config";

@@ -2,7 +2,7 @@ package org.pendant.kit.settings;
 
 import java.util.Optional;
 
-/** What is remembered from one start to the next: text by name. */
+/** Settings that are remembered from one start to the next: text by name. */
 public interface Settings {
 
   /** What was put under {@code name} last. */

@@ -16,7 +16,10 @@ import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import org.pendant.kit.settings.Settings;
 
-/** The present theme and scale, changed live. Only the dispatch thread calls it. */
+/**
+ * Look of the desktop: the current theme and scale, changed live. Only the dispatch thread calls
+ * it.
+ */
 public final class Look {
   private static final String THEME = "look.theme";
   private static final String SYSTEM_DARK = "look.system-dark";

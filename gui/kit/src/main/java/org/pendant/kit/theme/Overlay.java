@@ -20,8 +20,8 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 
 /**
- * A panel that lies over a part of the window instead of a dialog: everything beside it can be
- * used. Escape in it closes it.
+ * Overlay: a panel that lies over a part of the window instead of a dialog: everything beside it
+ * can be used. Escape in it closes it.
  */
 public final class Overlay {
   private final JComponent under;

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Whether the system's theme is dark. Java has no way to ask, so each system's own command is run;
+ * System theme: whether it is dark. Java has no way to ask, so each system's own command is run;
  * that takes a while, so not in the dispatch thread.
  */
 public final class SystemTheme {

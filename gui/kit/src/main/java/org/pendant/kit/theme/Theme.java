@@ -2,7 +2,7 @@ package org.pendant.kit.theme;
 
 import java.util.Locale;
 
-/** Which colours the desktop has. */
+/** Theme: which colours the desktop has. */
 public enum Theme {
   LIGHT("Light"),
   DARK("Dark"),
