@@ -11,8 +11,8 @@ import org.pendant.command.service.PortWishes;
 import org.pendant.language.check.Nearest;
 
 /**
- * The words after a subcommand, sorted into options and operands. Understands {@code --name value},
- * {@code --name=value}, and {@code --} before operands that begin with a dash.
+ * Arguments: the words after a subcommand, sorted into options and operands. Understands {@code
+ * --name value}, {@code --name=value}, and {@code --} before operands that begin with a dash.
  */
 final class Arguments {
   private final Map<String, List<String>> values = new HashMap<>();

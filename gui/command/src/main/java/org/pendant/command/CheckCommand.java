@@ -8,7 +8,7 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.ProgramLoader;
 
-/** {@code pendant check FILE...}: finds mistakes without running anything. */
+/** Command {@code pendant check FILE...}: finds mistakes without running anything. */
 final class CheckCommand implements Subcommand {
 
   @Override

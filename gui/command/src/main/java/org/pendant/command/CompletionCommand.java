@@ -3,7 +3,10 @@ package org.pendant.command;
 import java.util.List;
 import java.util.function.Supplier;
 
-/** {@code pendant completion SHELL}: prints the script by which a shell completes command lines. */
+/**
+ * Command {@code pendant completion SHELL}: prints the script by which a shell completes command
+ * lines.
+ */
 final class CompletionCommand implements Subcommand {
   private final Supplier<List<Subcommand>> subcommands;
 

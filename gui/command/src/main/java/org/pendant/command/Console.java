@@ -10,7 +10,7 @@ import java.nio.charset.StandardCharsets;
 import org.pendant.language.source.VisibleText;
 
 /**
- * Standard output and standard error of the process.
+ * Console: standard output and standard error of the process.
  *
  * <p>Script text is bytes, held one {@code char} a byte; it goes out as those bytes, whatever the
  * locale. Output is buffered; {@link #flush} is called where the process waits or ends. A reader

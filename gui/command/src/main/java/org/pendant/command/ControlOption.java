@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.protocols.externalcontrol.Drivers;
 
-/** {@code --external-control}: whom External Control nodes ask for their script. */
+/** Option {@code --external-control}: whom External Control nodes ask for their script. */
 final class ControlOption {
   static final Option OPTION =
       Option.text(

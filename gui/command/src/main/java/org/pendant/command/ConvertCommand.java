@@ -22,7 +22,9 @@ import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingExport;
 import org.pendant.recording.RecordingFile;
 
-/** {@code pendant convert FROM TO}: writes a file in another form; the endings say which. */
+/**
+ * Command {@code pendant convert FROM TO}: writes a file in another form; the endings say which.
+ */
 final class ConvertCommand implements Subcommand {
   private static final String SCRIPT = ".script";
   private static final String RECORDING = ".rec";

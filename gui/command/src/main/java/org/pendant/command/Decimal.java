@@ -3,7 +3,7 @@ package org.pendant.command;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 
-/** Numbers as people write them. */
+/** Decimal numbers as people write them. */
 final class Decimal {
   private Decimal() {}
 

@@ -1,6 +1,6 @@
 package org.pendant.command;
 
-/** What the process answers to the shell; scripts and CI rely on these numbers. */
+/** Exit code: what the process answers to the shell; scripts and CI rely on these numbers. */
 enum ExitCode {
   /** Everything asked for was done. */
   DONE(0),

@@ -4,7 +4,10 @@ import java.util.OptionalDouble;
 import org.pendant.command.service.PictureRenderer;
 import org.pendant.controller.state.ControllerState;
 
-/** Keeps the frame that a picture is wanted of, and tells the renderer the way until then. */
+/**
+ * Exposure: keeps the frame that a picture is wanted of, and tells the renderer the path until
+ * then.
+ */
 final class Exposure implements FrameWatcher {
   /** Frames are 2 ms apart; times are sums of that. */
   private static final double TOLERANCE_S = 1e-6;

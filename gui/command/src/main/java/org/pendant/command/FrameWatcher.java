@@ -2,7 +2,7 @@ package org.pendant.command;
 
 import org.pendant.controller.state.ControllerState;
 
-/** Looks at every frame of a run. */
+/** Frame watcher: looks at every frame of a run. */
 interface FrameWatcher {
 
   /** Takes what a frame has brought. */

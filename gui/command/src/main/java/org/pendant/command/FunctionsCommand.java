@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import org.pendant.language.check.Nearest;
 import org.pendant.language.signature.Catalogue;
 
-/** {@code pendant functions [NAME]}: the function reference in the terminal. */
+/** Command {@code pendant functions [NAME]}: the function reference in the terminal. */
 final class FunctionsCommand implements Subcommand {
   private static final Option MARKDOWN =
       Option.flag("--markdown", "print the whole reference as docs/functions.md has it");

@@ -25,7 +25,10 @@ import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramState;
 
-/** One program on one controller, from its start until the arm is at rest after its end. */
+/**
+ * Headless run: one program on one controller, from its start until the arm is at rest after its
+ * end.
+ */
 final class HeadlessRun {
   /** How often a run at full speed hands over what it has printed, ns. */
   private static final long FLUSH_NS = TimeUnit.MILLISECONDS.toNanos(100);

@@ -2,7 +2,7 @@ package org.pendant.command;
 
 import org.pendant.protocols.egress.AllowedHosts;
 
-/** {@code --allow-hosts}: how far programs may reach. */
+/** Option {@code --allow-hosts}: how far programs may reach. */
 final class HostsOption {
   static final Option OPTION =
       Option.text(

@@ -18,7 +18,7 @@ import org.pendant.project.installation.file.InstallationFile;
 import org.pendant.project.installation.file.InstallationTrouble;
 import org.pendant.project.installation.file.LoadedInstallation;
 
-/** {@code --installation FILE}: how the robot is set up. */
+/** Option {@code --installation FILE}: how the robot is set up. */
 final class InstallationOption {
   static final Option OPTION =
       Option.input("--installation", "FILE", "how the robot is set up: TCPs, signals, safety, ...")

@@ -6,7 +6,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Ctrl-C and SIGTERM, as a flag that the run looks at every frame.
+ * Interruption: Ctrl-C and SIGTERM, as a flag that the run looks at every frame.
  *
  * <p>The JVM answers a signal by running its shutdown hooks and then exiting with 128 + the
  * signal's number. The hook here holds that up until what is under way has stopped the arm and

@@ -15,8 +15,8 @@ import org.pendant.language.source.ByteText;
 import org.pendant.script.function.ScriptPlace;
 
 /**
- * Prints what a served controller says, in a thread of its own: nobody waits for a reader that is
- * slow.
+ * Log printer: prints what a served controller says, in a thread of its own: no other thread waits
+ * for a reader that is slow.
  */
 final class LogPrinter implements AutoCloseable {
   /** Popups and questions that wait for a slow reader; more are not printed. */

@@ -8,7 +8,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.pendant.controller.ControllerOptions;
 
-/** {@code --memory}: what the values of a program may take. */
+/** Option {@code --memory}: what the values of a program may take. */
 final class MemoryOption {
   static final Option OPTION =
       Option.text(

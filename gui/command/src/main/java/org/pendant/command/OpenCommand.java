@@ -11,7 +11,7 @@ import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.controller.installation.Installation;
 
-/** {@code pendant open FILE...}: opens the desktop with programs. */
+/** Command {@code pendant open FILE...}: opens the desktop with programs. */
 final class OpenCommand implements Subcommand {
   private static final Option PORTS =
       Option.flag("--ports", "let others reach the controller by the ports of the real one")

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Running text for a terminal. */
+/** Paragraph: running text for a terminal. */
 final class Paragraph {
   private Paragraph() {}
 

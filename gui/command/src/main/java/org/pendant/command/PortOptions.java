@@ -14,7 +14,7 @@ import org.pendant.protocols.modbus.ModbusServer;
 import org.pendant.protocols.robotapi.RobotApiServer;
 import org.pendant.protocols.server.PortNumbers;
 
-/** The options that say where servers listen. */
+/** Port options: say where servers listen. */
 final class PortOptions {
   /** Where Modbus servers listen everywhere. */
   static final int MODBUS = ModbusServer.STANDARD_PORT;

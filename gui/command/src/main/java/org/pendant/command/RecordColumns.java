@@ -10,7 +10,7 @@ import org.pendant.script.variables.VariableTracer;
 import org.pendant.script.vm.Program;
 
 /**
- * The script variables that a record gets columns for.
+ * Record columns: the script variables that a record gets columns for.
  *
  * @param variables in the order of their columns
  */

@@ -12,7 +12,7 @@ import org.pendant.protocols.externalcontrol.NoScript;
 import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.Program;
 
-/** {@code pendant render FILE}: runs a program and draws the arm at one moment. */
+/** Command {@code pendant render FILE}: runs a program and draws the arm at one moment. */
 final class RenderCommand implements Subcommand {
   private final DesktopServices services;
 

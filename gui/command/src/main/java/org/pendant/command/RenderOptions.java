@@ -10,7 +10,7 @@ import org.pendant.command.service.StandardView;
 import org.pendant.controller.installation.Installation;
 
 /**
- * What {@code pendant render} was asked for.
+ * Render options: what {@code pendant render} was asked for.
  *
  * @param run how the program runs
  * @param out the file to write

@@ -10,7 +10,7 @@ import org.pendant.language.source.DiagnosticFormat;
 import org.pendant.language.source.Source;
 import org.pendant.script.vm.ScriptFailure;
 
-/** How things that are not messages of the script read on standard error. */
+/** Report: how messages that are not those of the script read on standard error. */
 final class Report {
   /** Of a deeper call stack (endless recursion) only the ends are shown. */
   private static final int MAX_CALLS = 20;

@@ -8,7 +8,7 @@ import org.pendant.models.shape.ArmShape;
 import org.pendant.models.shape.ArmShapes;
 
 /**
- * What is known of one arm, in the units of a data sheet.
+ * Robot data sheet: what is known of one arm, in the units of a data sheet.
  *
  * @param arm its description
  * @param shape what it looks like

@@ -2,7 +2,7 @@ package org.pendant.command;
 
 import java.util.List;
 
-/** All arms, one line each. */
+/** Robot list: all arms, one line each. */
 final class RobotList {
   private RobotList() {}
 

@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.pendant.language.check.Nearest;
 import org.pendant.models.arm.ArmLibrary;
 
-/** The arm that a word of the command line means. */
+/** Robot name: the arm that a word of the command line means. */
 final class RobotName {
   private RobotName() {}
 

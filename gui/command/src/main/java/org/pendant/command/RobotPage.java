@@ -10,7 +10,7 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Confidence;
 import org.pendant.models.arm.Joints;
 
-/** The arms as the Markdown page docs/robots.md. */
+/** Robot page: the arms as the Markdown page docs/robots.md. */
 final class RobotPage {
   private static final String INTRODUCTION =
       """

@@ -8,7 +8,7 @@ import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.JointLimits;
 import org.pendant.models.arm.LinkMass;
 
-/** One arm in full, for the terminal. */
+/** Robot sheet: one arm in full, for the terminal. */
 final class RobotSheet {
   private static final List<String> JOINTS =
       List.of("base", "shoulder", "elbow", "wrist 1", "wrist 2", "wrist 3");

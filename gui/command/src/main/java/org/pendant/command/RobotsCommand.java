@@ -2,7 +2,7 @@ package org.pendant.command;
 
 import java.util.List;
 
-/** {@code pendant robots [NAME]}: the arms there are, and what is known of one. */
+/** Command {@code pendant robots [NAME]}: the arms there are, and what is known of one. */
 final class RobotsCommand implements Subcommand {
   private static final Option MARKDOWN =
       Option.flag("--markdown", "print the page that docs/robots.md has");

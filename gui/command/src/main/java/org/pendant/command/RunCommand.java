@@ -18,7 +18,7 @@ import org.pendant.script.function.Builtins;
 import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.Program;
 
-/** {@code pendant run FILE...}: runs programs, each in a controller of its own. */
+/** Command {@code pendant run FILE...}: runs programs, each in a controller of its own. */
 final class RunCommand implements Subcommand {
 
   /**

@@ -27,7 +27,7 @@ import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.externalcontrol.Drivers;
 
 /**
- * What {@code pendant run} was asked for.
+ * Run options: what {@code pendant run} was asked for.
  *
  * @param controller how each controller is switched on
  * @param hosts where programs may connect to

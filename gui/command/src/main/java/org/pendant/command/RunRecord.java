@@ -15,8 +15,8 @@ import org.pendant.recording.Recorder;
 import org.pendant.recording.RecordingWriter;
 
 /**
- * The file that a run is recorded to, if one is wanted. Its name says what it is: {@code .rec} a
- * recording of everything, all others a table.
+ * Run record: the file that a run is recorded to, if one is wanted. Its name says what it is:
+ * {@code .rec} a recording of everything, all others a table.
  *
  * <p>It has its name from the start and grows by whole blocks, so that it can be read whenever the
  * process is killed. One that replaces another grows beside that and takes its place in the end.

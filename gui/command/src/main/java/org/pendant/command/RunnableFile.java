@@ -20,8 +20,8 @@ import org.pendant.protocols.externalcontrol.Drivers;
 import org.pendant.protocols.externalcontrol.NoScript;
 
 /**
- * A program that a command line names: a script, or a tree together with the script that is
- * generated from it.
+ * Runnable file: a program that a command line names: a script, or a tree together with the script
+ * that is generated from it.
  *
  * @param file its name there
  * @param source what runs; empty for a tree that cannot run

@@ -2,7 +2,7 @@ package org.pendant.command;
 
 import java.util.List;
 
-/** {@code pendant serve}: a controller with all its ports, until it is told to end. */
+/** Command {@code pendant serve}: a controller with all its ports, until it is told to end. */
 final class ServeCommand implements Subcommand {
 
   @Override

@@ -20,7 +20,7 @@ import org.pendant.protocols.server.RemoteControl;
 import org.pendant.protocols.teachpendant.PendantSetup;
 
 /**
- * What {@code pendant serve} was asked for.
+ * Serve options: what {@code pendant serve} was asked for.
  *
  * @param controller how the controller is switched on
  * @param hosts where programs may connect to

@@ -29,7 +29,7 @@ import org.pendant.protocols.teachpendant.RemotePendant;
 import org.pendant.protocols.teachpendant.StartWatch;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 
-/** One controller in real time with all its ports. */
+/** Served robot: one controller in real time with all its ports. */
 final class ServedRobot implements AutoCloseable {
   /** The ports that most clients need. */
   private static final Set<Integer> NEEDED =

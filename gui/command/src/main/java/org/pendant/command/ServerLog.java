@@ -4,7 +4,7 @@ import org.pendant.controller.Robot;
 import org.pendant.controller.box.MessageCommand;
 import org.pendant.protocols.net.PeerLog;
 
-/** The controller's log as servers write it. */
+/** Server log: the controller's log as servers write it. */
 final class ServerLog {
   private ServerLog() {}
 

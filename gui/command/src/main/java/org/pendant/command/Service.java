@@ -9,7 +9,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
-/** Controllers in real time with all their ports, from their start to their end. */
+/** Service: controllers in real time with all their ports, from their start to their end. */
 final class Service {
   /** How often the main thread looks whether it should end, ms. */
   private static final long LOOK_MS = 50;

@@ -16,7 +16,7 @@ import org.pendant.controller.world.SceneReader;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.json.JsonException;
 
-/** The options that say which arm simulation is used, what is around it and what limits it. */
+/** Simulation options: say which arm simulation is used, what is around it and what limits it. */
 final class SimulationOptions {
   private static final double MAX_NOISE_RAD = 0.01;
 

@@ -13,8 +13,8 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Reads the files that a command line names, and remembers them: nothing is ever written onto what
- * a command reads.
+ * Source files: reads the files that a command line names, and remembers them: nothing is ever
+ * written onto what a command reads.
  */
 final class SourceFiles {
   /**

@@ -2,7 +2,7 @@ package org.pendant.command;
 
 import java.util.List;
 
-/** One thing that {@code pendant} can do, chosen by the first word after it. */
+/** Subcommand: one task that {@code pendant} can do, chosen by the first word after it. */
 interface Subcommand {
 
   /** Every subcommand understands this. */

@@ -3,7 +3,7 @@ package org.pendant.command;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Rows of text under headings, as aligned columns or as Markdown. */
+/** Table: rows of text under headings, as aligned columns or as Markdown. */
 final class Table {
   private final List<Column> columns = new ArrayList<>();
   private final List<List<String>> rows = new ArrayList<>();

@@ -3,7 +3,7 @@ package org.pendant.command;
 import java.util.Optional;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 
-/** {@code --tool-serial}: what the serial line of the tool connector leads to. */
+/** Option {@code --tool-serial}: what the serial line of the tool connector leads to. */
 final class ToolSerialOption {
   static final Option OPTION =
       Option.text(

@@ -8,7 +8,7 @@ import org.pendant.project.program.file.BrokenTree;
 import org.pendant.project.program.file.TreeFile;
 
 /**
- * A program tree of a command line, in the installation that it belongs to.
+ * Tree of a file: a program tree of a command line, in the installation that it belongs to.
  *
  * @param file the tree
  * @param own the installation that the program itself names, if it is there and none was given

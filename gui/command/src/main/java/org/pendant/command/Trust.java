@@ -3,7 +3,7 @@ package org.pendant.command;
 import org.pendant.models.arm.Confidence;
 
 /**
- * How far one group of an arm's numbers can be trusted.
+ * Trust: how far one group of an arm's numbers can be trusted.
  *
  * @param group the group, such as {@code masses}
  * @param confidence of all its numbers

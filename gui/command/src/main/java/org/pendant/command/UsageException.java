@@ -1,6 +1,9 @@
 package org.pendant.command;
 
-/** The command line asks for something that cannot be; carries no stack trace, it is no fault. */
+/**
+ * Usage error: the command line asks for something that cannot be; carries no stack trace, it is no
+ * fault.
+ */
 final class UsageException extends Exception {
   private static final long serialVersionUID = 1L;
 

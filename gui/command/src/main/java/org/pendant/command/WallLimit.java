@@ -5,8 +5,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * How long a program may run by the clock on the wall. A run that does not end when it is asked to
- * is cut off.
+ * Wall clock limit: how long a program may run. A run that does not end when it is asked to is cut
+ * off.
  */
 final class WallLimit implements AutoCloseable {
   static final Option OPTION =

@@ -1,5 +1,5 @@
 /**
- * The {@code pendant} command line: subcommands, their options, output streams and exit codes. Open
+ * Command line of {@code pendant}: subcommands, their options, output streams and exit codes. Open
  * {@link org.pendant.command.Pendant} first; {@link org.pendant.command.RunCommand} is the one that
  * CI calls.
  */

@@ -5,7 +5,7 @@ import java.util.OptionalInt;
 import org.pendant.protocols.toolserial.ToolSerialServer;
 
 /**
- * How others shall reach the controller.
+ * Port wishes: how clients shall reach the controller.
  *
  * @param host address or name of the interface to listen at
  * @param offset is added to every standard port, 0 to {@link #MAX_OFFSET}

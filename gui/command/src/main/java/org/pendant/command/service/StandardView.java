@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Directions to look from, by the axes of the base frame. */
+/** Standard view: a direction to look from, by the axes of the base frame. */
 public enum StandardView {
   /** From the right in front, and above. */
   ISO("1", -52, 24),

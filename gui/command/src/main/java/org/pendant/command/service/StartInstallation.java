@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import org.pendant.controller.installation.Installation;
 
 /**
- * The installation that a desktop begins with.
+ * Start installation: the one that a desktop begins with.
  *
  * @param file where it was read
  * @param installation what it says

@@ -3,7 +3,7 @@ package org.pendant.command.service;
 import java.nio.file.Path;
 import java.util.Map;
 
-/** Where log files and reports of served controllers are. */
+/** State folder: where log files and reports of served controllers are. */
 public final class StateFolder {
   private StateFolder() {}
 
