@@ -7,7 +7,7 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import org.pendant.script.debug.Breakpoint;
 
-/** The breakpoints of one program, one a line. */
+/** Breakpoint list: the breakpoints of one program, one a line. */
 final class BreakpointList {
   private final SortedMap<Integer, Breakpoint> byLine = new TreeMap<>();
 

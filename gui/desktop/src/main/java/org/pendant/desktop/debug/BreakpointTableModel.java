@@ -7,7 +7,7 @@ import javax.swing.table.AbstractTableModel;
 import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.debug.BreakpointState;
 
-/** The breakpoints of the program in front as a table. */
+/** Breakpoint table model: the breakpoints of the program in front as a table. */
 @SuppressWarnings("serial") // never written to a stream
 final class BreakpointTableModel extends AbstractTableModel {
   static final int ENABLED = 0;

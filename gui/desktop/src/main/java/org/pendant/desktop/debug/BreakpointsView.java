@@ -25,7 +25,10 @@ import org.pendant.kit.background.WorkerThread;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.script.debug.Breakpoint;
 
-/** The breakpoints of the program in front; conditions and counts are changed in place. */
+/**
+ * Breakpoints view: the breakpoints of the program in front; conditions and counts are changed in
+ * place.
+ */
 public final class BreakpointsView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "breakpoints";

@@ -6,7 +6,7 @@ import java.util.function.IntUnaryOperator;
 import org.pendant.script.vm.ThreadSnapshot;
 
 /**
- * A line of the list of threads and calls.
+ * Call row: a line of the list of threads and calls.
  *
  * @param depth 1 for the outermost call, 0 for the thread itself
  * @param name of thread or function

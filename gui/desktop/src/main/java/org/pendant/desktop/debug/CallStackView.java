@@ -24,7 +24,7 @@ import org.pendant.kit.action.KeyText;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
 
-/** All script threads of a program that is held, and their calls. */
+/** Call stack view: all script threads of a program that is paused, and their calls. */
 public final class CallStackView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "call-stack";

@@ -6,7 +6,10 @@ import javax.swing.JLabel;
 import javax.swing.JTextField;
 import org.pendant.kit.theme.Palette;
 
-/** Edits a cell and stays open while what is typed is refused; a label says why. */
+/**
+ * Checked cell editor: edits a cell and stays open while what is typed is refused; a label says
+ * why.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class CheckedField extends DefaultCellEditor {
   private final JTextField field;

@@ -13,8 +13,9 @@ import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
 
 /**
- * Reads conditions of breakpoints as they are typed, at the line of the program where they are to
- * be computed. One thread uses it, the dispatch thread; the reading happens elsewhere.
+ * Condition check: reads conditions of breakpoints as they are typed, at the line of the program
+ * where they are to be computed. One thread uses it, the dispatch thread; the reading happens
+ * elsewhere.
  */
 public final class ConditionCheck {
   /** How long nobody may type before a condition is read. */

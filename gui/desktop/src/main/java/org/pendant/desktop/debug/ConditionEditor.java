@@ -11,8 +11,8 @@ import javax.swing.event.DocumentListener;
 import org.pendant.kit.theme.Palette;
 
 /**
- * Edits the condition of a breakpoint: it is read while it is typed, a label says what is wrong,
- * and a wrong one is not taken.
+ * Condition editor: edits the condition of a breakpoint: it is read while it is typed, a label says
+ * what is wrong, and a wrong one is not taken.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class ConditionEditor extends DefaultCellEditor {

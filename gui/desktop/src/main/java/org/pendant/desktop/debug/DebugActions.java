@@ -6,7 +6,7 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.Actions;
 
-/** What people can do about a program that is held, or is to be held. */
+/** Debugger actions: what people can do about a program that is paused, or is to be paused. */
 public final class DebugActions {
   private DebugActions() {}
 

@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.value.ScriptError;
 
-/** The way to the debugger in the frame loop. */
+/** Debugger link: leads to the debugger in the frame loop. */
 public interface DebugLink {
 
   /**

@@ -11,7 +11,7 @@ import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.theme.Palette;
 
-/** A debugger panel: why the program is held, then its content, or what to do to get one. */
+/** Debugger panel: why the program is paused, then its content, or what to do to get one. */
 @SuppressWarnings("serial") // never written to a stream
 final class DebugPanel extends JPanel {
   private static final String CONTENT = "content";

@@ -14,8 +14,8 @@ import org.pendant.script.vm.ProgramState;
 import org.pendant.script.vm.ThreadSnapshot;
 
 /**
- * Where the program is held, which call of it is looked at, and how it goes on. It has no Swing;
- * one thread uses it, the dispatch thread.
+ * Debugger presenter: where the program is paused, which call of it is looked at, and how it
+ * continues. It has no Swing; one thread uses it, the dispatch thread.
  */
 public final class DebugPresenter {
   /** Frames for which values stay in sight after a program went on: a step is mostly over then. */

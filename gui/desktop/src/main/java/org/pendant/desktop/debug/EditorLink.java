@@ -15,7 +15,9 @@ import org.pendant.desktop.session.Programs;
 import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.debug.BreakpointState;
 
-/** Keeps what the editor shows beside its lines and what the debugger knows the same. */
+/**
+ * Editor link: keeps what the editor shows beside its lines and what the debugger knows the same.
+ */
 public final class EditorLink implements BreakpointListener {
   private final ScriptEditor editor;
   private final DebugPresenter debug;

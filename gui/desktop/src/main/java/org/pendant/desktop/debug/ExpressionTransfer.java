@@ -10,7 +10,9 @@ import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.TransferHandler;
 
-/** Drags expressions out of tables of values, and into where they are taken. */
+/**
+ * Expression transfer: drags expressions out of tables of values, and into where they are taken.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class ExpressionTransfer extends TransferHandler {
   private final Optional<Consumer<String>> taken;

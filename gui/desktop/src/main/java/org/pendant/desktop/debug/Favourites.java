@@ -8,8 +8,8 @@ import java.util.stream.Collectors;
 import org.pendant.kit.settings.Settings;
 
 /**
- * The variables that come first wherever variables are listed: some for each program, by its name,
- * kept in the settings. One thread uses it, the dispatch thread.
+ * Favourite variables: come first wherever variables are listed: some for each program, by its
+ * name, kept in the settings. One thread uses it, the dispatch thread.
  */
 public final class Favourites {
   private static final String SETTING = "variables.favourites.";

@@ -24,7 +24,10 @@ import org.pendant.kit.theme.Palette;
 import org.pendant.language.service.Completion;
 import org.pendant.language.source.ByteText;
 
-/** A list of completions under a field with an expression: CTRL SPACE, or by itself for names. */
+/**
+ * Field completions: a list of completions under a field with an expression: CTRL SPACE, or by
+ * itself for names.
+ */
 public final class FieldCompletions {
   private static final int ROWS = 8;
 

@@ -13,7 +13,8 @@ import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.ThreadSnapshot;
 
 /**
- * Where a program is held, and which of its calls is looked at; lines are those of its text now.
+ * Paused program: where it is paused, and which of its calls is looked at; lines are those of its
+ * current text.
  */
 final class HeldProgram {
   private final StartedProgram started;

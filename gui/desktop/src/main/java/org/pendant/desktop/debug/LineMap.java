@@ -1,8 +1,9 @@
 package org.pendant.desktop.debug;
 
 /**
- * Where the lines of a text are after it was edited: those before and behind what is different keep
- * their place in the text, those between are taken for the nearest of what came instead.
+ * Line map: where the lines of a text are after it was edited: those before and after what is
+ * different keep their place in the text, those between are taken for the nearest of what came
+ * instead.
  *
  * @param before how many lines at the start are the same
  * @param oldLines how many the text had, at least 1

@@ -8,8 +8,8 @@ import org.pendant.script.variables.VariableSamples;
 import org.pendant.script.vm.ProgramState;
 
 /**
- * Fills a tree from samples while no program is held, about ten times a second. It has no Swing;
- * one thread uses it, the dispatch thread.
+ * Live tree: fills a tree from samples while no program is paused, about ten times a second. It has
+ * no Swing; one thread uses it, the dispatch thread.
  */
 final class LiveTree {
   /** Least time between two looks at a program that runs, ms. */

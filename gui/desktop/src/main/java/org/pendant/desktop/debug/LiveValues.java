@@ -7,7 +7,7 @@ import org.pendant.script.debug.Debugger;
 import org.pendant.script.variables.VariableSample;
 import org.pendant.script.variables.VariableSamples;
 
-/** Makes groups of values out of the samples of a program that is not held. */
+/** Live values: makes groups of values out of the samples of a program that is not paused. */
 final class LiveValues {
   private LiveValues() {}
 

@@ -6,7 +6,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.project.program.ControlScript;
 
 /**
- * A program that is about to start, as it is at that moment.
+ * Program launch: a program that is about to start, as it is at that moment.
  *
  * @param waitingNodes how many of its nodes wait for the script that a driver sends; 0 for none
  * @param installation says which driver is asked

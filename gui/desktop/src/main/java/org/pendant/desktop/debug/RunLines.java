@@ -7,7 +7,10 @@ import org.pendant.project.program.ControlScript;
 import org.pendant.project.program.script.GeneratedScript;
 import org.pendant.project.program.script.GeneratedScript.NodeLines;
 
-/** Which lines of the text that runs are which of the text that people see; both count from 1. */
+/**
+ * Line correspondence: which lines of the text that runs are which of the text that people see;
+ * both count from 1.
+ */
 public interface RunLines {
   /** The text that runs is what people see. */
   RunLines SAME =

@@ -3,7 +3,7 @@ package org.pendant.desktop.debug;
 import org.pendant.language.source.Source;
 
 /**
- * A text that is started, and what it has to do with the one that people see.
+ * Run script: a text that is started, and what it has to do with the one that people see.
  *
  * @param lines of both
  * @param turnLine a line that the main program comes to once in each of its turns, and on which

@@ -3,7 +3,7 @@ package org.pendant.desktop.debug;
 import org.pendant.script.debug.Debugger;
 
 /**
- * A call in which names mean something.
+ * Scope: a call in which names mean something.
  *
  * @param thread handle of its thread, 0 for the main thread
  * @param depth 1 for the outermost call

@@ -11,7 +11,7 @@ import org.pendant.controller.command.Reply;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.value.ScriptError;
 
-/** Reaches the debugger by commands. */
+/** Session link: reaches the debugger by commands. */
 final class SessionLink implements DebugLink {
   private final Function<Command, CompletableFuture<Reply>> submit;
   private final Executor display;

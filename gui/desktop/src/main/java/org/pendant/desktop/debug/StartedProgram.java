@@ -6,8 +6,8 @@ import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.language.source.Source;
 
 /**
- * The program that was started last, and where its lines are in the text as it is now: people edit
- * a program while it runs. One thread uses it, the dispatch thread.
+ * Started program: the one that was started last, and where its lines are in the text as it is at
+ * the moment: people edit a program while it runs. One thread uses it, the dispatch thread.
  */
 final class StartedProgram {
   private Optional<ProgramDocument> document = Optional.empty();

@@ -11,8 +11,8 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.vm.ProgramState;
 
 /**
- * How a program is held and goes on: steps belong to the thread that is looked at. It has no Swing;
- * one thread uses it, the dispatch thread.
+ * Stepping: how a program is paused and continues: steps belong to the thread that is looked at. It
+ * has no Swing; one thread uses it, the dispatch thread.
  */
 public final class Stepping {
   private final DebugLink link;

@@ -5,7 +5,7 @@ import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.PauseReason;
 
-/** Why a program is held, as people read it. */
+/** Pause text: why a program is paused, as people read it. */
 final class StopText {
   private StopText() {}
 

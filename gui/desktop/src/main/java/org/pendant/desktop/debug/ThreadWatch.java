@@ -7,8 +7,8 @@ import org.pendant.script.vm.ProgramState;
 import org.pendant.script.vm.ThreadSnapshot;
 
 /**
- * Looks at the threads of a program that is not held, twice a second. It has no Swing; one thread
- * uses it, the dispatch thread.
+ * Thread watch: looks at the threads of a program that is not paused, twice a second. It has no
+ * Swing; one thread uses it, the dispatch thread.
  */
 final class ThreadWatch {
   /** Least time between two looks, ms. */

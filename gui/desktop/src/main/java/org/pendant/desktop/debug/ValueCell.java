@@ -11,7 +11,7 @@ import javax.swing.table.DefaultTableCellRenderer;
 import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.theme.Palette;
 
-/** Paints the cells of a {@link ValueTable}. */
+/** Value cell: paints the cells of a {@link ValueTable}. */
 @SuppressWarnings("serial") // never written to a stream
 final class ValueCell extends DefaultTableCellRenderer {
   private final JTextArea problem = new JTextArea();

@@ -4,8 +4,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Which values have changed: against the stop before while a program is held, and for a moment
- * after the change while it runs.
+ * Value changes: which values have changed: against the stop before while a program is paused, and
+ * for a moment after the change while it runs.
  */
 final class ValueChanges {
   /** How long a change stays in sight while the program runs, ms. */

@@ -1,7 +1,7 @@
 package org.pendant.desktop.debug;
 
 /**
- * What stays the same about a value from one stop to the next.
+ * Value key: what stays the same about a value from one stop to the next.
  *
  * @param expression what yields it in that scope, as the debugger takes it
  */

@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.script.debug.Variable;
 
 /**
- * A value and those of its parts that were asked for.
+ * Value node: a value and those of its parts that were asked for.
  *
  * @param parts the first of them; empty unless they were asked for
  * @param failure why there is no value or no part; empty if nothing failed

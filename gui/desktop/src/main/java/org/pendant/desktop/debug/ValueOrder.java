@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.function.Predicate;
 
 /**
- * Which variables are shown, and which of them come first.
+ * Value order: which variables are shown, and which of them come first.
  *
  * @param filter words that a name must have, upper and lower case alike
  * @param favourite whether the variable of this expression is one

@@ -9,7 +9,7 @@ import org.pendant.script.debug.Variable;
 import org.pendant.script.value.ScriptError;
 
 /**
- * Reads values and those of their parts that are unfolded, in the frame loop.
+ * Value reader: reads values and those of their parts that are unfolded, in the frame loop.
  *
  * @param unfolded how many parts are wanted of those that are
  */

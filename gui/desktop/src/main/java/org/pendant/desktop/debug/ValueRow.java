@@ -6,7 +6,7 @@ import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.Variable;
 import org.pendant.script.value.ValueKind;
 
-/** A line of a table of values. */
+/** Value row: a line of a table of values. */
 sealed interface ValueRow {
 
   /** Whether a value is marked as changed, and since when. */

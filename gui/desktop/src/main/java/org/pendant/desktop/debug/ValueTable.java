@@ -27,8 +27,9 @@ import javax.swing.table.TableColumn;
 import org.pendant.language.source.ByteText;
 
 /**
- * A {@link ValueTree} on the screen. Right and left unfold and fold, F2 and a double click edit,
- * Enter unfolds or shows more, and values can be dragged to where expressions are taken.
+ * Value table: a {@link ValueTree} on the screen. Right and left unfold and fold, F2 and a double
+ * click edit, Enter unfolds or shows more, and values can be dragged to where expressions are
+ * taken.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class ValueTable extends JTable {

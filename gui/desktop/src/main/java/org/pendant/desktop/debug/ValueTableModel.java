@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.BiConsumer;
 import javax.swing.table.AbstractTableModel;
 
-/** The rows of a {@link ValueTree} as a table: name, value, kind. */
+/** Value table model: the rows of a {@link ValueTree} as a table: name, value, kind. */
 @SuppressWarnings("serial") // never written to a stream
 final class ValueTableModel extends AbstractTableModel {
   static final int NAME = 0;

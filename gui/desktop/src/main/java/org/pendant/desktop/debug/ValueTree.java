@@ -8,8 +8,8 @@ import java.util.Optional;
 import org.pendant.language.source.ByteText;
 
 /**
- * Values as rows that unfold. Only what is unfolded is asked for, a page at a time. It has no
- * Swing; one thread uses it, the dispatch thread.
+ * Value tree: values as rows that unfold. Only what is unfolded is asked for, a page at a time. It
+ * has no Swing; one thread uses it, the dispatch thread.
  */
 final class ValueTree {
   /** Parts that are shown at first, and that come with each step. */

@@ -5,9 +5,9 @@ import java.util.function.LongSupplier;
 import org.pendant.controller.state.ControllerState;
 
 /**
- * What the panel of variables shows: those of the call that is looked at while a program is held,
- * otherwise samples of the program that runs or ran last, about ten times a second. It has no
- * Swing; one thread uses it, the dispatch thread.
+ * Variables presenter: what the panel of variables shows: those of the call that is looked at while
+ * a program is paused, otherwise samples of the program that runs or ran last, about ten times a
+ * second. It has no Swing; one thread uses it, the dispatch thread.
  */
 final class VariablesPresenter {
   private final ValueTree tree;

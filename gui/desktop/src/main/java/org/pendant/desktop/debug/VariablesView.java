@@ -22,7 +22,10 @@ import org.pendant.kit.action.Action;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 
-/** The variables of a program: live while it runs, those of any call while it is held. */
+/**
+ * Variables view: the variables of a program: live while it runs, those of any call while it is
+ * paused.
+ */
 public final class VariablesView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "variables";

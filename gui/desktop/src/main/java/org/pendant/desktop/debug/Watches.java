@@ -12,7 +12,7 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.variables.VariablePath;
 import org.pendant.script.variables.VariableSamples;
 
-/** Expressions that are computed at every stop; they are kept in the settings. */
+/** Watch expressions: computed at every stop; they are kept in the settings. */
 final class Watches {
   private static final String SETTING = "debug.watches";
 

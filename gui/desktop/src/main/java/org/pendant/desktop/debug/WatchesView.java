@@ -15,7 +15,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 
-/** Expressions that are computed at every stop. */
+/** Watches view: expressions that are computed at every stop. */
 public final class WatchesView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "watches";

@@ -4,7 +4,7 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import org.pendant.desktop.session.ProgramDocument;
 
-/** Who wants to know where breakpoints are. */
+/** Breakpoint listener: is told where breakpoints are. */
 public interface BreakpointListener {
 
   /**

@@ -1,7 +1,7 @@
 package org.pendant.desktop.editor;
 
 /**
- * How a breakpoint is shown beside its line.
+ * Breakpoint mark: how a breakpoint is shown beside its line.
  *
  * @param enabled whether it stops the program just now
  * @param conditional whether it stops it only sometimes

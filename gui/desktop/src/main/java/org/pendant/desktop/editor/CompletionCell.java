@@ -10,7 +10,7 @@ import org.pendant.kit.theme.Palette;
 import org.pendant.language.service.Completion;
 import org.pendant.language.source.ByteText;
 
-/** One line of the list of completions: kind, name, and what it takes. */
+/** Completion cell: one line of the list of completions: kind, name, and what it takes. */
 @SuppressWarnings("serial") // never written to a stream
 final class CompletionCell extends JPanel implements ListCellRenderer<Completion> {
   private final JLabel name = new JLabel();

@@ -25,8 +25,8 @@ import org.pendant.language.service.Completion;
 import org.pendant.language.source.ByteText;
 
 /**
- * Offers what may be typed at the caret. The list is made on a worker thread for the text as it is;
- * while the next is being made the last one stays.
+ * Completion popup: offers what may be typed at the caret. The list is made on a worker thread for
+ * the text as it is; while the next is being made the last one stays.
  */
 final class CompletionPopup {
   private static final int ROWS = 10;

@@ -8,7 +8,10 @@ import org.pendant.desktop.editor.text.LineColours;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
 
-/** Keeps a text component and the document of a program the same, whichever is changed. */
+/**
+ * Document link: keeps a text component and the document of a program the same, whichever is
+ * changed.
+ */
 final class DocumentLink implements DocumentListener, ProgramDocument.Listener {
   private final ScriptArea area;
   private final ProgramDocument program;

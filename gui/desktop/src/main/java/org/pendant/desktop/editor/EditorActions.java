@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.Actions;
 
-/** What can be done in the editor, by name and key. */
+/** Editor actions: what can be done in the editor, by name and key. */
 final class EditorActions {
   /** Their ids begin so. */
   private static final String PREFIX = "editor.";

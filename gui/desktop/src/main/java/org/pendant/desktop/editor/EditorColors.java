@@ -7,8 +7,8 @@ import org.pendant.kit.theme.Palette;
 import org.pendant.language.service.HighlightToken.Style;
 
 /**
- * The colours of code in one theme. Every class of words has a contrast of at least 4.5 to the
- * backgrounds that code stands on.
+ * Editor colours: the colours of code in one theme. Every class of words has a contrast of at least
+ * 4.5 to the backgrounds that code stands on.
  */
 record EditorColors(
     Color background,

@@ -12,7 +12,10 @@ import org.pendant.desktop.editor.text.Problem;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.kit.theme.Palette;
 
-/** Below the text: how many problems there are, where the caret is, how the file is written. */
+/**
+ * Editor status: below the text: how many problems there are, where the caret is, how the file is
+ * written.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class EditorStatus extends JPanel {
   private static final String FORMAT_TIP = "How the file is written: characters and ends of lines";

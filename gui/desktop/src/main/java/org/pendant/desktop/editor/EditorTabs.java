@@ -13,7 +13,7 @@ import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.kit.icon.SvgIcon;
 
-/** The open programs as tabs. The tab in front is the program that Run runs. */
+/** Editor tabs: the open programs as tabs. The tab in front is the program that Run runs. */
 @SuppressWarnings("serial") // never written to a stream
 final class EditorTabs extends JTabbedPane {
   /** Marks the program that Run runs. */

@@ -13,7 +13,7 @@ import org.fife.ui.rtextarea.RTextScrollPane;
 import org.pendant.kit.theme.Palette;
 import org.pendant.language.service.HighlightToken;
 
-/** Dresses text components in the colours and the font of the present theme. */
+/** Editor theme: dresses text components in the colours and the font of the current theme. */
 final class EditorTheme {
   private EditorTheme() {}
 

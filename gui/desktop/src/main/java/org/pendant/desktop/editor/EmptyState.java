@@ -7,7 +7,7 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import org.pendant.kit.theme.Palette;
 
-/** A panel that says what to do while there is nothing to show. */
+/** Empty state: a panel that says what to do while there is nothing to show. */
 @SuppressWarnings("serial") // never written to a stream
 final class EmptyState extends JPanel {
   private final CardLayout cards = new CardLayout();

@@ -1,7 +1,7 @@
 package org.pendant.desktop.editor;
 
 /**
- * Where a program is.
+ * Execution point: where a program is.
  *
  * @param line from 1; 0 for nowhere
  * @param note what stands behind the line, such as why the program is held; empty for nothing

@@ -15,7 +15,7 @@ import org.pendant.desktop.editor.text.RichText;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.kit.theme.Palette;
 
-/** The band over the line where the program is, and the note behind that line. */
+/** Execution band: lies over the line where the program is, with the note after that line. */
 final class ExecutionBand {
   private static final int MIN_WIDTH = 60;
 

@@ -22,7 +22,7 @@ import org.pendant.desktop.editor.text.SearchQuery;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.kit.theme.Palette;
 
-/** Finds and replaces in the program in front. */
+/** Find bar: finds and replaces in the program in front. */
 @SuppressWarnings("serial") // never written to a stream
 final class FindBar extends JPanel {
   private static final int MAX_MARKED = 2_000;

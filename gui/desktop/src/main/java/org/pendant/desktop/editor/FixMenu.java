@@ -15,7 +15,10 @@ import org.pendant.kit.background.WorkQueue;
 import org.pendant.language.service.QuickFix;
 import org.pendant.language.source.ByteText;
 
-/** Offers the quick fixes at the caret: as a menu when asked, and as a light bulb by itself. */
+/**
+ * Fix menu: offers the quick fixes at the caret: as a menu when asked, and as a light bulb by
+ * itself.
+ */
 final class FixMenu {
   private final ScriptArea area;
   private final AnalysisSchedule schedule;

@@ -13,8 +13,8 @@ import javax.swing.SwingUtilities;
 import org.pendant.kit.theme.Palette;
 
 /**
- * Something small that floats over the window beside a place in a text: part of the window, so it
- * takes no focus unless asked to and hides nothing else than what lies under it.
+ * Floating panel: something small that floats over the window beside a place in a text: part of the
+ * window, so it takes no focus unless asked to and hides nothing else than what lies under it.
  */
 final class FloatingPanel {
   private static final int GAP = 4;

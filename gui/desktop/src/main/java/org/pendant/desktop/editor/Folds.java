@@ -3,7 +3,7 @@ package org.pendant.desktop.editor;
 import org.fife.ui.rsyntaxtextarea.folding.Fold;
 import org.fife.ui.rsyntaxtextarea.folding.FoldManager;
 
-/** Folds and unfolds blocks. */
+/** Folds: folds and unfolds blocks. */
 final class Folds {
   private Folds() {}
 

@@ -9,7 +9,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.kit.theme.Palette;
 
-/** Says that a script comes from a program tree, and leads there. */
+/** Generated script bar: says that a script comes from a program tree, and leads there. */
 @SuppressWarnings("serial") // never written to a stream
 final class GeneratedBar extends JPanel {
 

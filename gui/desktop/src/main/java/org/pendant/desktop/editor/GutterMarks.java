@@ -22,7 +22,10 @@ import org.fife.ui.rtextarea.Gutter;
 import org.fife.ui.rtextarea.GutterIconInfo;
 import org.fife.ui.rtextarea.IconRowHeader;
 
-/** The marks beside the lines of one script: they move with their lines. Lines count from 1. */
+/**
+ * Gutter marks: the marks beside the lines of one script: they move with their lines. Lines count
+ * from 1.
+ */
 final class GutterMarks {
   private final ScriptArea area;
   private final Gutter gutter;

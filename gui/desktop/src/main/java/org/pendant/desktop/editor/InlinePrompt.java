@@ -12,7 +12,10 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.theme.Palette;
 
-/** Asks for one line of text beside a place of the script. ENTER gives it, ESCAPE leaves it. */
+/**
+ * Inline prompt: asks for one line of text beside a place of the script. ENTER gives it, ESCAPE
+ * leaves it.
+ */
 final class InlinePrompt {
   private final JComponent owner;
   private final JTextField field = new JTextField(24);

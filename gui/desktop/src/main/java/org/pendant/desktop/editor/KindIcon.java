@@ -14,7 +14,7 @@ import org.pendant.language.service.Completion;
 import org.pendant.language.service.HighlightToken.Style;
 import org.pendant.language.service.OutlineItem;
 
-/** A letter in a rounded square, in the colour that such names have in the text. */
+/** Kind icon: a letter in a rounded square, in the colour that such names have in the text. */
 record KindIcon(String letter, Style style) implements Icon {
   private static final int SIZE = 16;
 

@@ -14,7 +14,9 @@ import org.pendant.language.service.FormatOptions;
 import org.pendant.language.service.FormatResult;
 import org.pendant.language.source.ByteText;
 
-/** What can be done with whole lines: tidy, comment, move in and out, go to one. */
+/**
+ * Layout commands: what can be done with whole lines: tidy, comment, move in and out, go to one.
+ */
 final class LayoutCommands {
   private final ProgramEditor editor;
   private final ScriptArea area;

@@ -14,7 +14,10 @@ import org.pendant.kit.background.WorkQueue;
 import org.pendant.language.service.RenameResult;
 import org.pendant.language.source.ByteText;
 
-/** What can be done with the name at the caret: find where it comes from, its uses, rename it. */
+/**
+ * Name commands: what can be done with the name at the caret: find where it comes from, its uses,
+ * rename it.
+ */
 final class NameCommands {
   private final ScriptArea area;
   private final ProgramDocument program;

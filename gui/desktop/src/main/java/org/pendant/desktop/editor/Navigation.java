@@ -8,7 +8,7 @@ import org.pendant.desktop.editor.text.Trail;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 
-/** Goes back to where the caret was before it jumped, in whichever program that was. */
+/** Navigation: returns to where the caret was before it jumped, in whichever program that was. */
 final class Navigation {
   private final Programs programs;
   private final BiConsumer<ProgramDocument, Integer> show;

@@ -8,7 +8,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.theme.Palette;
 
-/** Asks something above the text of one program, without stopping anybody. */
+/** Notice bar: asks something above the text of one program, without stopping the user. */
 @SuppressWarnings("serial") // never written to a stream
 final class NoticeBar extends JPanel {
 

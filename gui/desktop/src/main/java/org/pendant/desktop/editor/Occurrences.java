@@ -13,7 +13,10 @@ import org.pendant.desktop.editor.text.AnalysisSchedule;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.kit.background.WorkQueue;
 
-/** Marks every place that means the same as the name at the caret, after a moment of rest. */
+/**
+ * Occurrences: marks every place that means the same as the name at the caret, after a moment of
+ * rest.
+ */
 final class Occurrences {
   private static final int REST_MS = 250;
   private static final int MOST = 500;

@@ -23,7 +23,10 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.language.service.OutlineItem;
 import org.pendant.language.source.ByteText;
 
-/** The definitions and globals of the program in front; the selection follows the caret. */
+/**
+ * Outline view: the definitions and globals of the program in front; the selection follows the
+ * caret.
+ */
 public final class OutlineView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "outline";

@@ -14,7 +14,7 @@ import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import org.pendant.desktop.editor.text.Place;
 
-/** Places in programs, one a row; ENTER or a double click goes there. */
+/** Places table: places in programs, one a row; ENTER or a double click opens one. */
 @SuppressWarnings("serial") // never written to a stream
 final class PlacesTable extends JTable {
   private final Model model = new Model();

@@ -27,7 +27,7 @@ import org.pendant.kit.background.WorkQueue;
 import org.pendant.kit.background.WorkerThread;
 import org.pendant.kit.theme.Palette;
 
-/** Finds text in all scripts of a folder, and lists places that others have found. */
+/** Places view: finds text in all scripts of a folder, and lists places that others have found. */
 public final class PlacesView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "search";

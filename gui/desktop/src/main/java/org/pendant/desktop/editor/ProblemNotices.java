@@ -10,7 +10,7 @@ import org.fife.ui.rsyntaxtextarea.parser.ParserNotice;
 import org.pendant.desktop.editor.text.Problem;
 import org.pendant.kit.theme.Palette;
 
-/** Hands problems that were found already to the text component and its stripe. */
+/** Problem notices: hands problems that were found already to the text component and its stripe. */
 final class ProblemNotices extends AbstractParser {
   /** Underlining thousands helps nobody and slows painting down. */
   private static final int MOST = 500;

@@ -4,7 +4,7 @@ import java.util.List;
 import javax.swing.table.AbstractTableModel;
 import org.pendant.desktop.editor.text.Problem;
 
-/** Problems as rows: severity, line, message, code. */
+/** Problems model: problems as rows: severity, line, message, code. */
 @SuppressWarnings("serial") // never written to a stream
 final class ProblemsModel extends AbstractTableModel {
   private static final List<String> TITLES = List.of("", "Line", "Problem", "Code");

@@ -22,7 +22,10 @@ import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.theme.Palette;
 
-/** What is wrong in the program in front. ENTER goes there, alt ENTER offers quick fixes. */
+/**
+ * Problems view: what is wrong in the program in front. ENTER goes there, alt ENTER offers quick
+ * fixes.
+ */
 public final class ProblemsView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "problems";

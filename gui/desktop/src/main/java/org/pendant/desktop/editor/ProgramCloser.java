@@ -10,7 +10,7 @@ import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.workbench.Workbench;
 
-/** Closes programs, after asking for what is not saved, and opens them again. */
+/** Program closer: closes programs, after asking for what is not saved, and opens them again. */
 final class ProgramCloser {
   private static final String SAVE = "file.save";
   private static final int MAX_KEPT = 10;

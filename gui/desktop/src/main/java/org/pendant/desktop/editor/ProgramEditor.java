@@ -27,7 +27,9 @@ import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.kit.background.WorkQueue;
 import org.pendant.language.signature.Catalogue;
 
-/** The editor of one open program: its text, and everything that helps to write it. */
+/**
+ * Program editor: the editor of one open program: its text, and everything that helps to write it.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class ProgramEditor extends JPanel {
   private final ProgramDocument program;

@@ -17,7 +17,7 @@ import org.pendant.kit.background.WorkQueue;
 import org.pendant.language.service.OutlineItem;
 import org.pendant.language.source.ByteText;
 
-/** Goes to a script, or to a function of the one in front, by a few letters of its name. */
+/** Quick open: opens a script, or a function of the one in front, by a few letters of its name. */
 final class QuickOpen {
   private static final int MAX_FILES = 2_000;
 

@@ -25,7 +25,9 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.action.FuzzyMatch;
 import org.pendant.kit.theme.Palette;
 
-/** Finds one of many things by a few letters of its name: ENTER takes it, ESCAPE leaves. */
+/**
+ * Quick pick: finds one of many things by a few letters of its name: ENTER takes it, ESCAPE leaves.
+ */
 final class QuickPick {
   private static final int ROWS = 12;
   private static final int MAX_SHOWN = 200;

@@ -27,7 +27,10 @@ import org.pendant.desktop.editor.text.LineColours;
 import org.pendant.desktop.editor.text.LineIndex;
 import org.pendant.desktop.editor.text.TextSpan;
 
-/** The text component, set up for scripts. Offsets count characters, lines count from 1. */
+/**
+ * Script area: the text component, set up for scripts. Offsets count characters, lines count from
+ * 1.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class ScriptArea extends RSyntaxTextArea {
   private static final String STYLE = "text/urscript";

@@ -28,7 +28,10 @@ import org.pendant.kit.background.WorkQueue;
 import org.pendant.kit.background.WorkerThread;
 import org.pendant.language.signature.Catalogue;
 
-/** The screen where scripts are written: the open programs as tabs. Lines count from 1. */
+/**
+ * Script editor: the screen where scripts are written: the open programs as tabs. Lines count from
+ * 1.
+ */
 public final class ScriptEditor implements View {
   /** Its name in settings and commands. */
   public static final String ID = "script";

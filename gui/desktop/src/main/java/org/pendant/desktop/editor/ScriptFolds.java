@@ -15,7 +15,7 @@ import org.fife.ui.rsyntaxtextarea.folding.FoldType;
 import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.language.service.FoldingRange;
 
-/** Tells the text component what can be folded: what the last analysis found. */
+/** Script folds: tells the text component what can be folded: what the last analysis found. */
 final class ScriptFolds implements FoldParser {
   /**
    * The component looks through all folds for every line that it paints: a longer text has none.

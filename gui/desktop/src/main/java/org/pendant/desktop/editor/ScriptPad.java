@@ -14,7 +14,9 @@ import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 import org.pendant.language.signature.Catalogue;
 
-/** A few lines of URScript in their colours, inside of something else; Tab leaves it. */
+/**
+ * Script pad: a few lines of URScript in their colours, inside of something else; Tab leaves it.
+ */
 @SuppressWarnings("serial") // never written to a stream
 public final class ScriptPad extends JPanel {
   private final ScriptArea area;

@@ -9,7 +9,9 @@ import org.pendant.desktop.editor.text.LineColours;
 import org.pendant.desktop.editor.text.StyledLine;
 import org.pendant.language.service.HighlightToken.Style;
 
-/** Hands the colours of lines to the text component. No line depends on the one before. */
+/**
+ * Token maker: hands the colours of lines to the text component. No line depends on the one before.
+ */
 final class ScriptTokenMaker extends TokenMakerBase {
   private final Document document;
   private final LineColours colours;

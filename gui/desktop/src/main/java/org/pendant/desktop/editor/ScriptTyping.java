@@ -15,7 +15,10 @@ import org.pendant.desktop.editor.text.BlockEnd;
 import org.pendant.desktop.editor.text.BracketPairs;
 import org.pendant.desktop.editor.text.TextSpan;
 
-/** What happens besides when somebody types: indentation, ends of blocks, pairs of brackets. */
+/**
+ * Typing help: what happens besides when the user types: indentation, ends of blocks, pairs of
+ * brackets.
+ */
 final class ScriptTyping {
   private static final int MAX_GIVEN = 20;
 

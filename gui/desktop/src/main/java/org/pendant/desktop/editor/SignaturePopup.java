@@ -12,7 +12,8 @@ import org.pendant.desktop.editor.text.RichText;
 import org.pendant.language.service.SignatureHelp;
 
 /**
- * Shows over the line what the call around the caret takes, and which argument is being written.
+ * Signature popup: shows over the line what the call around the caret takes, and which argument is
+ * being written.
  */
 final class SignaturePopup {
   private final ScriptArea area;

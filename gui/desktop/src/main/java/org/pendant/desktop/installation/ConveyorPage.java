@@ -13,7 +13,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.TitledCard;
 
-/** Conveyors that programs can follow. */
+/** Conveyor page: conveyors that programs can follow. */
 final class ConveyorPage implements Page {
   private static final List<String> DECODERS =
       List.of("Off", "Quadrature", "Rising and falling edges", "Rising edges", "Falling edges");

@@ -15,7 +15,10 @@ import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.models.arm.ArmDescription;
 
-/** Changes the installation, checks changes before they are made, and undoes them. */
+/**
+ * Installation editing: changes the installation, checks changes before they are made, and undoes
+ * them.
+ */
 final class Editing {
   private static final int MAX_UNDONE = 1000;
 

@@ -12,8 +12,8 @@ import javax.swing.KeyStroke;
 import org.pendant.kit.layout.Typed;
 
 /**
- * A field whose text is checked while it is typed, and taken by Enter or when the focus leaves.
- * Escape brings back what was there.
+ * Entry field: a field whose text is checked while it is typed, and taken by Enter or when the
+ * focus leaves. Escape brings back what was there.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class EntryField extends JTextField {

@@ -7,7 +7,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.io.WatchdogAction;
 import org.pendant.kit.layout.TitledCard;
 
-/** What the loss of an EtherNet/IP scanner does. */
+/** EtherNet/IP page: what the loss of an EtherNet/IP scanner does. */
 final class EthernetIpPage implements Page {
   private final Editing editing;
   private final TitledCard card = new TitledCard("EtherNet/IP", "[grow, fill]");

@@ -5,7 +5,7 @@ import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
 import org.pendant.kit.layout.TitledCard;
 
-/** Where External Control nodes get their script. */
+/** External Control page: where the nodes get their script. */
 final class ExternalControlPage implements Page {
   private final Editing editing;
   private final TitledCard card = new TitledCard("External Control", "[grow, fill]");

@@ -21,7 +21,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.pose.Pose;
 
-/** Frames that programs refer to by name, taught by the arm. */
+/** Features page: frames that programs refer to by name, taught by the arm. */
 final class FeaturesPage implements Page {
   private static final int MAX_POINTS = 3;
 

@@ -12,7 +12,7 @@ import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.Joints;
 
-/** Where home is. */
+/** Home page: where home is. */
 final class HomePage implements Page {
   private static final List<String> NAMES =
       List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");

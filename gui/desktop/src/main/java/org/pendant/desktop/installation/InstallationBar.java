@@ -16,7 +16,7 @@ import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
 import org.pendant.script.vm.ProgramState;
 
-/** Which installation it is, what can be done with it, and what it waits for. */
+/** Installation bar: which installation it is, what can be done with it, and what it waits for. */
 final class InstallationBar {
   private final ActiveInstallation active;
   private final Editing editing;

@@ -30,7 +30,7 @@ import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 
-/** The Installation screen: pages at the left, the chosen one at the right. */
+/** Installation view: pages at the left, the chosen one at the right. */
 public final class InstallationView implements View {
   private static final int GAP = 16;
   private static final int USUAL_CARD = 300;

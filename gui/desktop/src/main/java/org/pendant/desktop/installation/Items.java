@@ -25,7 +25,7 @@ import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
 
 /**
- * Several things of one kind: a list of them, buttons, and a form for the chosen one.
+ * Item list: several things of one kind: a list of them, buttons, and a form for the chosen one.
  *
  * @param <T> immutable
  */

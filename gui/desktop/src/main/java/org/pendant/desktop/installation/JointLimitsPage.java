@@ -15,7 +15,7 @@ import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.Joints;
 
-/** Speeds and ranges of the joints, normal and reduced. */
+/** Joint limits page: speeds and ranges of the joints, normal and reduced. */
 final class JointLimitsPage implements Page {
   private static final String NONE = "none";
   private static final List<String> NAMES =

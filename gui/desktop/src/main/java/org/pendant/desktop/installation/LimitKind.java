@@ -6,7 +6,7 @@ import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.kit.form.Measure;
 import org.pendant.models.arm.Joints;
 
-/** The limits of the robot as a whole. */
+/** Limit kinds: the limits of the robot as a whole. */
 enum LimitKind {
   POWER("Power", Measure.WATT),
   MOMENTUM("Momentum", Measure.KILOGRAM_METRE_PER_S),

@@ -14,7 +14,7 @@ import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.Joints;
 
-/** The limits of the robot as a whole, normal and reduced. */
+/** Limits page: the limits of the robot as a whole, normal and reduced. */
 final class LimitsPage implements Page {
   private final Editing editing;
   private final SafetyDraft draft;

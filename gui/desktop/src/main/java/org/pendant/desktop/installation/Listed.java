@@ -8,7 +8,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationParts;
 
 /**
- * A list in the installation.
+ * List in the installation.
  *
  * @param get reads it
  * @param put writes it

@@ -13,7 +13,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.TitledCard;
 
-/** Signals at Modbus devices. */
+/** Modbus page: signals at Modbus devices. */
 final class ModbusPage implements Page {
   private static final List<ModbusKind> KINDS =
       Arrays.stream(ModbusKind.values())

@@ -10,7 +10,7 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.TitledCard;
 
-/** How the base is mounted. */
+/** Mounting page: how the base is mounted. */
 final class MountingPage implements Page {
   private final Editing editing;
   private final TitledCard card = new TitledCard("Mounting", "[grow, fill]");

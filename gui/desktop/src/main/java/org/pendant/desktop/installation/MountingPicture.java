@@ -17,7 +17,10 @@ import javax.swing.JPanel;
 import org.pendant.controller.installation.BaseMounting;
 import org.pendant.kit.theme.Palette;
 
-/** The base from the side, tilted, with its axes and gravity; and from above its plate, turned. */
+/**
+ * Mounting picture: the base from the side, tilted, with its axes and gravity; and from above its
+ * plate, turned.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class MountingPicture extends JPanel {
   private transient BaseMounting mounting = BaseMounting.FLOOR;

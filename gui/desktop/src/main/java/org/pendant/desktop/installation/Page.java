@@ -3,7 +3,7 @@ package org.pendant.desktop.installation;
 import javax.swing.JComponent;
 import org.pendant.controller.state.ControllerState;
 
-/** A page of the Installation screen. */
+/** Page of the Installation screen. */
 interface Page {
 
   /** Stable name, such as {@code tcp}. */

@@ -26,8 +26,8 @@ import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
 
 /**
- * Fields for the parts of a value. Each change makes another value, which is checked while it is
- * typed.
+ * Parts form: fields for the parts of a value. Each change makes another value, which is checked
+ * while it is typed.
  *
  * @param <T> immutable
  */

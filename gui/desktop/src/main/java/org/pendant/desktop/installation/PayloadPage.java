@@ -17,7 +17,7 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.TitledCard;
 
-/** The payloads, and the one that is active when a program starts. */
+/** Payload page: the payloads, and the one that is active when a program starts. */
 final class PayloadPage implements Page {
   private static final List<String> AXES = List.of("X", "Y", "Z");
   private static final List<String> INERTIA = List.of("Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz");

@@ -20,7 +20,7 @@ import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
-/** Planes that the tool must not pass. */
+/** Planes page: planes that the tool must not pass. */
 final class PlanesPage implements Page {
   private static final List<String> AXES = List.of("X", "Y", "Z");
   private static final String FROM_FEATURE = "Lay on feature\u2026";

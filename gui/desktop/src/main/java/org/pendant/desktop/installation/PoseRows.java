@@ -16,7 +16,7 @@ import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.pose.Pose;
 
-/** The six fields of a pose in a form, and the choice of how its rotation is written. */
+/** Pose rows: the six fields of a pose in a form, and the choice of how its rotation is written. */
 final class PoseRows {
   private static final List<String> AXES = List.of("X", "Y", "Z");
   private static final int ANGLES = 3;

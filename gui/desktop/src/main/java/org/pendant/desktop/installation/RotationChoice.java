@@ -5,7 +5,9 @@ import java.util.List;
 import org.pendant.desktop.move.RotationForm;
 import org.pendant.kit.settings.Settings;
 
-/** How rotations are shown and typed on all pages; kept from one start to the next. */
+/**
+ * Rotation choice: how rotations are shown and typed on all pages; kept from one start to the next.
+ */
 final class RotationChoice {
   private static final String KEY = "installation.rotation";
 

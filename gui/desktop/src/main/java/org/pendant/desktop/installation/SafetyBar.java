@@ -11,7 +11,7 @@ import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
 
-/** Unlocks the safety configuration, and applies it after showing what changes. */
+/** Safety bar: unlocks the safety configuration, and applies it after showing what changes. */
 final class SafetyBar {
   private final SafetyDraft draft;
   private final JPanel panel =

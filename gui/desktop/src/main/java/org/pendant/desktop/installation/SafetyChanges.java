@@ -10,7 +10,7 @@ import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.kit.form.Measure;
 import org.pendant.models.arm.Joints;
 
-/** What differs between two safety configurations, in words. */
+/** Safety changes: what differs between two safety configurations, in words. */
 final class SafetyChanges {
   private SafetyChanges() {}
 

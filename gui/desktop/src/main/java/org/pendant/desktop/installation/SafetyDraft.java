@@ -8,8 +8,8 @@ import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
 
 /**
- * The safety configuration while somebody changes it. It is locked until people say that they want
- * to, and takes effect when they apply it.
+ * Safety draft: the safety configuration while the user changes it. It is locked until people say
+ * that they want to, and takes effect when they apply it.
  */
 final class SafetyDraft {
   private final Editing editing;

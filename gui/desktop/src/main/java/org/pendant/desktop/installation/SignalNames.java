@@ -13,7 +13,7 @@ import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
 import org.pendant.models.arm.ArmDescription;
 
-/** Names and uses of signals in an installation. */
+/** Signal names and uses in an installation. */
 public final class SignalNames {
   private SignalNames() {}
 

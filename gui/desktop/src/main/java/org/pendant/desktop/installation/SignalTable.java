@@ -22,7 +22,9 @@ import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.state.ControllerState;
 
-/** The rows of the table of signals: what each is called, does, is made of, and is at. */
+/**
+ * Signal table: the rows of the table of signals: what each is called, does, is made of, and is at.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class SignalTable extends AbstractTableModel {
   static final int NAME = 1;

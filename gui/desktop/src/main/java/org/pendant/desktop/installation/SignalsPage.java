@@ -21,7 +21,7 @@ import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 
-/** Names, uses and levels of all signals. */
+/** Signals page: names, uses and levels of all signals. */
 final class SignalsPage implements Page {
   private static final int ROWS = 14;
   private static final int LIVE_MS = 100;

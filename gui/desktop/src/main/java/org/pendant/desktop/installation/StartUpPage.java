@@ -10,7 +10,9 @@ import org.pendant.controller.io.SignalBank;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.ArmLibrary;
 
-/** What happens by itself when the robot is switched on, and which robot it is for. */
+/**
+ * Start-up page: what happens by itself when the robot is switched on, and which robot it is for.
+ */
 final class StartUpPage implements Page {
   private static final List<String> INPUTS = inputs();
 

@@ -11,7 +11,7 @@ import org.pendant.controller.installation.NamedTool;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.pose.Pose;
 
-/** The TCPs, and the one that is active when a program starts. */
+/** TCP page: the TCPs, and the one that is active when a program starts. */
 final class TcpPage implements Page {
   private final Editing editing;
   private final TitledCard card = new TitledCard("TCP", "[grow, fill]");

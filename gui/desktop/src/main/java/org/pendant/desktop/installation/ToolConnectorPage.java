@@ -11,7 +11,7 @@ import org.pendant.controller.io.ToolPinMode;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.TitledCard;
 
-/** How the connector at the tool flange is used. */
+/** Tool connector page: how the connector at the tool flange is used. */
 final class ToolConnectorPage implements Page {
   private final Editing editing;
   private final TitledCard card = new TitledCard("Tool connector", "[grow, fill]");

@@ -11,7 +11,7 @@ import org.pendant.controller.safety.ToolDirection;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.TitledCard;
 
-/** How far the tool may be tilted. */
+/** Tool direction page: how far the tool may be tilted. */
 final class ToolDirectionPage implements Page {
   private static final ToolDirection DOWN =
       new ToolDirection(new Axis(0, 0, -1), new Axis(0, 0, 1), Math.toRadians(45), Applies.BOTH);

@@ -5,7 +5,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.kit.layout.TitledCard;
 
-/** Variables that every program has, and that keep their values. */
+/** Variables page: variables that every program has, and that keep their values. */
 final class VariablesPage implements Page {
   private final TitledCard card = new TitledCard("Variables", "[grow, fill]");
   private final Items<InstallationVariable> items;

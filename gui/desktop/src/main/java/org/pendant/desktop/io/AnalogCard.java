@@ -7,7 +7,7 @@ import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.layout.TitledCard;
 
-/** Analog signals: the inputs of box and tool, or the outputs. */
+/** Analog card: the analog inputs of box and tool, or the outputs. */
 final class AnalogCard {
   private final TitledCard card;
   private final List<AnalogRow> rows = new ArrayList<>();

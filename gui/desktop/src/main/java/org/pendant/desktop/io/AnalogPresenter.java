@@ -7,7 +7,7 @@ import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.script.vm.ProgramState;
 
-/** What the screen shows of one analog signal, and what it does. */
+/** Analog presenter: what the screen shows of one analog signal, and what it does. */
 final class AnalogPresenter {
   private final AnalogBank bank;
   private final int index;

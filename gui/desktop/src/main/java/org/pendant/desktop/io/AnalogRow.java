@@ -16,7 +16,7 @@ import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 
-/** One analog signal in a card: name, value, domain, and a slider below. */
+/** Analog row: one analog signal in a card: name, value, domain, and a slider below. */
 final class AnalogRow {
   private static final int STEPS = 1000;
   private static final String SLIDER = "slider";

@@ -3,7 +3,7 @@ package org.pendant.desktop.io;
 import java.util.Locale;
 import org.pendant.controller.io.AnalogDomain;
 
-/** Analog values as people read and type them: mA and V. */
+/** Analog text: values as people read and type them: mA and V. */
 final class AnalogText {
   private AnalogText() {}
 

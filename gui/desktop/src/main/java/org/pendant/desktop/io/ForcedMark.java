@@ -4,8 +4,8 @@ import javax.swing.JLabel;
 import org.pendant.kit.icon.SvgIcon;
 
 /**
- * Forced mark: a diamond beside an input that somebody forces; the place stays empty while nobody
- * does.
+ * Forced mark: a diamond beside an input that the user forces; the place stays empty while the
+ * input is not forced.
  */
 final class ForcedMark {
   private static final SvgIcon THERE = SvgIcon.of("signal/forced", 9).lit();

@@ -19,8 +19,8 @@ import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalWrite;
 
 /**
- * Signals that people set by hand: what was asked for and not yet answered, and which inputs are
- * kept away from rest. One thread uses it, the one behind its executor.
+ * Forcing: signals that people set by hand: what was asked for and not yet answered, and which
+ * inputs are kept away from rest. One thread uses it, the one behind its executor.
  */
 final class Forcing {
   private final Function<Command, CompletableFuture<Reply>> submit;

@@ -17,7 +17,10 @@ import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.script.vm.ProgramState;
 
-/** What the screen of signals shows and does. One thread uses it, the one behind its executor. */
+/**
+ * I/O presenter: what the screen of signals shows and does. One thread uses it, the one behind its
+ * executor.
+ */
 final class IoPresenter {
   private final Function<Command, CompletableFuture<Reply>> submit;
   private final Executor executor;

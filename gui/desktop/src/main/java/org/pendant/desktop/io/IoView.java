@@ -29,7 +29,7 @@ import org.pendant.kit.layout.Typed;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
 
-/** The screen of signals and readings. */
+/** I/O view: the screen of signals and readings. */
 public final class IoView implements View {
   private static final String PULSE_SETTING = "io.pulse-s";
   private static final String USED_SETTING = "io.only-used";

@@ -2,7 +2,7 @@ package org.pendant.desktop.io;
 
 import javax.swing.JToggleButton;
 
-/** A switch that shows what it is told to and asks before it changes. */
+/** Level button: a switch that shows what it is told to and asks before it changes. */
 @SuppressWarnings("serial") // never written to a stream
 final class LevelButton extends JToggleButton {
 

@@ -9,7 +9,7 @@ import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.state.ControllerState;
 
-/** A list of numbered places that hold a value each: registers of one kind, or the flags. */
+/** Memory: a list of numbered places with a value each: registers of one kind, or the flags. */
 sealed interface Memory {
   /** What the list is called. */
   String title();

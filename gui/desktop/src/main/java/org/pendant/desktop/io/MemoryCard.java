@@ -16,7 +16,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
-/** The registers of one kind and direction, or the flags. */
+/** Memory card: the registers of one kind and direction, or the flags. */
 final class MemoryCard {
   private static final int MAX_ROWS = 8;
 

@@ -6,7 +6,7 @@ import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableCellRenderer;
 import org.pendant.kit.theme.Palette;
 
-/** Draws the cells of a {@link MemoryTable}. */
+/** Memory cell: draws the cells of a {@link MemoryTable}. */
 @SuppressWarnings("serial") // never written to a stream
 final class MemoryCell extends DefaultTableCellRenderer {
   @Override

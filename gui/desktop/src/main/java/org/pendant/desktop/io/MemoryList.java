@@ -10,8 +10,8 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.script.vm.ProgramState;
 
 /**
- * Which places of a memory are shown, with what they hold. A place is in use once it has held
- * something other than zero, or has a name.
+ * Memory list: which places of a memory are shown, with their values. A place is in use once it has
+ * held something other than zero, or has a name.
  */
 final class MemoryList {
   /** The longest 32-bit integer. */

@@ -18,8 +18,8 @@ import javax.swing.SwingUtilities;
 import org.pendant.kit.layout.Typed;
 
 /**
- * A {@link MemoryList} on the screen. Space or a click on it changes a level; a number is typed
- * over, or edited with F2 or a double click, as names are.
+ * Memory table: a {@link MemoryList} on the screen. Space or a click on it changes a level; a
+ * number is typed over, or edited with F2 or a double click, as names are.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class MemoryTable extends JTable {

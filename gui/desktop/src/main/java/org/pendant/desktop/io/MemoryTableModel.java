@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.table.AbstractTableModel;
 
-/** The rows of a {@link MemoryList} for a table. */
+/** Memory table model: the rows of a {@link MemoryList} for a table. */
 @SuppressWarnings("serial") // never written to a stream
 final class MemoryTableModel extends AbstractTableModel {
   static final int NUMBER = 0;

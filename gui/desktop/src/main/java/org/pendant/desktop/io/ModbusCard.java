@@ -11,7 +11,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
-/** The signals at Modbus devices, of the installation and of programs. */
+/** Modbus card: the signals at Modbus devices, of the installation and of programs. */
 final class ModbusCard {
   private static final String NONE = "Signals of Modbus devices appear here";
 

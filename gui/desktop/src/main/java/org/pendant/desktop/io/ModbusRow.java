@@ -9,7 +9,7 @@ import org.pendant.controller.modbus.ModbusSignalState;
 import org.pendant.language.source.ByteText;
 
 /**
- * A Modbus signal as it is shown.
+ * Modbus row: a signal as it is shown.
  *
  * @param name what programs call it
  * @param place what it reads or writes, and where

@@ -5,7 +5,7 @@ import java.awt.event.FocusEvent;
 import javax.swing.JTextField;
 import org.pendant.kit.layout.TitledCard;
 
-/** Where people name a signal. */
+/** Name field: where people name a signal. */
 final class NameField {
   private NameField() {}
 

@@ -1,7 +1,7 @@
 package org.pendant.desktop.io;
 
 /**
- * How long a pulse lasts.
+ * Pulse length: how long a pulse lasts.
  *
  * @param seconds robot time, s
  */

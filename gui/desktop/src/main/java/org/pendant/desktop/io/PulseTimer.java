@@ -12,8 +12,8 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.FrameListener;
 
 /**
- * Ends pulses on inputs when their time has come, to the frame, whether their screen is shown or
- * not. Any thread begins pulses; the frame loop ends them.
+ * Pulse timer: ends pulses on inputs when their time has come, to the frame, whether their screen
+ * is shown or not. Any thread begins pulses; the frame loop ends them.
  */
 final class PulseTimer implements FrameListener {
   private final Function<Command, CompletableFuture<Reply>> submit;

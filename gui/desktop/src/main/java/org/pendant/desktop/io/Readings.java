@@ -10,7 +10,7 @@ import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.workbench.ScreenUnit;
 
-/** Sensor readings as texts; the rows are always the same, so that only texts change. */
+/** Readings: sensor readings as texts; the rows are always the same, so that only texts change. */
 final class Readings {
   private static final List<Reading> OF_JOINT =
       List.of(

@@ -13,8 +13,8 @@ import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.Joints;
 
 /**
- * What the sensors of the arm and the control box read. Where a row does not fit the card's width,
- * it is broken in two.
+ * Readings card: what the sensors of the arm and the control box read. Where a row does not fit the
+ * card's width, it is broken in two.
  */
 final class ReadingsCard {
   private static final int COLUMNS = Readings.JOINT_COLUMNS.size();

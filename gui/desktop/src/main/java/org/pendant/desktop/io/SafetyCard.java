@@ -7,7 +7,7 @@ import javax.swing.JLabel;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.kit.layout.TitledCard;
 
-/** The inputs that demand safety functions. */
+/** Safety card: the inputs that demand safety functions. */
 final class SafetyCard {
   private final TitledCard card = new TitledCard("Safety inputs", "[][grow,fill]");
   private final Map<SafetyInput, LevelButton> buttons = new EnumMap<>(SafetyInput.class);

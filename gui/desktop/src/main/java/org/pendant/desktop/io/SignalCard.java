@@ -10,7 +10,10 @@ import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.kit.layout.TitledCard;
 
-/** The signals of one group, a row each: level, name and, for inputs, a button for a pulse. */
+/**
+ * Signal card: the signals of one group, a row each: level, name and, for inputs, a button for a
+ * pulse.
+ */
 final class SignalCard {
   private final TitledCard card;
   private final IoPresenter presenter;

@@ -8,8 +8,9 @@ import org.pendant.controller.io.Signal;
 import org.pendant.kit.settings.Settings;
 
 /**
- * The names that people give to signals and registers. Those of the installation come first; those
- * of the settings, where they were kept before there were installations, are only read.
+ * Signal labels: the names that people give to signals and registers. Those of the installation
+ * come first; those of the settings, where they were kept before there were installations, are only
+ * read.
  */
 public final class SignalLabels {
   private final UnaryOperator<String> read;

@@ -6,7 +6,7 @@ import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 
-/** What signals are called on the screen and in scripts. */
+/** Signal name: what signals are called on the screen and in scripts. */
 final class SignalName {
   private SignalName() {}
 

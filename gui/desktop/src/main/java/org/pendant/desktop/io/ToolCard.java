@@ -16,7 +16,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.script.vm.ProgramState;
 
-/** How the connector at the tool flange is set up, and what it takes. */
+/** Tool card: how the connector at the tool flange is set up, and what it takes. */
 final class ToolCard {
   private static final List<Integer> VOLTS = List.of(0, 12, 24);
 

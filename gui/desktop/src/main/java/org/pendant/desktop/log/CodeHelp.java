@@ -6,7 +6,8 @@ import java.util.regex.Pattern;
 import org.pendant.desktop.session.StopCard;
 
 /**
- * What a code of the safety functions means, and what may help; docs/safety.md has the same table.
+ * Code help: what a code of the safety functions means, and what may help; docs/safety.md has the
+ * same table.
  *
  * @param meaning a sentence
  * @param suggestion a sentence

@@ -8,7 +8,7 @@ import java.awt.RenderingHints;
 import java.util.List;
 import javax.swing.JComponent;
 
-/** What an empty table says. */
+/** Empty note: what an empty table says. */
 final class EmptyNote {
   private static final int SIDE = 8;
 

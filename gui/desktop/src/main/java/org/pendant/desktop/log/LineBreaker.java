@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToIntFunction;
 
-/** Breaks a text into lines that fit a width, at blanks where there are any. */
+/** Line breaker: breaks a text into lines that fit a width, at blanks where there are any. */
 final class LineBreaker {
   /** More lines than anybody reads in a table; the whole text is below it. */
   static final int MAX_LINES = 100;

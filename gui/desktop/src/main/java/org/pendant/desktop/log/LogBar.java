@@ -25,7 +25,7 @@ import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.layout.WrappingRow;
 
-/** Filters, search and commands above the table of messages. */
+/** Log bar: filters, search and commands above the table of messages. */
 final class LogBar {
   /** Whether to go forwards through the matches. */
   interface Stepping {

@@ -8,7 +8,7 @@ import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableCellRenderer;
 import org.pendant.kit.icon.SvgIcon;
 
-/** A cell of the table of messages, except of the messages themselves. */
+/** Log cell: one of the table of messages, except of the messages themselves. */
 @SuppressWarnings("serial") // never written to a stream
 final class LogCell extends DefaultTableCellRenderer {
   private final LogColumn column;

@@ -4,7 +4,7 @@ import java.awt.Color;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.kit.theme.Palette;
 
-/** The colours of the log in the present theme. */
+/** Log colours: those of the log in the current theme. */
 final class LogColors {
   private LogColors() {}
 

@@ -2,7 +2,7 @@ package org.pendant.desktop.log;
 
 import java.util.List;
 
-/** The columns of the table of messages. */
+/** Log columns: the columns of the table of messages. */
 enum LogColumn {
   TIME("Time", "000000.000", "Robot time, s"),
   WALL_TIME("Time of day", "00:00:00.000", "When the message arrived here"),

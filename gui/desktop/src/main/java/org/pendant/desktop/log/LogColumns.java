@@ -11,7 +11,8 @@ import java.util.stream.Collectors;
 import org.pendant.kit.settings.Settings;
 
 /**
- * Which columns there are: those that people want, less some where the message would have no room.
+ * Column choice: which columns there are: those that people want, less some where the message would
+ * have no room.
  */
 final class LogColumns {
   private static final String KEY = "log.hidden-columns";

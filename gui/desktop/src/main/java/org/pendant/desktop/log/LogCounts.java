@@ -3,7 +3,7 @@ package org.pendant.desktop.log;
 import java.util.Locale;
 
 /**
- * What the bar says about the messages.
+ * Log counts: what the bar says about the messages.
  *
  * @param messages how many there are, and what is not here
  * @param matches where the search stands; empty without one

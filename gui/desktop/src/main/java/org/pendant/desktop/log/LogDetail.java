@@ -17,7 +17,7 @@ import javax.swing.JTextArea;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.language.source.ByteText;
 
-/** One message in full, wrapped and selectable. */
+/** Log detail: one message in full, wrapped and selectable. */
 final class LogDetail {
   /** Lines that can be seen at least, the headline among them. */
   private static final int MIN_LINES = 6;

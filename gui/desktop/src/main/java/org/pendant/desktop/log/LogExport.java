@@ -11,7 +11,10 @@ import java.util.Locale;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.language.source.VisibleText;
 
-/** Messages as text, which may be shown on a terminal: control characters are written out. */
+/**
+ * Log export: messages as text, which may be shown on a terminal: control characters are written
+ * out.
+ */
 enum LogExport {
   /** A line a message; further lines of its text are indented. */
   TEXT {

@@ -5,7 +5,7 @@ import java.util.Set;
 import org.pendant.controller.message.LogEntry.Level;
 
 /**
- * Which messages are shown.
+ * Log filter: which messages are shown.
  *
  * @param levels severities
  * @param sources who they are from

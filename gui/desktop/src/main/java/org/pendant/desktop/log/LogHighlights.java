@@ -5,7 +5,7 @@ import javax.swing.JTextArea;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.DefaultHighlighter.DefaultHighlightPainter;
 
-/** Marks what is looked for in a text. */
+/** Log highlights: marks what is looked for in a text. */
 final class LogHighlights {
   /** More are no help. */
   private static final int MOST = 500;

@@ -12,7 +12,7 @@ import org.pendant.language.source.ByteText;
 import org.pendant.script.function.ScriptPlace;
 
 /**
- * A message as people read it.
+ * Log line: a message as people read it.
  *
  * @param number what the mailbox calls it, from 1
  * @param timeS controller time, s

@@ -11,9 +11,9 @@ import org.pendant.language.source.ByteText;
 import org.pendant.script.vm.RecentEntries;
 
 /**
- * Keeps the newest messages of every frame, and what the window tells, until the screen asks for
- * them, so that none is lost while it is hidden. Any thread reads. Messages are numbered anew, from
- * 1 and without gaps, also across a restart of the controller.
+ * Log mailbox: keeps the newest messages of every frame, and what the window tells, until the
+ * screen asks for them, so that none is lost while it is hidden. Any thread reads. Messages are
+ * numbered anew, from 1 and without gaps, also across a restart of the controller.
  */
 final class LogMailbox implements FrameListener {
   /** The longest text of a message, bytes: all that are kept must find room. */

@@ -7,7 +7,7 @@ import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 
-/** The menus of the log: of a message, and of the columns. */
+/** Log menus: the menus of the log: of a message, and of the columns. */
 final class LogMenus {
   private final LogColumns columns;
   private final Runnable changed;

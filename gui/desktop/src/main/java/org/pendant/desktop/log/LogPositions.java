@@ -2,7 +2,9 @@ package org.pendant.desktop.log;
 
 import java.util.Arrays;
 
-/** Rising positions in a {@link LogStore}: added at the end, taken from the begin. */
+/**
+ * Log positions: rising positions in a {@link LogStore}: added at the end, taken from the start.
+ */
 final class LogPositions {
   private long[] ring = new long[1024];
   private int head;

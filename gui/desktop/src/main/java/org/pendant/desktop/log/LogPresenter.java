@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.function.LongFunction;
 
 /**
- * What the log screen shows: messages that pass the filter, oldest first, the matches of a search,
- * and whether the newest is followed. Work per message is constant; only a new filter or search
- * looks at all that are kept.
+ * Log presenter: what the log screen shows: messages that pass the filter, oldest first, the
+ * matches of a search, and whether the newest is followed. Work per message is constant; only a new
+ * filter or search looks at all that are kept.
  */
 final class LogPresenter {
   /** How many messages are kept. */

@@ -16,8 +16,8 @@ import org.pendant.kit.fault.Faults;
 import org.pendant.kit.theme.Palette;
 
 /**
- * A table whose columns fit its width, and whose rows fit the font and, for errors and warnings,
- * the text.
+ * Log rows: a table whose columns fit its width, and whose rows fit the font and, for errors and
+ * warnings, the text.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class LogRows extends JTable {

@@ -2,7 +2,7 @@ package org.pendant.desktop.log;
 
 import org.pendant.controller.message.LogEntry.Origin;
 
-/** Who a message is from, as people see it. */
+/** Log source: who a message is from, as people see it. */
 enum LogSource {
   PROGRAM("Program", "what programs write, and why they end"),
   CONTROLLER("Controller", "what the controller says"),

@@ -3,8 +3,8 @@ package org.pendant.desktop.log;
 import java.util.Arrays;
 
 /**
- * The newest messages, up to a bound. Each has a position, counted from 0 without gaps as they
- * come, that it keeps when older ones go.
+ * Log store: the newest messages, up to a bound. Each has a position, counted from 0 without gaps
+ * as they come, that it keeps when older ones go.
  */
 final class LogStore {
   /** What the texts of the messages that are kept take together, at most. */

@@ -17,7 +17,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 
-/** The table of messages, and the chip that leads back to the newest one. */
+/** Log table: the table of messages, and the chip that leads back to the newest one. */
 final class LogTable {
   private final LogPresenter presenter;
   private final LogTableModel model;

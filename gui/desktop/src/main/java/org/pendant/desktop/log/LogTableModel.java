@@ -2,7 +2,7 @@ package org.pendant.desktop.log;
 
 import javax.swing.table.AbstractTableModel;
 
-/** The presenter's rows, for a table. */
+/** Log table model: the presenter's rows, for a table. */
 @SuppressWarnings("serial") // never written to a stream
 final class LogTableModel extends AbstractTableModel {
   private final LogPresenter presenter;

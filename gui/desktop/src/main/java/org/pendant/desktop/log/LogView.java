@@ -25,7 +25,9 @@ import org.pendant.kit.action.Action;
 import org.pendant.kit.export.SaveDialog;
 import org.pendant.kit.export.SaveRequest;
 
-/** The screen of messages: bar above, table in the middle, the whole of one message below. */
+/**
+ * Log view: the screen of messages: bar above, table in the middle, the whole of one message below.
+ */
 public final class LogView implements View {
   private static final String ID = "log";
 

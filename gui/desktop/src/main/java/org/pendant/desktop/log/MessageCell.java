@@ -15,8 +15,8 @@ import javax.swing.table.DefaultTableCellRenderer;
 import org.pendant.controller.message.LogEntry.Level;
 
 /**
- * A message in the table: errors and warnings whole, on as many lines as they need, others on one;
- * what is looked for is marked.
+ * Message cell: a message in the table: errors and warnings whole, on as many lines as they need,
+ * others on one; what is looked for is marked.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class MessageCell extends DefaultTableCellRenderer {

@@ -2,7 +2,9 @@ package org.pendant.desktop.log;
 
 import javax.swing.JButton;
 
-/** A button that floats above the messages while the newest is not followed. */
+/**
+ * Newest message chip: a button that floats above the messages while the newest is not followed.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class NewestChip extends JButton {
 

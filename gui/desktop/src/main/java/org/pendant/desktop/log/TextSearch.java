@@ -1,7 +1,7 @@
 package org.pendant.desktop.log;
 
 /**
- * What people look for in the messages, upper and lower case alike.
+ * Text search: what people look for in the messages, upper and lower case alike.
  *
  * @param wanted empty for nothing
  */

@@ -15,9 +15,9 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Vector3;
 
 /**
- * The hand that pulls the arm in a picture of it. While freedrive is on, whoever has switched it
- * on, the arm follows; otherwise this one switches it on for the drag, if that is wanted. One
- * thread uses it.
+ * Arm pull: the hand that pulls the arm in a picture of it. While freedrive is on, whoever has
+ * switched it on, the arm follows; otherwise this one switches it on for the drag, if that is
+ * wanted. One thread uses it.
  */
 public final class ArmPull {
   private final RepeatedCommand freedrive;

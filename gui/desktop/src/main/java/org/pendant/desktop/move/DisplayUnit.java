@@ -8,7 +8,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** In what people read and type numbers; everything else counts in m, rad, kg and kg m². */
+/**
+ * Display unit: in what people read and type numbers; everything else counts in m, rad, kg and kg
+ * m².
+ */
 enum DisplayUnit {
   MILLIMETRE(Kind.LENGTH, "mm", 1e-3, 2),
   METRE(Kind.LENGTH, "m", 1, 5),

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Numbers that show what the robot has, until somebody types over one: then all of them stay as
- * they are, for a goal to be made of. A number that nobody typed keeps its full precision.
+ * Draft: numbers that show what the robot has, until the user types over one: then all of them stay
+ * as they are, for a goal to be made of. A number that nobody typed keeps its full precision.
  */
 final class Draft {
   /** Said of numbers that somebody has typed. */

@@ -3,7 +3,7 @@ package org.pendant.desktop.move;
 import java.util.Arrays;
 import org.pendant.kit.settings.Settings;
 
-/** Remembers how people read poses from one start to the next. */
+/** Form memory: remembers how people read poses from one start to the next. */
 final class FormMemory {
   private static final String LENGTH = "move.length";
   private static final String ANGLE = "move.angle";

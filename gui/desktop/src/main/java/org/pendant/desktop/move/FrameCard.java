@@ -11,7 +11,10 @@ import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.pose.Pose;
 
-/** A frame of people's own, along whose axes the tool can be moved; seen while it is chosen. */
+/**
+ * Frame card: a frame of the user's own, along whose axes the tool can be moved; seen while it is
+ * chosen.
+ */
 final class FrameCard {
   private final MovePresenter presenter;
   private final TitledCard card = new TitledCard("Frame in the base", "[grow, fill]");

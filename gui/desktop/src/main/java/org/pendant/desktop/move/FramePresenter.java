@@ -4,7 +4,9 @@ import java.util.Optional;
 import org.pendant.kit.settings.Settings;
 import org.pendant.models.pose.Pose;
 
-/** A frame of people's own: typed, or taught by the TCP; kept for the next start. */
+/**
+ * Frame presenter: a frame of the user's own: typed, or taught by the TCP; kept for the next start.
+ */
 final class FramePresenter {
   private static final String KEY = "move.frame";
 

@@ -15,7 +15,10 @@ import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
-/** Freedrive: on while a button is held or until it is switched off, along some axes or all. */
+/**
+ * Freedrive card: freedrive on while a button is held or until it is switched off, along some axes
+ * or all.
+ */
 final class FreedriveCard {
   private static final List<String> AXES = List.of("X", "Y", "Z", "RX", "RY", "RZ");
   private static final String HINT =

@@ -9,7 +9,10 @@ import org.pendant.controller.freedrive.FreedriveState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.pose.Pose;
 
-/** Freedrive by button: along which axes, held or switched on. One thread uses it. */
+/**
+ * Freedrive presenter: freedrive by button: along which axes, held or switched on. One thread uses
+ * it.
+ */
 final class FreedrivePresenter {
   private final RepeatedCommand hold;
   private Optional<FreedriveState> state = Optional.empty();

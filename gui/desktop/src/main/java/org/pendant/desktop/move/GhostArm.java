@@ -3,7 +3,7 @@ package org.pendant.desktop.move;
 import java.util.Optional;
 import org.pendant.models.arm.Joints;
 
-/** Where the arm would be at the goal that somebody types: for a picture of it. */
+/** Ghost arm: where the arm would be at the goal that the user types: for a picture of it. */
 @FunctionalInterface
 public interface GhostArm {
   /** Shows nothing. */

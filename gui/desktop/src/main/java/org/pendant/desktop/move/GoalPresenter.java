@@ -11,8 +11,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 
 /**
- * Joint positions and pose of the arm, or of the goal that somebody types in either: the other
- * shows what comes of it. One thread uses it.
+ * Goal presenter: joint positions and pose of the arm, or of the goal that the user types in
+ * either: the other shows what comes of it. One thread uses it.
  */
 final class GoalPresenter {
   private static final Reach NOTHING_TYPED = new Reach(Optional.empty(), "");

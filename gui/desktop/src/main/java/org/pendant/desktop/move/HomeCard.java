@@ -15,7 +15,7 @@ import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.Joints;
 
-/** Where home is: go there, put it where the arm is, or type it. */
+/** Home card: where home is: go there, put it where the arm is, or type it. */
 final class HomeCard {
   private final MovePresenter presenter;
   private final TitledCard card = new TitledCard("Home", "[grow, fill]");

@@ -7,7 +7,7 @@ import org.pendant.controller.box.BoxSetup;
 import org.pendant.kit.settings.Settings;
 import org.pendant.models.arm.Joints;
 
-/** Where home is, one for each kind of robot. */
+/** Home presenter: where home is, one for each kind of robot. */
 final class HomePresenter {
   private final Settings settings;
   private final Draft draft;

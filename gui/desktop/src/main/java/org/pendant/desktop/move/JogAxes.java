@@ -1,6 +1,6 @@
 package org.pendant.desktop.move;
 
-/** Along whose axes the tool moves. */
+/** Jog axes: along whose axes the tool moves. */
 enum JogAxes {
   BASE("Base", "the base"),
   TOOL("Tool", "the tool"),

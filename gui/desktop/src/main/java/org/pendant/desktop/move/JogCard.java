@@ -15,7 +15,7 @@ import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
-/** The pads that move and turn the tool, by mouse, finger or keys, and how they do it. */
+/** Jog card: the pads that move and turn the tool, by mouse, finger or keys, and how they do it. */
 final class JogCard {
   private static final String HINT =
       "Keys: arrows for X and Y, page up and down for Z; with Shift they turn the tool.";

@@ -10,9 +10,9 @@ import org.pendant.controller.command.Reply;
 import org.pendant.controller.jog.JogMove;
 
 /**
- * A button that moves the arm while it is held: tells the controller so again and again until it is
- * let go, or the controller says that the arm goes no further. One thread uses it, the one behind
- * its executor.
+ * Jog hold: a button that moves the arm while it is held: tells the controller so again and again
+ * until it is let go, or the controller says that the arm goes no further. One thread uses it, the
+ * one behind its executor.
  */
 public final class JogHold {
   private final Function<Command, CompletableFuture<Reply>> submit;

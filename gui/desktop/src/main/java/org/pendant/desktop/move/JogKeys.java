@@ -12,8 +12,8 @@ import org.pendant.controller.jog.JogDirection.Kind;
 import org.pendant.kit.form.HoldButton;
 
 /**
- * Moves the tool by keys while a button of the pads has the focus. A key that repeats is one press;
- * so is one whose Shift is let go first.
+ * Jog keys: move the tool while a button of the pads has the focus. A key that repeats is one
+ * press; so is one whose Shift is let go first.
  */
 final class JogKeys {
   private final JogPresenter presenter;

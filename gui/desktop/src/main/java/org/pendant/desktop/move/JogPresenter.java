@@ -9,7 +9,9 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.settings.Settings;
 import org.pendant.models.pose.Pose;
 
-/** Moves by button: how fast, along whose axes, held or by steps. One thread uses it. */
+/**
+ * Jog presenter: moves by button: how fast, along whose axes, held or by steps. One thread uses it.
+ */
 final class JogPresenter {
   private static final String SPEED = "move.speed";
   private static final int STANDARD_PERCENT = 50;

@@ -1,6 +1,6 @@
 package org.pendant.desktop.move;
 
-/** How far the arm goes when somebody presses a button. */
+/** Jog size: how far the arm moves when the user presses a button. */
 enum JogSize {
   /** As long as the button is held. */
   HELD("Hold", 0),

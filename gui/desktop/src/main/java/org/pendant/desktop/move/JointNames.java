@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.regex.Pattern;
 import org.pendant.desktop.session.StateWords;
 
-/** The joints by name instead of number. */
+/** Joint names: the joints by name instead of number. */
 final class JointNames {
   private static final List<String> NAMES =
       List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");

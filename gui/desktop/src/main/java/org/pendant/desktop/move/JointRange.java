@@ -3,7 +3,8 @@ package org.pendant.desktop.move;
 import org.pendant.models.arm.JointLimits;
 
 /**
- * The range of a joint as it is drawn: one that turns without end gets a turn either way.
+ * Joint range: the range of a joint as it is drawn: one that turns without end gets a turn either
+ * way.
  *
  * @param minRad smallest position, rad
  * @param maxRad largest position, rad

@@ -16,7 +16,7 @@ import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.Joints;
 
-/** The six joints: turn them, see how far they may, and type where they should go. */
+/** Joints card: the six joints: turn them, see how far they may, and type where they should go. */
 final class JointsCard {
   private final MovePresenter presenter;
   private final TitledCard card = new TitledCard("Joints", "[][][grow, fill][][fill][]");

@@ -17,8 +17,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 
 /**
- * What the screen that moves the arm shows and does: its parts, and what concerns several of them.
- * One thread uses it.
+ * Move presenter: what the screen that moves the arm shows and does: its parts, and what concerns
+ * several of them. One thread uses it.
  */
 final class MovePresenter {
   private final Function<Command, CompletableFuture<Reply>> submit;

@@ -28,7 +28,7 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
-/** The screen that moves the arm by hand. */
+/** Move view: the screen that moves the arm by hand. */
 public final class MoveView implements View {
   private static final int GAP = 16;
   private static final int WIDEST_CARD = 520;

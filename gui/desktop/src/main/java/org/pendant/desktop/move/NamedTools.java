@@ -14,8 +14,8 @@ import org.pendant.kit.settings.Settings;
 import org.pendant.models.pose.Pose;
 
 /**
- * Tool centre points by name: those of the installation, and others kept from one start to the
- * next.
+ * Named tools: tool centre points by name: those of the installation, and others kept from one
+ * start to the next.
  */
 final class NamedTools {
   /** Longest name, in characters. */

@@ -6,7 +6,10 @@ import javax.swing.SwingConstants;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 
-/** A field for one number of a {@link Draft}; red-rimmed, with the reason as tip, if it is none. */
+/**
+ * Number field for one number of a {@link Draft}; red-rimmed, with the reason as tip, if it is
+ * none.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class NumberField extends JTextField {
   private static final int COLUMNS = 7;

@@ -10,7 +10,7 @@ import org.pendant.desktop.session.ArmReadiness;
 import org.pendant.script.vm.ProgramState;
 
 /**
- * Why the arm cannot be moved by hand now, and what helps.
+ * Obstacle: why the arm cannot be moved by hand at the moment, and what helps.
  *
  * @param text why, and what to do, in a sentence or two
  * @param remedy what the button says; empty where none helps

@@ -8,7 +8,7 @@ import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
-/** Tells why the arm cannot be moved, with the button that changes it. */
+/** Obstacle bar: tells why the arm cannot be moved, with the button that changes it. */
 @SuppressWarnings("serial") // never written to a stream
 final class ObstacleBar extends JPanel {
   private final MovePresenter presenter;

@@ -14,7 +14,7 @@ import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.layout.TitledCard;
 
-/** Six buttons that move the tool along three axes, or turn it about them. */
+/** Jog pad: six buttons that move the tool along three axes, or turn it about them. */
 final class Pad {
   /** By quarter turns counter-clockwise. */
   private static final List<String> ARROWS = List.of("right", "up", "left", "down");

@@ -11,7 +11,7 @@ import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
-/** What hangs on the flange: mass, centre of gravity, inertia. */
+/** Payload card: what is mounted on the flange: mass, centre of gravity, inertia. */
 final class PayloadCard {
   private static final List<String> LABELS =
       List.of("Mass", "X", "Y", "Z", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz");

@@ -13,7 +13,7 @@ import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
-/** The pose of the TCP: read it, type another one, and go there. */
+/** Pose card: the pose of the TCP: read it, type another one, and go there. */
 final class PoseCard {
   private final MovePresenter presenter;
   private final TitledCard card = new TitledCard("TCP pose", "[grow, fill]");

@@ -8,7 +8,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 
-/** The six numbers of a pose, position on the left and rotation on the right. */
+/** Pose fields: the six numbers of a pose, position on the left and rotation on the right. */
 final class PoseFields {
   private static final List<String> NAMES =
       List.of("x", "y", "z", "rotation-1", "rotation-2", "rotation-3");

@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.models.pose.Pose;
 
 /**
- * How people read and type a pose.
+ * Pose form: how people read and type a pose.
  *
  * @param length unit of the position
  * @param angle unit of the rotation

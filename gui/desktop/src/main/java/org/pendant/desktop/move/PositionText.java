@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
-/** Positions as URScript. */
+/** Position text: positions as URScript. */
 final class PositionText {
   /** Micrometres and microradians: finer than any arm repeats. */
   private static final int DECIMALS = 6;

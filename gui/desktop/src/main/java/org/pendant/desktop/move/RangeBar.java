@@ -15,8 +15,8 @@ import javax.swing.UIManager;
 import org.pendant.kit.theme.Palette;
 
 /**
- * Where a joint is within its range, and where that ends; near either end in the colour of a
- * warning.
+ * Range bar: where a joint is within its range, and where that ends; near either end in the colour
+ * of a warning.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class RangeBar extends JComponent {

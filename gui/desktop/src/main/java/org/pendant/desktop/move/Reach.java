@@ -10,7 +10,7 @@ import org.pendant.models.kinematics.Singularity;
 import org.pendant.models.pose.Pose;
 
 /**
- * Whether the arm reaches a pose.
+ * Reach: whether the arm reaches a pose.
  *
  * @param q joint positions in rad that do, the nearest ones; empty if none do
  * @param text why none do, or that the pose is close to a singularity; empty if there is nothing to

@@ -8,9 +8,9 @@ import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 
 /**
- * A command that holds only as long as it is repeated: sends it again and again until it is let go
- * or refused. A reply that is due is waited for, so that a slow controller is not flooded. One
- * thread uses it, the one behind its executor.
+ * Repeated command: one that applies only as long as it is repeated: sends it again and again until
+ * it is let go or refused. A reply that is due is waited for, so that a slow controller is not
+ * flooded. One thread uses it, the one behind its executor.
  */
 final class RepeatedCommand {
   private final Function<Command, CompletableFuture<Reply>> submit;

@@ -3,7 +3,7 @@ package org.pendant.desktop.move;
 import java.util.List;
 import org.pendant.models.pose.Rotations;
 
-/** How a rotation is written in three angles. */
+/** Rotation form: how a rotation is written in three angles. */
 public enum RotationForm {
   VECTOR("Rotation vector") {
     @Override

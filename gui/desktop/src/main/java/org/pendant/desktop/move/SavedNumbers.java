@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** Numbers as settings keep them: with full precision, blanks between. */
+/** Saved numbers: numbers as settings keep them: with full precision, blanks between. */
 final class SavedNumbers {
   private SavedNumbers() {}
 

@@ -12,7 +12,7 @@ import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.layout.TitledCard;
 
-/** A choice of one of a few, as buttons side by side. */
+/** Segmented choice of one of a few, as buttons side by side. */
 final class Segments<E extends Enum<E>> {
   private final JPanel row = new JPanel(new MigLayout("insets 0, gap 0", ""));
   private final Map<E, JToggleButton> buttons;

@@ -10,8 +10,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 
 /**
- * Moves by steps: each press moves the goal on, so that ten steps lead as far as one that is ten
- * times as long, however fast they follow each other. One thread uses it.
+ * Step jog: moves by steps: each press moves the goal on, so that ten steps lead as far as one that
+ * is ten times as long, however fast they follow each other. One thread uses it.
  */
 final class StepJog {
   /** The arm is at its goal when nothing is farther from it than this, m or rad. */

@@ -15,7 +15,7 @@ import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 
-/** The active TCP, and those that are kept by name. */
+/** TCP card: the active TCP, and those that are kept by name. */
 final class TcpCard {
   private static final String CHOOSE = "Kept TCPs";
 

@@ -8,7 +8,7 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.theme.Palette;
 
-/** Says which place the arm is moved to be taught, until people accept it or leave. */
+/** Teach bar: says which place the arm is moved to be taught, until people accept it or leave. */
 @SuppressWarnings("serial") // never written to a stream
 final class TeachBar extends JPanel {
   private final JLabel text = new JLabel();

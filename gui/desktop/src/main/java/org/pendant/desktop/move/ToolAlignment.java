@@ -4,7 +4,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.models.pose.Rotations;
 
-/** Turns the tool so that its z axis is parallel to an axis of the base. */
+/** Tool alignment: turns the tool so that its z axis is parallel to an axis of the base. */
 final class ToolAlignment {
   /** Below this sine (rad) the tool is aligned. */
   private static final double ALIGNED = 1e-9;

@@ -17,7 +17,7 @@ import org.pendant.language.source.ByteText;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.dynamics.Payload;
 
-/** The active TCP and the declared payload: shown, typed and set. */
+/** Tool presenter: the active TCP and the declared payload: shown, typed and set. */
 final class ToolPresenter {
   /** Number of the first element of the inertia among those of the payload. */
   static final int INERTIA = 4;

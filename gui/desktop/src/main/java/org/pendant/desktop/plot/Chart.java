@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Quantities that are drawn on one pair of axes, in the order they were added. */
+/** Chart: quantities that are drawn on one pair of axes, in the order they were added. */
 final class Chart {
   /** Lines beyond which a chart cannot be read. */
   static final int MOST = 12;

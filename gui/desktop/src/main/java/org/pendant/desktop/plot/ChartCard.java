@@ -8,7 +8,7 @@ import java.util.function.Consumer;
 import javax.swing.JPanel;
 import org.pendant.kit.layout.WrappingRow;
 
-/** A chart with its legend above. */
+/** Chart card: a chart with its legend above. */
 @SuppressWarnings("serial") // never written to a stream
 final class ChartCard extends JPanel {
   private final PlotPresenter presenter;

@@ -14,7 +14,7 @@ import java.util.List;
 import org.pendant.desktop.workbench.ScreenUnit;
 import org.pendant.kit.theme.Palette;
 
-/** Paints one chart: grid, axis of values, lines and cursors. */
+/** Chart painter: paints one chart: grid, axis of values, lines and cursors. */
 final class ChartPainter {
   private static final Stroke LINE =
       new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);

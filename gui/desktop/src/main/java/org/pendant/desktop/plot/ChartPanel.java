@@ -19,9 +19,9 @@ import javax.swing.SwingUtilities;
 import org.pendant.kit.theme.Palette;
 
 /**
- * The lines of one chart. The wheel zooms, a drag chooses a stretch of time, a drag with Shift or
- * another button moves it, a double click returns to the newest; arrows and plus and minus do the
- * same by keyboard.
+ * Chart panel: the lines of one chart. The wheel zooms, a drag chooses a stretch of time, a drag
+ * with Shift or another button moves it, a double click returns to the newest; arrows and plus and
+ * minus do the same by keyboard.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class ChartPanel extends JPanel {

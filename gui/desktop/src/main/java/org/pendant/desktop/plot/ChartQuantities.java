@@ -17,7 +17,7 @@ import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.workbench.ScreenUnit;
 
-/** What can be drawn, in the order of the list; script variables come first. */
+/** Chart quantities: what can be drawn, in the order of the list; script variables come first. */
 public final class ChartQuantities {
   private static final double MA_PER_A = 1e3;
 

@@ -6,7 +6,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.workbench.ScreenUnit;
 
 /**
- * A number that changes over time and can be drawn. Two of the same id are equal.
+ * Chart quantity: a number that changes over time and can be drawn. Two of the same id are equal.
  *
  * @param id stable name in settings and files, such as {@code actual_q_0}
  * @param group where it stands in the list, levels separated by {@code /}

@@ -14,7 +14,8 @@ import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * The charts below each other with one axis of time; quantities dropped beside them get a new one.
+ * Chart stack: the charts below each other with one axis of time; quantities dropped beside them
+ * get a new one.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class ChartStack extends JPanel {

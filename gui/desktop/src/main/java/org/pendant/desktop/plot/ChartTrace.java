@@ -1,7 +1,7 @@
 package org.pendant.desktop.plot;
 
 /**
- * A quantity on a chart.
+ * Chart trace: a quantity on a chart.
  *
  * @param color number of its colour in the palette; they differ on one chart
  */

@@ -3,7 +3,7 @@ package org.pendant.desktop.plot;
 import java.util.Arrays;
 
 /**
- * A line as pixels see it: what of it falls on each column of pixels. However many samples there
+ * Pixel columns of a line: what of it falls on each column of pixels. However many samples there
  * are, no peak is lost and painting takes the same time.
  */
 final class Columns {

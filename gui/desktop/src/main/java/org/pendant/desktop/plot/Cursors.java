@@ -3,7 +3,7 @@ package org.pendant.desktop.plot;
 import java.util.Locale;
 
 /**
- * Two marked times.
+ * Cursors: two marked times.
  *
  * @param aS one time, s
  * @param bS the other, s

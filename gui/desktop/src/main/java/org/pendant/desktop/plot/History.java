@@ -5,8 +5,8 @@ import java.util.Map;
 import org.pendant.controller.state.ControllerState;
 
 /**
- * Ten minutes of the quantities that are drawn: 125 samples a second, and of script variables every
- * frame. One thread uses it.
+ * Chart history: ten minutes of the quantities that are drawn: 125 samples a second, and of script
+ * variables every frame. One thread uses it.
  */
 final class History {
   private static final int KEPT_S = 600;

@@ -12,7 +12,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.theme.Palette;
 
-/** One line's colour, name and value, and the button that removes it. */
+/** Legend item: one line's colour, name and value, and the button that removes it. */
 @SuppressWarnings("serial") // never written to a stream
 final class LegendItem extends JPanel {
   private final ChartTrace trace;

@@ -11,7 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import org.pendant.kit.layout.WrappingRow;
 
-/** Pause, time span, cursors and export, above the charts. */
+/** Plot bar: pause, time span, cursors and export, above the charts. */
 final class PlotBar {
   private static final List<Double> WIDTHS_S = List.of(5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0);
 

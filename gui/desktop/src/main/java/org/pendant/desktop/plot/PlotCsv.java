@@ -13,9 +13,10 @@ import java.util.stream.LongStream;
 import org.pendant.controller.disk.AtomicFile;
 
 /**
- * Samples as comma-separated values: a header with ids and units, then one row a sample. Numbers
- * have full precision and a point, whatever the country; unknown values are empty. Script variables
- * have a row each frame, in which other quantities are empty unless they were sampled in it.
+ * CSV export: samples as comma-separated values: a header with ids and units, then one row a
+ * sample. Numbers have full precision and a point, whatever the country; unknown values are empty.
+ * Script variables have a row each frame, in which other quantities are empty unless they were
+ * sampled in it.
  */
 final class PlotCsv {
   private final List<ChartQuantity> quantities;

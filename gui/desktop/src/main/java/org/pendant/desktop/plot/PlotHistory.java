@@ -7,9 +7,10 @@ import org.pendant.desktop.session.FrameListener;
 import org.pendant.script.variables.TracedVariables;
 
 /**
- * The last two minutes, whether anybody looks or not: a snapshot every 8 ms of robot time, and the
- * traced script variables of every frame. The frame loop alone writes; any thread reads. Snapshots
- * and frames are counted from 0 without gaps, also across a restart of the controller.
+ * Plot history: the last two minutes, whether their screen is shown or not: a snapshot every 8 ms
+ * of robot time, and the traced script variables of every frame. The frame loop alone writes; any
+ * thread reads. Snapshots and frames are counted from 0 without gaps, also across a restart of the
+ * controller.
  */
 final class PlotHistory implements FrameListener {
   /** Frames from one kept snapshot to the next: 125 a second. */

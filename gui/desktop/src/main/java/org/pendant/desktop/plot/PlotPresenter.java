@@ -8,8 +8,8 @@ import java.util.stream.Collectors;
 import org.pendant.kit.settings.Settings;
 
 /**
- * What the screen of charts shows: the charts, their stretch of time and the cursors. Charts are
- * remembered in the settings.
+ * Plot presenter: what the screen of charts shows: the charts, their stretch of time and the
+ * cursors. Charts are remembered in the settings.
  */
 final class PlotPresenter {
   private static final String CHARTS = "plot.charts";

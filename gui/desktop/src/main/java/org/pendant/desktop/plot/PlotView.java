@@ -17,7 +17,7 @@ import org.pendant.kit.action.Action;
 import org.pendant.kit.export.SaveDialog;
 import org.pendant.kit.export.SaveRequest;
 
-/** The screen of charts: what can be drawn on the left, the charts on the right. */
+/** Plot view: the screen of charts: what can be drawn on the left, the charts on the right. */
 public final class PlotView implements View {
   private static final String ID = "plot";
 

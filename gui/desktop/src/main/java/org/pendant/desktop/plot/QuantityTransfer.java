@@ -15,8 +15,8 @@ import javax.swing.JComponent;
 import javax.swing.TransferHandler;
 
 /**
- * Carries quantities from the list to a chart, as text with their ids. A chart also takes the name
- * of a script variable as plain text, from wherever it was dragged.
+ * Quantity transfer: carries quantities from the list to a chart, as text with their ids. A chart
+ * also takes the name of a script variable as plain text, from wherever it was dragged.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class QuantityTransfer extends TransferHandler {

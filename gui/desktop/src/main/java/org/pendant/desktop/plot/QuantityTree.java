@@ -30,7 +30,7 @@ import javax.swing.tree.TreePath;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.layout.Typed;
 
-/** The list of what can be drawn, with a search above it. */
+/** Quantity tree: the list of what can be drawn, with a search above it. */
 final class QuantityTree {
   /** Groups whose parts are in sight before anybody opens one; all would be a hundred rows. */
   private static final Set<String> OPEN_AT_FIRST = Set.of(ScriptVariables.GROUP, "Joints", "TCP");

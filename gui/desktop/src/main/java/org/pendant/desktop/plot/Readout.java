@@ -2,7 +2,7 @@ package org.pendant.desktop.plot;
 
 import java.util.Locale;
 
-/** Values as legends show them. */
+/** Readout: values as legends show them. */
 final class Readout {
   private Readout() {}
 

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * An axis with round numbers.
+ * Scale: an axis with round numbers.
  *
  * @param low its lower end
  * @param high its upper end, above the lower one

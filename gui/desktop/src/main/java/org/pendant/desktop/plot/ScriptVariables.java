@@ -12,8 +12,8 @@ import org.pendant.script.variables.VariableSample;
 import org.pendant.script.variables.VariableSamples;
 
 /**
- * The script variables that can be drawn: numbers and booleans, and those among the elements and
- * members of others.
+ * Script variables: the script variables that can be drawn: numbers and booleans, and those among
+ * the elements and members of others.
  */
 final class ScriptVariables {
   /** Ids of variables begin with this; their path follows. */

@@ -5,7 +5,7 @@ import java.awt.RenderingHints;
 import java.awt.Toolkit;
 import java.util.Map;
 
-/** Text as the desktop wants it. */
+/** Text painting as the desktop wants it. */
 final class TextPainting {
   private TextPainting() {}
 

@@ -9,7 +9,7 @@ import java.util.function.Supplier;
 import javax.swing.JPanel;
 import org.pendant.kit.theme.Palette;
 
-/** The axis of robot time below all charts. */
+/** Time axis: the axis of robot time below all charts. */
 @SuppressWarnings("serial") // never written to a stream
 final class TimeAxis extends JPanel {
   private final PlotPresenter presenter;

@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 
 /**
- * Columns of numbers with one column of times, which rise; the oldest go. Samples have numbers that
- * never change. One thread uses it.
+ * Time series: columns of numbers with one column of times, which rise; the oldest go. Samples have
+ * numbers that never change. One thread uses it.
  */
 final class TimeSeries {
   private final int kept;

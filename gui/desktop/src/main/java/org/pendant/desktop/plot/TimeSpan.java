@@ -1,7 +1,7 @@
 package org.pendant.desktop.plot;
 
 /**
- * A stretch of time that the pointer is drawing.
+ * Time span: a stretch of time that the pointer is drawing.
  *
  * @param fromS where it began, s
  * @param toS where the pointer is, s

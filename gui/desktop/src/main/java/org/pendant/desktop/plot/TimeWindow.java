@@ -1,7 +1,7 @@
 package org.pendant.desktop.plot;
 
 /**
- * The stretch of time that the charts show.
+ * Time window: the stretch of time that the charts show.
  *
  * @param endS its right edge, s
  * @param widthS its width, 0.05 to 600 s

@@ -15,8 +15,9 @@ import org.pendant.desktop.session.FrameListener;
 import org.pendant.script.variables.VariablePath;
 
 /**
- * Has the controller read the variables that are drawn in every frame, also one that is switched on
- * later. The dispatch thread says which; the frame loop looks whether they are there.
+ * Variable trace: lets the controller read the variables that are drawn in every frame, also one
+ * that is switched on later. The dispatch thread says which; the frame loop looks whether they are
+ * there.
  */
 final class VariableTrace implements FrameListener {
   private static final String OWNER = "plots";

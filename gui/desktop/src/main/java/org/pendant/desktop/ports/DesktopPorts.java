@@ -19,8 +19,8 @@ import org.pendant.protocols.server.PrivilegedPort;
 import org.pendant.protocols.server.RemoteControl;
 
 /**
- * Opens and closes the ports of a session's controller. They follow it: with another controller
- * they are closed and opened again. Any thread; nothing here waits but what says so.
+ * Desktop ports: opens and closes the ports of a session's controller. They follow it: with another
+ * controller they are closed and opened again. Any thread; nothing here waits but what says so.
  */
 public final class DesktopPorts implements SwitchListener {
   /** Where Modbus listens, beyond its standard port, when the system does not allow that. */

@@ -21,7 +21,7 @@ import org.pendant.protocols.server.ServerContext;
 import org.pendant.protocols.teachpendant.PendantSetup;
 import org.pendant.protocols.teachpendant.RemotePendant;
 
-/** The ports of one controller, as long as they are open. */
+/** Open ports: the ports of one controller, as long as they are open. */
 final class OpenPorts implements AutoCloseable {
   private final StateBroadcaster frames;
   private final BoxPorts box;

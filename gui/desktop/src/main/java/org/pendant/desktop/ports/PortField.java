@@ -2,7 +2,7 @@ package org.pendant.desktop.ports;
 
 import org.pendant.command.service.PortWishes;
 
-/** What people type to say where the ports are. */
+/** Port field: what people type to say where the ports are. */
 enum PortField {
   HOST("host", "Address", "Where to listen: 127.0.0.1 for this computer only"),
   OFFSET("offset", "Offset", "Is added to every port, 0 to " + PortWishes.MAX_OFFSET),

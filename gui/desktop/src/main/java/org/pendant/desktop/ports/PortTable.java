@@ -4,7 +4,7 @@ import java.util.List;
 import javax.swing.table.AbstractTableModel;
 import org.pendant.desktop.ports.PortsPresenter.Row;
 
-/** The open ports as rows of a table. */
+/** Port table: the open ports as rows. */
 @SuppressWarnings("serial") // never written to a stream
 final class PortTable extends AbstractTableModel {
   private static final List<String> TITLES = List.of("Port", "Address", "Clients");

@@ -15,7 +15,10 @@ import org.pendant.kit.settings.Settings;
 import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.net.TcpPort;
 
-/** What the panel of the ports shows and allows. It has no Swing; the dispatch thread uses it. */
+/**
+ * Ports presenter: what the panel of the ports shows and allows. It has no Swing; the dispatch
+ * thread uses it.
+ */
 final class PortsPresenter {
   private static final String SETTING = "ports.";
   private static final String REMOTE = SETTING + "remote";

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.server.MissingPort;
 
-/** Whether the ports are open. */
+/** Ports state: whether the ports are open. */
 sealed interface PortsState {
   /** Nothing has been wrong. */
   Closed CLOSED = new Closed(Optional.empty());

@@ -29,7 +29,7 @@ import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 
-/** The panel that opens the ports, and shows who is connected. */
+/** Ports view: the panel that opens the ports, and shows who is connected. */
 public final class PortsView implements View {
   private static final String ID = "ports";
   private static final int GAP = 12;

@@ -1,5 +1,5 @@
 /**
- * The ports of a control box, opened for the controller inside the desktop. Open {@link
+ * Ports of a control box, opened for the controller inside the desktop. Open {@link
  * org.pendant.desktop.ports.DesktopPorts} first; {@link org.pendant.desktop.ports.PortsView} is the
  * panel.
  */

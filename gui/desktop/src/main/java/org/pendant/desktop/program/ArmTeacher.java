@@ -1,6 +1,6 @@
 package org.pendant.desktop.program;
 
-/** Where arms are moved by hand to teach places. */
+/** Arm teacher: where arms are moved by hand to teach places. */
 public interface ArmTeacher {
 
   /**

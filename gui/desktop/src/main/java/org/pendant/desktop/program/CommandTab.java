@@ -8,7 +8,8 @@ import org.pendant.desktop.program.form.NodeForms;
 import org.pendant.project.program.ProgramNode;
 
 /**
- * The selected node: its form, what can be done with several, or what is known of a foreign one.
+ * Command tab: the selected node: its form, what can be done with several, or what is known of a
+ * foreign one.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class CommandTab extends JPanel {

@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 import org.pendant.kit.theme.Palette;
 
 /**
- * Draws where nodes would go that are dragged, or why they cannot go there.
+ * Drop mark: draws where nodes would go that are dragged, or why they cannot go there.
  *
  * @param copied whether they also stay where they are
  */

@@ -7,7 +7,7 @@ import org.pendant.project.program.Placement;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 
-/** Where nodes go that are dropped at a point of the tree. */
+/** Drop spots: where nodes are put that are dropped at a point of the tree. */
 final class DropSpots {
   private DropSpots() {}
 

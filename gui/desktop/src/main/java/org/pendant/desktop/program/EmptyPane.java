@@ -9,7 +9,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.action.Actions;
 import org.pendant.kit.theme.Palette;
 
-/** Says what will be here while the program in front is a script. */
+/** Empty pane: says what will be here while the program in front is a script. */
 @SuppressWarnings("serial") // never written to a stream
 final class EmptyPane extends JPanel {
   private final JLabel text = new JLabel("", SwingConstants.CENTER);

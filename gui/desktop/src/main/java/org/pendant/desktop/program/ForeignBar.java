@@ -15,7 +15,10 @@ import org.pendant.desktop.session.SavedProgram;
 import org.pendant.kit.action.Actions;
 import org.pendant.kit.theme.Palette;
 
-/** Says above a tree that it is a program of PolyScope X, and offers copies that can be changed. */
+/**
+ * Foreign program bar: says above a tree that it is a program of PolyScope X, and offers copies
+ * that can be changed.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class ForeignBar extends JPanel {
   private static final String WHAT =

@@ -18,7 +18,10 @@ import org.pendant.project.program.script.GeneratedScript;
 import org.pendant.project.program.script.GeneratedScript.NodeLines;
 import org.pendant.project.program.urp.ShownNodes;
 
-/** What is known of a node of a program of PolyScope X: what it is called, and its lines. */
+/**
+ * Foreign program pane: what is known of a node of a program of PolyScope X: what it is called, and
+ * its lines.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class ForeignPane extends JPanel {
   private final JLabel heading = new JLabel();

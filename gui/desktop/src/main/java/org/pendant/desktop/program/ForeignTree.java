@@ -8,8 +8,9 @@ import org.pendant.project.program.StepNames;
 import org.pendant.project.program.urp.ShownNodes;
 
 /**
- * A program of PolyScope X as people see it. In the file its nodes are suppressed folders, as the
- * script beside them runs; here they are nodes of somebody else, with the lines that do their work.
+ * Foreign tree: a program of PolyScope X as people see it. In the file its nodes are suppressed
+ * folders, as the script beside them runs; here they are nodes of somebody else, with the lines
+ * that do their work.
  */
 final class ForeignTree {
   private ForeignTree() {}

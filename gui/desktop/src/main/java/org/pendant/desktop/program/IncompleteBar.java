@@ -20,7 +20,10 @@ import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.check.NodeProblem;
 
-/** What keeps the program from running, below the tree: a line, and on demand all of it. */
+/**
+ * Incomplete program bar: what keeps the program from running, below the tree: a line, and on
+ * demand all of it.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class IncompleteBar extends JPanel {
   private static final int MAX_ROWS = 6;

@@ -7,7 +7,10 @@ import java.util.Set;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 
-/** Gives the nodes of a tree that was read again the keys that they had, where they are alike. */
+/**
+ * Kept keys: gives the nodes of a tree that was read again the keys that they had, where they are
+ * alike.
+ */
 final class KeptKeys {
   private final Set<Long> used = new HashSet<>();
   private long nextKey;

@@ -5,7 +5,7 @@ import java.awt.KeyboardFocusManager;
 import javax.swing.JLayeredPane;
 import javax.swing.MenuSelectionManager;
 
-/** What keys that delete, copy and the like are meant for. */
+/** Key target: what keys that delete, copy and the like are meant for. */
 final class KeyTarget {
   private KeyTarget() {}
 

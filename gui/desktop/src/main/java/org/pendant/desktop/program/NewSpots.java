@@ -13,8 +13,8 @@ import org.pendant.project.program.Section;
 import org.pendant.project.program.Step;
 
 /**
- * Where nodes go that somebody adds without saying where: into the selected node, or behind it, or
- * behind the first node above it where they may stand.
+ * Spots for new nodes: where nodes are put that the user adds without saying where: into the
+ * selected node, or after it, or after the first node above it where they may stand.
  */
 final class NewSpots {
   private NewSpots() {}

@@ -9,7 +9,10 @@ import org.pendant.project.program.ExternalControl;
 import org.pendant.project.program.Step;
 import org.pendant.project.program.StepNames;
 
-/** What nodes are called on the screen, with what people call things in an installation. */
+/**
+ * Node labels: what nodes are called on the screen, with what people call things in an
+ * installation.
+ */
 final class NodeLabels {
   /** Where nothing has a name of its own. */
   static final NodeLabels PLAIN = new NodeLabels(Installation.NONE);

@@ -3,7 +3,7 @@ package org.pendant.desktop.program;
 import javax.swing.event.PopupMenuEvent;
 import javax.swing.event.PopupMenuListener;
 
-/** Fills a popup menu each time it opens. */
+/** Opening listener: fills a popup menu each time it opens. */
 record Opening(Runnable fill) implements PopupMenuListener {
   @Override
   public void popupMenuWillBecomeVisible(PopupMenuEvent event) {

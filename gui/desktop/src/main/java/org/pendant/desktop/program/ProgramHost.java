@@ -20,7 +20,7 @@ import org.pendant.project.program.TreeNames;
 import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.check.NodeProblem;
 
-/** What forms use of the program in front. */
+/** Program host: what forms use of the program in front. */
 final class ProgramHost implements FormHost {
   private final Workbench workbench;
   private final ArmTeacher teacher;

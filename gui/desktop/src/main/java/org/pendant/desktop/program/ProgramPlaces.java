@@ -18,7 +18,7 @@ import org.pendant.project.program.TreeNames;
 import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.WaypointTarget;
 
-/** The places of a program as they are shown in 3D. */
+/** Program places: the places of a program as they are shown in 3D. */
 final class ProgramPlaces {
   /**
    * More frames than this are slow to draw without a graphics card, and nobody tells them apart.

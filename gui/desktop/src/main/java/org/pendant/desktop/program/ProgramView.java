@@ -27,7 +27,10 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.check.NodeProblem;
 
-/** The screen where programs are built as trees: palette, tree, and the form of a node. */
+/**
+ * Program view: the screen where programs are built as trees: palette, tree, and the form of a
+ * node.
+ */
 public final class ProgramView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "program";

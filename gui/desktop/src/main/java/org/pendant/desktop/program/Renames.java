@@ -14,7 +14,7 @@ import org.pendant.project.program.Step;
 import org.pendant.project.program.TemplateStep;
 import org.pendant.project.program.WaypointTarget;
 
-/** What nodes are called, and calling them otherwise wherever they are named. */
+/** Renames: what nodes are called, and calling them otherwise wherever they are named. */
 final class Renames {
   private Renames() {}
 

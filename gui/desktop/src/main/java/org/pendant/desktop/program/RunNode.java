@@ -3,7 +3,7 @@ package org.pendant.desktop.program;
 import org.pendant.desktop.session.ProgramDocument;
 
 /**
- * The node that a program is at.
+ * Run node: the node that a program is at.
  *
  * @param key of the node
  * @param number as it stands beside the node in the tree

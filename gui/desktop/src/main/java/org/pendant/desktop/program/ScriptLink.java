@@ -26,8 +26,8 @@ import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.vm.ThreadSnapshot;
 
 /**
- * Keeps the tree of a program and the script that it generates together: breakpoints, the place
- * where the program is, and what is selected.
+ * Script link: keeps the tree of a program and the script that it generates together: breakpoints,
+ * the place where the program is, and what is selected.
  */
 public final class ScriptLink implements TreeProgram.ScriptSink {
   /** A line that says which node comes next. */

@@ -10,7 +10,9 @@ import org.pendant.kit.layout.CodeArea;
 import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.script.GeneratedScript;
 
-/** The script that the tree generates, with the lines of the selected node marked. */
+/**
+ * Script preview: the script that the tree generates, with the lines of the selected node marked.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class ScriptPreview extends JScrollPane {
   private final JTextArea text = new CodeArea();

@@ -11,7 +11,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 
-/** Finds nodes of the tree below it. */
+/** Search bar: finds nodes of the tree below it. */
 @SuppressWarnings("serial") // never written to a stream
 final class SearchBar extends JPanel {
   private final JTextField text = new JTextField();

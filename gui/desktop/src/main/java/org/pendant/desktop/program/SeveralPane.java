@@ -7,7 +7,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.layout.WrappingRow;
 
-/** What can be done with several nodes at once. */
+/** Multiple selection pane: what can be done with several nodes at once. */
 @SuppressWarnings("serial") // never written to a stream
 final class SeveralPane extends JPanel {
   private final JLabel heading = new JLabel();

@@ -6,7 +6,7 @@ import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.io.IOException;
 
-/** The clipboard that all programs share. */
+/** System clipboard, which all programs share. */
 final class SystemClipboard implements TreeCommands.Clipboard {
   @Override
   public String get() {

@@ -22,7 +22,10 @@ import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.text.TextProblem;
 
-/** The text of a program file, to be put right by hand, with what cannot be understood in it. */
+/**
+ * Text pane: the text of a program file, to be put right by hand, with what cannot be understood in
+ * it.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class TextPane extends JPanel {
   private final JTextArea about = new JTextArea();

@@ -10,8 +10,8 @@ import javax.swing.JTabbedPane;
 import org.pendant.kit.settings.Settings;
 
 /**
- * Palette, tree and tabs beside each other. Where there is no room for all three, the palette is
- * one of the tabs.
+ * Layout of three parts: palette, tree and tabs beside each other. Where there is no room for all
+ * three, the palette is one of the tabs.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class ThreeParts extends JPanel {

@@ -9,7 +9,7 @@ import org.pendant.kit.action.Action;
 import org.pendant.kit.action.Actions;
 import org.pendant.project.program.NodeKind;
 
-/** What can be done on the Program screen, by name and key. */
+/** Tree actions: what can be done on the Program screen, by name and key. */
 final class TreeActions {
   /** Their ids begin so. */
   static final String PREFIX = "tree.";

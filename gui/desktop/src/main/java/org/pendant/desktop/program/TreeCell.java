@@ -21,7 +21,7 @@ import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.check.NodeProblem;
 
-/** Draws a node of a tree: mark, number, how deep it is, what it is, and whether it is complete. */
+/** Tree cell: what the rows look like besides their nodes. */
 @SuppressWarnings("serial") // never written to a stream
 final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
   private static final int MARGIN = 20;

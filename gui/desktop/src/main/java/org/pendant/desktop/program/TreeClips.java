@@ -14,7 +14,7 @@ import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.text.Clip;
 import org.pendant.project.program.text.ProgramText;
 
-/** Nodes on the clipboard, as text, with the places that they go to. */
+/** Tree clips: nodes on the clipboard, as text, with the places that they refer to. */
 final class TreeClips {
   private TreeClips() {}
 

@@ -17,7 +17,9 @@ import org.pendant.project.program.StepNames;
 import org.pendant.project.program.text.Clip;
 import org.pendant.project.program.text.ProgramText;
 
-/** What people do with the selected nodes of the program in front. It has no Swing. */
+/**
+ * Tree commands: what people do with the selected nodes of the program in front. It has no Swing.
+ */
 final class TreeCommands {
   private final Selection selection;
   private final Clipboard clipboard;

@@ -17,8 +17,8 @@ import org.pendant.kit.fault.Faults;
 import org.pendant.project.program.ProgramNode;
 
 /**
- * Nodes on their way under the pointer, from the tree or from the palette. The pointer's own
- * component hands over where it is; the tree shows where the nodes would go.
+ * Tree drag: nodes on their way under the pointer, from the tree or from the palette. The pointer's
+ * own component hands over where it is; the tree shows where the nodes would go.
  */
 final class TreeDrag {
   private static final int SCROLL_MS = 40;

@@ -13,7 +13,7 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
 
-/** What people do to whole nodes of a tree. Moved nodes keep their keys. */
+/** Tree edits: what people do to whole nodes of a tree. Moved nodes keep their keys. */
 final class TreeEdits {
   private TreeEdits() {}
 

@@ -6,7 +6,10 @@ import java.util.Optional;
 import java.util.function.LongSupplier;
 import org.pendant.project.program.ProgramTree;
 
-/** Trees as they were before each change, so that changes can be undone and done again. */
+/**
+ * Tree history: trees as they were before each change, so that changes can be undone and done
+ * again.
+ */
 final class TreeHistory {
   /** Changes of one field follow each other within this time while somebody types. */
   private static final long MERGE_MS = 1500;

@@ -26,7 +26,7 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.check.NodeProblem;
 
-/** The nodes of a program, one a line, each below the one that holds it. */
+/** Tree list: the nodes of a program, one a line, each below the one that contains it. */
 @SuppressWarnings("serial") // never written to a stream
 final class TreeList extends JList<TreeRow> {
   private static final int MIN_HEIGHT = 22;

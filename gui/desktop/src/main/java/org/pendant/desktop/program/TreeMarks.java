@@ -10,7 +10,7 @@ import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.editor.LineIcon;
 
 /**
- * What stands beside the nodes of a tree, by their keys.
+ * Tree marks: what stands beside the nodes of a tree, by their keys.
  *
  * @param breakpoints how each looks
  * @param execution the node where the program is; 0 for none

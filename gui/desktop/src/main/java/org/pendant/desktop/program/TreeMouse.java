@@ -11,8 +11,8 @@ import javax.swing.SwingUtilities;
 import org.pendant.project.program.ProgramNode;
 
 /**
- * What a mouse does with a tree besides what it does with any list: breakpoints, folding, and
- * dragging the selected nodes.
+ * Tree mouse: what a mouse does with a tree besides what it does with any list: breakpoints,
+ * folding, and dragging the selected nodes.
  */
 final class TreeMouse {
   private static final int DRAG_FROM = 5;

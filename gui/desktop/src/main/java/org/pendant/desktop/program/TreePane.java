@@ -26,7 +26,7 @@ import org.pendant.kit.action.KeyText;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.project.program.check.NodeProblem;
 
-/** The tree with what is around it: buttons, search, and what is not complete. */
+/** Tree pane: the tree with what is around it: buttons, search, and what is not complete. */
 @SuppressWarnings("serial") // never written to a stream
 final class TreePane extends JPanel {
   /** Not one of this screen: the window's, but meant for the node. */

@@ -22,10 +22,10 @@ import org.pendant.project.program.text.TextProblem;
 import org.pendant.project.program.urp.ShownNodes;
 
 /**
- * An open program whose text is a tree: each change of the tree is written into the text at once,
- * and a text that changes some other way is read again. What the tree generates and what keeps it
- * from running follow a moment later. It has no Swing; one thread uses it, the one behind its
- * display.
+ * Tree program: an open program whose text is a tree: each change of the tree is written into the
+ * text at once, and a text that changes some other way is read again. What the tree generates and
+ * what keeps it from running follow a moment later. It has no Swing; one thread uses it, the one
+ * behind its display.
  */
 public final class TreeProgram implements ProgramDocument.Listener {
   private final ProgramDocument document;

@@ -8,7 +8,10 @@ import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 
-/** The trees of the open programs that are trees. One thread uses it, the dispatch thread. */
+/**
+ * Tree programs: the trees of the open programs that are trees. One thread uses it, the dispatch
+ * thread.
+ */
 public final class TreePrograms {
   private final IdentityHashMap<ProgramDocument, TreeProgram> trees = new IdentityHashMap<>();
 

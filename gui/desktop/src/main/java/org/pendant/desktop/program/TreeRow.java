@@ -8,7 +8,7 @@ import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.StepNames;
 
 /**
- * A node as a line of the screen.
+ * Tree row: a node as a line of the screen.
  *
  * @param number of the node in the program, from 1
  * @param depth below the top, 0 for sections

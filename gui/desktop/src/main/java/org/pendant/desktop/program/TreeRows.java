@@ -3,7 +3,7 @@ package org.pendant.desktop.program;
 import java.util.List;
 import javax.swing.AbstractListModel;
 
-/** The rows that are not hidden. */
+/** Tree rows that are not hidden. */
 @SuppressWarnings("serial") // never written to a stream
 final class TreeRows extends AbstractListModel<TreeRow> {
   private transient List<TreeRow> shown = List.of();

@@ -18,8 +18,8 @@ import org.pendant.project.program.script.GeneratedScript;
 import org.pendant.project.program.script.ScriptGenerator;
 
 /**
- * Programs that are trees as they run: from their beginning or from a node. Everywhere 0 stands for
- * the beginning in place of a node's key. One thread uses it, the dispatch thread.
+ * Tree runs: programs that are trees as they run: from their beginning or from a node. Everywhere 0
+ * stands for the beginning in place of a node's key. One thread uses it, the dispatch thread.
  */
 public final class TreeRuns {
   private final TreePrograms trees;

@@ -8,7 +8,7 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.StepNames;
 
-/** Finds nodes by what they are called and by what stands in their fields. */
+/** Tree search: finds nodes by what they are called and by what stands in their fields. */
 final class TreeSearch {
   private static final Pattern FIELD_NAMES = Pattern.compile("\\b\\w+(?:\\[|=(?!=))");
 

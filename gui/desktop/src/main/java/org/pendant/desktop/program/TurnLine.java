@@ -11,7 +11,7 @@ import org.pendant.project.program.Section;
 import org.pendant.project.program.WaitFor;
 import org.pendant.project.program.script.GeneratedScript;
 
-/** Finds where the turns of a main program can be counted. */
+/** Turn line: finds where the turns of a main program can be counted. */
 final class TurnLine {
   private TurnLine() {}
 

@@ -22,7 +22,10 @@ import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.TreeNames;
 import org.pendant.script.variables.VariableSamples;
 
-/** The variables that the program and the installation have, with their values while it runs. */
+/**
+ * Values pane: the variables that the program and the installation have, with their values while it
+ * runs.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class ValuesPane extends JPanel {
   private static final long PERIOD_MS = 200;

@@ -8,8 +8,8 @@ import org.pendant.command.service.StandardView;
 import org.pendant.controller.world.Vector3;
 
 /**
- * Where the scene is seen from: an eye that looks at a point and keeps z upright. Every change
- * gives a new camera.
+ * Camera: where the scene is seen from: an eye that looks at a point and keeps z upright. Every
+ * change gives a new camera.
  *
  * @param targetM the point in the middle of the picture, in the base frame, m
  * @param azimuthRad direction from the target to the eye, from x towards y, rad

@@ -9,7 +9,7 @@ import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 
 /**
- * The floor, and the planes of a scene besides it.
+ * Ground: the floor, and the planes of a scene besides it.
  *
  * @param heightM the floor's, m: that of the lowest plane that faces up, or 0
  * @param touched whether the tool touches the plane that is the floor

@@ -10,7 +10,10 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
-/** The frames that turn with the joints, z along the axis of each; the last is the flange's. */
+/**
+ * Joint frames: the frames that turn with the joints, z along the axis of each; the last is the
+ * flange's.
+ */
 public final class JointFrames {
   private static final List<Link> TURNING =
       List.of(

@@ -1,6 +1,6 @@
 package org.pendant.desktop.scene;
 
-/** How depth is shown. */
+/** Lens: how depth is shown. */
 public enum Lens {
   /** As an eye sees it: what is far is small. */
   PERSPECTIVE,

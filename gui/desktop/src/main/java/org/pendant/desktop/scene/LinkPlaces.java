@@ -11,7 +11,10 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
-/** Where the bodies of an arm are: the frame of each, as its mesh has it, in the base frame. */
+/**
+ * Link poses: where the bodies of an arm are: the frame of each, as its mesh has it, in the base
+ * frame.
+ */
 public final class LinkPlaces {
   private static final float QUARTER = (float) (Math.PI / 2);
 

@@ -9,7 +9,7 @@ import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.pose.Pose;
 
-/** Where a ray meets what stands around the arm. */
+/** Object hit: where a ray meets what stands around the arm. */
 final class ObjectHit {
   private static final double EPSILON = 1e-12;
 

@@ -6,7 +6,10 @@ import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
-/** Shows a payload as a ball of plastic that is as heavy, around its centre of gravity. */
+/**
+ * Payload ball: shows a payload as a ball of plastic that is as heavy, around its centre of
+ * gravity.
+ */
 public final class PayloadBall {
   private static final double DENSITY_KG_PER_M3 = 1200;
 

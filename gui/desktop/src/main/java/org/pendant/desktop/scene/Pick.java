@@ -10,7 +10,7 @@ import org.pendant.desktop.scene.mesh.Link;
 import org.pendant.desktop.scene.mesh.Mesh;
 import org.pendant.models.pose.Pose;
 
-/** Finds what a ray from the eye meets first. */
+/** Pick: finds what a ray from the eye meets first. */
 public final class Pick {
   /**
    * A ray that passes the tool centre point as close as this means it, m for each m of distance.

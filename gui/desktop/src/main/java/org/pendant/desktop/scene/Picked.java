@@ -3,7 +3,7 @@ package org.pendant.desktop.scene;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.mesh.Link;
 
-/** What the pointer is on. */
+/** Picked object: what the pointer is on. */
 public sealed interface Picked {
   /** Where it is hit, in the base frame, m. */
   Vector3 pointInBaseM();

@@ -3,7 +3,7 @@ package org.pendant.desktop.scene;
 import org.pendant.controller.world.Vector3;
 
 /**
- * Half a line in the base frame.
+ * Ray: half a line in the base frame.
  *
  * @param fromM where it begins, m
  * @param direction where it goes, of length 1

@@ -11,7 +11,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /**
- * Roughly what an arm, its tool and its trace fill, for cameras that should show all of it.
+ * Scene bounds: roughly what an arm, its tool and its trace fill, for cameras that should show all
+ * of it.
  *
  * @param balls each of them is to be seen whole; at least one
  */

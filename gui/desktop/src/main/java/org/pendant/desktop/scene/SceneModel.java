@@ -11,7 +11,7 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 
 /**
- * What there is to see at one instant. Immutable; two that are equal look the same.
+ * Scene model: what there is to see at one instant. Immutable; two that are equal look the same.
  *
  * @param arm the arm; its shape is known by its id
  * @param kinematics of this very arm, calibration included

@@ -2,7 +2,7 @@ package org.pendant.desktop.scene;
 
 import org.pendant.desktop.scene.mesh.Finish;
 
-/** Colours of the scene, as 0xRRGGBB. */
+/** Scene theme: colours of the scene, as 0xRRGGBB. */
 public enum SceneTheme {
   LIGHT(0xF3F5F8, 0xDDE3EA, 0xE9EDF1, 0x8D9AA8, 0x5E5138) {
     @Override

@@ -1,8 +1,8 @@
 package org.pendant.desktop.scene;
 
 /**
- * Colours from slow to fast: blue, violet, orange. They grow lighter on the way, so the order is
- * also seen by people who confuse hues, and stand out from light and dark grounds alike.
+ * Speed colours from slow to fast: blue, violet, orange. They grow lighter on the way, so the order
+ * is also seen by people who confuse hues, and stand out from light and dark grounds alike.
  */
 public final class SpeedColours {
   private static final int[] STOPS = {0x2648BE, 0x8A4FC9, 0xD85C8C, 0xF9913C};

@@ -1,8 +1,8 @@
 package org.pendant.desktop.scene;
 
 /**
- * The way that the tool centre point took, in the base frame; immutable. A {@link TraceRing} makes
- * them.
+ * TCP trace: the path that the tool centre point took, in the base frame; immutable. A {@link
+ * TraceRing} makes them.
  */
 public final class TcpTrace {
   /** No way at all. */

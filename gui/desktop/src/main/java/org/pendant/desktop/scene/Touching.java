@@ -10,7 +10,7 @@ import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
-/** Tells which objects of a scene the tool touches. Belongs to one thread. */
+/** Touch detection: tells which objects of a scene the tool touches. Belongs to one thread. */
 public final class Touching {
   private static final double[] AT_REST = new double[6];
 

@@ -5,8 +5,8 @@ import org.pendant.controller.state.ArmState;
 import org.pendant.models.pose.Pose;
 
 /**
- * Remembers the last points that the tool centre point went through; the oldest are forgotten.
- * Belongs to one thread.
+ * Trace ring: remembers the last points that the tool centre point passed; the oldest are
+ * forgotten. Belongs to one thread.
  */
 public final class TraceRing {
   /** Points nearer to the one before are left out, m. */

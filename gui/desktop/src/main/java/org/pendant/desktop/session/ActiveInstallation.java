@@ -8,8 +8,8 @@ import org.pendant.project.installation.text.ReadInstallation;
 import org.pendant.project.program.text.TextProblem;
 
 /**
- * The installation that the desktop works with, and the document that it is written in. One thread
- * uses it, the dispatch thread.
+ * Active installation: the one that the desktop works with, and the document that it is written in.
+ * One thread uses it, the dispatch thread.
  */
 public final class ActiveInstallation {
   /** What an installation is called that was never saved. */

@@ -8,7 +8,7 @@ import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 
 /**
- * Whether the arm is ready for programs, and the next thing that brings it there.
+ * Arm readiness: whether the arm is ready for programs, and the next step that brings it there.
  *
  * @param light how it looks from afar
  * @param text what is the case, such as {@code Power off}

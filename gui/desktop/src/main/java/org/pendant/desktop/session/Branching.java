@@ -6,8 +6,8 @@ import org.pendant.recording.replay.Rerun;
 import org.pendant.recording.replay.RerunRefused;
 
 /**
- * A branch on its way: beside the controller that goes on, another one repeats its run up to a
- * frame and takes its place then. Any thread may ask how far it is, or cancel it.
+ * Branching: a branch that is being made: beside the controller that continues, another one repeats
+ * its run up to a frame and takes its place then. Any thread may ask how far it is, or cancel it.
  */
 public final class Branching {
   private final Rerun rerun;

@@ -7,8 +7,8 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Optional;
 
 /**
- * Notices that somebody else has changed a file. It reads, so not in the dispatch thread; one
- * thread uses it.
+ * Disk change: notices that another program has changed a file. It reads, so not in the dispatch
+ * thread; one thread uses it.
  */
 public final class DiskChange {
   private Optional<Stamp> seen = Optional.empty();

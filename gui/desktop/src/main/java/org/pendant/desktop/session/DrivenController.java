@@ -18,7 +18,7 @@ import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.recording.RecordingRing;
 import org.pendant.recording.replay.Journal;
 
-/** One controller with the thread that drives it, until it is switched off. */
+/** Driven controller: one controller with the thread that drives it, until it is switched off. */
 final class DrivenController implements AutoCloseable {
   private final SwitchedOn on;
   private final Robot robot;

@@ -2,7 +2,10 @@ package org.pendant.desktop.session;
 
 import org.pendant.controller.state.ControllerState;
 
-/** Sees every frame. It is called in the thread that drives the controller and must be short. */
+/**
+ * Frame listener: sees every frame. It is called in the thread that drives the controller and must
+ * be short.
+ */
 @FunctionalInterface
 public interface FrameListener {
 

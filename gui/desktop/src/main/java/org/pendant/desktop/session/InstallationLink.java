@@ -14,9 +14,9 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.script.vm.ProgramState;
 
 /**
- * Keeps the session's controller set up as the desktop's installation says, and takes over what
- * programs leave in its variables and what clients load. While a program runs the controller stays
- * as it is; it follows when the program has ended.
+ * Installation link: keeps the session's controller set up as the desktop's installation says, and
+ * takes over what programs leave in its variables and what clients load. While a program runs the
+ * controller stays as it is; it follows when the program has ended.
  */
 public final class InstallationLink implements FrameListener, SwitchListener {
   private final RobotSession session;

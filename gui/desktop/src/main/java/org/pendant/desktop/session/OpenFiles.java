@@ -20,9 +20,9 @@ import java.util.stream.Stream;
 import org.pendant.controller.disk.AtomicFile;
 
 /**
- * Which files the windows of a user have open: each window says so in a file of its own, in a
- * folder that all of them know. What windows that are no more have left there is taken away. It
- * reads and writes, so not in the dispatch thread.
+ * Open files: which files the windows of a user have open: each window says so in a file of its
+ * own, in a folder that all of them know. What windows that are no more have left there is taken
+ * away. It reads and writes, so not in the dispatch thread.
  */
 public final class OpenFiles implements AutoCloseable {
   private static final String HEADING = "pendant open files 1";

@@ -4,8 +4,8 @@ import java.time.Instant;
 import java.util.Optional;
 
 /**
- * A process that files belong to. Systems use numbers again, small ones soon, so its start belongs
- * to it.
+ * Owner: a process that files belong to. Systems use numbers again, small ones soon, so its start
+ * belongs to it.
  *
  * @param startedMs when it was started, ms since 1970; 0 where the system does not tell
  */

@@ -7,7 +7,8 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.script.vm.ProgramState;
 
 /**
- * What may be done with the program now. A reason is empty where the thing may be done.
+ * Program controls: what may be done with the program at the moment. A reason is empty where the
+ * thing may be done.
  *
  * @param state of the program
  * @param whyNoRun why it cannot be started or go on

@@ -10,8 +10,8 @@ import org.pendant.language.source.Source;
 import org.pendant.project.program.file.TreeFile;
 
 /**
- * A program that is open: its text, and what of it is on disk. It reads and writes nothing itself.
- * One thread uses it, the dispatch thread.
+ * Program document: a program that is open: its text, and what of it is on disk. It reads and
+ * writes nothing itself. One thread uses it, the dispatch thread.
  */
 public final class ProgramDocument {
   /** Ending of the names of files that hold program trees. */

@@ -12,7 +12,9 @@ import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.script.vm.ProgramEvent;
 
-/** Tells the programs that the session has started from those that others have sent. */
+/**
+ * Program origin: tells the programs that the session has started from those that others have sent.
+ */
 final class ProgramOrigin implements FrameListener {
   private static final Reply NOT_YET = new Reply.Busy("not answered yet");
 

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The programs that are open, and the one among them that Run runs. There is always at least one.
- * One thread uses it, the dispatch thread.
+ * Programs that are open, and the one among them that Run runs. There is always at least one. One
+ * thread uses it, the dispatch thread.
  */
 public final class Programs {
   private final List<ProgramDocument> open = new ArrayList<>();

@@ -14,8 +14,8 @@ import java.util.stream.Stream;
 import org.pendant.controller.disk.AtomicFile;
 
 /**
- * Texts that are not saved yet, kept against a crash: a file each in a folder of the user. It reads
- * and writes, so not in the dispatch thread.
+ * Recovery folder: texts that are not saved yet, kept against a crash: a file each in a folder of
+ * the user. It reads and writes, so not in the dispatch thread.
  */
 public final class RecoveryFolder {
   private static final String HEADING = "pendant recovery 2";

@@ -25,9 +25,10 @@ import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.Program;
 
 /**
- * The controller that the desktop works with, and the thread that drives it at the chosen pace. Any
- * thread may call it; no call waits for a frame except {@link #restart} and {@link #close}.
- * Programs can be run once more up to any frame, and go on otherwise from there: {@link #branch}.
+ * Robot session: the controller that the desktop works with, and the thread that drives it at the
+ * chosen pace. Any thread may call it; no call waits for a frame except {@link #restart} and {@link
+ * #close}. Programs can be run once more up to any frame, and go on otherwise from there: {@link
+ * #branch}.
  *
  * <p>What is chained to a reply runs in the frame loop unless an executor is named: views chain
  * with {@code SwingUtilities::invokeLater}.

@@ -18,7 +18,8 @@ import org.pendant.project.program.urp.ImportedProgram;
 import org.pendant.project.program.urp.UrpxPrograms;
 
 /**
- * A program as it is on disk. Its methods read and write, so they are not for the dispatch thread.
+ * Saved program: a program as it is on disk. Its methods read and write, so they are not for the
+ * dispatch thread.
  *
  * @param path where it is
  * @param text what it says; lines end with a line feed. Of a program of PolyScope X, which is only

@@ -5,7 +5,7 @@ import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.script.vm.ProgramState;
 
-/** Modes and states as people read them. */
+/** State words: modes and states as people read them. */
 public final class StateWords {
   private StateWords() {}
 

@@ -12,7 +12,7 @@ import org.pendant.controller.state.StopPlace;
 import org.pendant.models.pose.Pose;
 
 /**
- * Everything to know about the stop that holds the arm.
+ * Stop card: everything to know about the stop that keeps the arm at rest.
  *
  * @param title what it is and its code, such as {@code Protective stop C157A2}
  * @param message as a sentence

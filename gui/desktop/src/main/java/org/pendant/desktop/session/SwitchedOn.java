@@ -15,7 +15,7 @@ import org.pendant.recording.replay.RerunRefused;
 import org.pendant.script.function.Builtins;
 
 /**
- * A controller that nobody drives yet.
+ * Controller that is switched on and that no thread drives yet.
  *
  * @param options it was made with
  * @param scriptConnectors by which its programs reach other computers

@@ -36,7 +36,7 @@ import org.pendant.kit.theme.Look;
 import org.pendant.kit.theme.SystemTheme;
 import org.pendant.models.arm.ArmLibrary;
 
-/** The desktop as a whole, from its start until its window is closed. */
+/** Desktop as a whole, from its start until its window is closed. */
 public final class Desktop {
   private static final String EXAMPLE = "pick_and_place.script";
 

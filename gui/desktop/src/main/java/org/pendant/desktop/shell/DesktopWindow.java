@@ -35,7 +35,7 @@ import org.pendant.kit.fault.Faults;
 import org.pendant.kit.settings.Settings;
 import org.pendant.kit.theme.Look;
 
-/** The window: makes its parts, puts them together and shows them the newest snapshot. */
+/** Desktop window: makes its parts, puts them together and shows them the newest snapshot. */
 final class DesktopWindow {
   private static final int REFRESH_MS = 33;
 

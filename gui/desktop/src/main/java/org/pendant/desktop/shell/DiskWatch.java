@@ -14,7 +14,7 @@ import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.kit.background.Background;
 
-/** Notices what others do to the files of the open programs and the installation. */
+/** Disk watch: notices what others do to the files of the open programs and the installation. */
 final class DiskWatch {
   private final Programs programs;
   private final ActiveInstallation installation;

@@ -11,8 +11,9 @@ import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.shell.Notices.Choice;
 
 /**
- * Saves programs and the installation. What others have written to a file meanwhile is replaced
- * only by somebody who was asked. Only the dispatch thread calls it; it writes elsewhere.
+ * Document saver: saves programs and the installation. What others have written to a file meanwhile
+ * is replaced only by somebody who was asked. Only the dispatch thread calls it; it writes
+ * elsewhere.
  */
 final class DocumentSaver {
   private final SaveQueue queue;

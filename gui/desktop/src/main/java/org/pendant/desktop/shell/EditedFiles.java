@@ -8,7 +8,7 @@ import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 
-/** The files that people work on: nothing else is written onto them. */
+/** Edited files: the files that people work on: nothing else is written onto them. */
 final class EditedFiles {
   private EditedFiles() {}
 

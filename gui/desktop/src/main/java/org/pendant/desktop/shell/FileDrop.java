@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.TransferHandler;
 
-/** Takes files that people drag onto the window. */
+/** File drop: takes files that people drag onto the window. */
 @SuppressWarnings("serial") // never written to a stream
 final class FileDrop extends TransferHandler {
   private final transient Consumer<Path> open;

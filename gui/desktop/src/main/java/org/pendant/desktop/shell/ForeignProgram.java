@@ -12,7 +12,8 @@ import org.pendant.project.program.urp.ImportedProgram;
 import org.pendant.project.program.urp.UrpPrograms;
 
 /**
- * A program of PolyScope as a text of ours. Reading is not for the dispatch thread.
+ * Foreign program: a program of PolyScope as a text of ours. Reading is not for the dispatch
+ * thread.
  *
  * @param file where it was read
  * @param name of the program

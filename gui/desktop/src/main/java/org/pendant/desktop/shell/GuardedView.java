@@ -16,8 +16,8 @@ import org.pendant.kit.theme.Palette;
 import org.pendant.kit.theme.WrappedText;
 
 /**
- * A view that harms no other when it throws. A strip above it says so as long as it does: what it
- * shows may be old then, and nobody must take it for the state of the robot.
+ * Guarded view, which harms no other when it throws. A strip above it says so as long as it does:
+ * what it shows may be old then, and nobody must take it for the state of the robot.
  */
 final class GuardedView implements View {
   /** So many turns pass after one that has failed, about a second. */

@@ -30,7 +30,9 @@ import org.pendant.project.installation.file.LoadedInstallation;
 import org.pendant.project.installation.text.InstallationText;
 import org.pendant.project.program.text.ProgramText;
 
-/** Opens and saves the installation; what touches the disk is done elsewhere. */
+/**
+ * Installation files: opens and saves the installation; what touches the disk is done elsewhere.
+ */
 final class InstallationFiles {
   private static final String RECENT = "installation.recent";
   private static final String OPEN = "installation.open";

@@ -11,7 +11,7 @@ import javax.swing.KeyStroke;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
 
-/** Binds the keys of all actions in a window, again after each change. */
+/** Key bindings: binds the keys of all actions in a window, again after each change. */
 final class KeyBindings {
   private final JRootPane root;
   private final ActionTable actions;

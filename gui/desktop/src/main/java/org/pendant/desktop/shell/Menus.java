@@ -20,7 +20,7 @@ import org.pendant.kit.action.ActionItem;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.layout.WrappingRow;
 
-/** The menu bar, made from the actions: the begin of an action's id says in which menu it is. */
+/** Menu bar, made from the actions: the start of an action's id says in which menu it is. */
 final class Menus {
   /** What goes where; the last menu takes the actions that no other takes. */
   private static final List<Group> GROUPS =

@@ -9,7 +9,10 @@ import java.util.function.IntSupplier;
 import javax.swing.text.JTextComponent;
 import org.pendant.kit.layout.WrappingRow;
 
-/** An icon, a text that wraps, and choices beside it, or below it where there is no room. */
+/**
+ * Notice layout: an icon, a text that wraps, and choices beside it, or below it where there is no
+ * room.
+ */
 final class NoticeLayout implements LayoutManager {
   /** Narrower texts (pixels before scaling) leave the row to the choices. */
   private static final int MIN_TEXT = 160;

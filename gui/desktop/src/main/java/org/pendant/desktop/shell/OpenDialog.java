@@ -13,7 +13,7 @@ import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
-/** Asks for files to open, while the window behind it can be used. */
+/** Open dialog: asks for files to open, while the window behind it can be used. */
 final class OpenDialog {
   private OpenDialog() {}
 

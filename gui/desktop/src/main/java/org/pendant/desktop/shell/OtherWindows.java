@@ -13,7 +13,7 @@ import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.kit.background.Background;
 
-/** Tells people that a file is open in another window too. */
+/** Other windows: tells people that a file is open in another window too. */
 final class OtherWindows {
   /** Name of the notice. */
   private static final String NOTICE = "other-window";

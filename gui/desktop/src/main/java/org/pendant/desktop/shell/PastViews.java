@@ -27,7 +27,7 @@ import org.pendant.desktop.workbench.View;
 import org.pendant.language.source.ByteText;
 import org.pendant.recording.RecordedProgram;
 
-/** What the window does while people look at the past. */
+/** Views of the past: what the window does while people look at the past. */
 final class PastViews {
   /** The views that show the moment that people look at; the others stay with now. */
   private static final Set<String> FOLLOWERS = Set.of("run", "move", "io", "scene", "variables");

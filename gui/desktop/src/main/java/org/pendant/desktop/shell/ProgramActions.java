@@ -15,7 +15,7 @@ import org.pendant.desktop.shell.chrome.PaceChoice;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
 
-/** The actions for programs, files, the robot and its time. */
+/** Program actions: those for programs, files, the robot and its time. */
 final class ProgramActions {
   private final ActionTable actions;
   private final RobotSession session;

@@ -20,7 +20,10 @@ import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.file.TreeFile;
 import org.pendant.project.program.text.ProgramText;
 
-/** Opens and saves programs. Only the dispatch thread calls it; it reads and writes elsewhere. */
+/**
+ * Program files: opens and saves programs. Only the dispatch thread calls it; it reads and writes
+ * elsewhere.
+ */
 final class ProgramFiles {
   private static final String RECENT = "file.recent";
   private static final String OPEN = "file.open";

@@ -29,7 +29,9 @@ import org.pendant.script.debug.Debugger;
 import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.ProgramState;
 
-/** Runs the current program, and has the controller do things; refusals are told. */
+/**
+ * Program runner: runs the current program, and lets the controller do things; refusals are told.
+ */
 final class ProgramRunner {
   private final RobotSession session;
   private final Programs programs;

@@ -6,7 +6,7 @@ import org.pendant.desktop.move.ArmPull;
 import org.pendant.desktop.scene.view.ArmHand;
 
 /**
- * Hands what is dragged in the picture to what pulls the arm.
+ * Pulling hand: hands what is dragged in the picture to what pulls the arm.
  *
  * @param past whether the picture shows the past, in which nothing can be pulled
  */

@@ -8,7 +8,7 @@ import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.kit.background.Background;
 import org.pendant.kit.settings.Settings;
 
-/** Switches the controller off and on, perhaps with another robot. */
+/** Robot change: switches the controller off and on, perhaps with another robot. */
 final class RobotChange {
   private static final String ROBOT = "robot.id";
 

@@ -10,7 +10,7 @@ import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.script.vm.ProgramState;
 
-/** The actions for starting programs that are trees. */
+/** Run-from actions: start programs that are trees. */
 final class RunFrom {
   private final RobotSession session;
   private final TreeRuns runs;

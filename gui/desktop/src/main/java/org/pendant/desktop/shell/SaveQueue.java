@@ -14,9 +14,9 @@ import org.pendant.kit.background.Background;
 import org.pendant.kit.fault.Faults;
 
 /**
- * Writes files elsewhere: those of one name in the order in which they were handed in, so that what
- * was saved last is what stays. Files of other names do not wait for each other. Only the dispatch
- * thread calls it.
+ * Save queue: writes files elsewhere: those of one name in the order in which they were handed in,
+ * so that what was saved last is what stays. Files of other names do not wait for each other. Only
+ * the dispatch thread calls it.
  */
 final class SaveQueue {
   /** What is waiting for each file, the first being at work. */

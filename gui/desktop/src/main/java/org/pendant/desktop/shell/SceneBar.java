@@ -18,8 +18,8 @@ import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
 
 /**
- * The buttons over the picture of the arm. What is wanted often has a button, the rest is in a menu
- * at the end; all of it is in the list of actions too.
+ * Scene bar: the buttons over the picture of the arm. What is wanted often has a button, the rest
+ * is in a menu at the end; all of it is in the list of actions too.
  */
 final class SceneBar extends JPanel {
   private static final long serialVersionUID = 1L;

@@ -46,7 +46,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
 
-/** The arm in 3D, what is around it, and where its tool has been. */
+/** Scene panel: the arm in 3D, what is around it, and where its tool has been. */
 final class ScenePanel implements View, GhostArm {
   /** Points of the tool's way that are remembered: a minute of steady motion. */
   private static final int TRACE_POINTS = 2000;

@@ -2,7 +2,7 @@ package org.pendant.desktop.shell;
 
 import org.pendant.kit.settings.Settings;
 
-/** What people want to see besides the arm; kept from one start to the next. */
+/** Scene options: what people want to see besides the arm; kept from one start to the next. */
 final class SceneShows {
   private static final String FRAMES = "scene.frames";
   private static final String PAYLOAD = "scene.payload";

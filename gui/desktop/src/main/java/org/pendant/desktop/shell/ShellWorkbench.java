@@ -12,7 +12,7 @@ import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.dock.DockFrame;
 import org.pendant.kit.settings.Settings;
 
-/** The window as its views see it. */
+/** Workbench of the shell: the window as its views see it. */
 final class ShellWorkbench implements Workbench {
   private final RobotSession session;
   private final ActionTable actions;

@@ -1,6 +1,6 @@
 package org.pendant.desktop.shell;
 
-/** Shows a place of the current program. */
+/** Source location: shows a place of the current program. */
 @FunctionalInterface
 interface SourcePlace {
 

@@ -21,8 +21,8 @@ import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramState;
 
 /**
- * Moves the arm to where a program starts: by a small program of its own, so that speed, pause and
- * stop are those of programs, or by jogging.
+ * Start move: moves the arm to where a program starts: by a small program of its own, so that
+ * speed, pause and stop are those of programs, or by jogging.
  */
 final class StartMove implements StartArm {
   /** About a third of what joint moves have when a program names no speed. */

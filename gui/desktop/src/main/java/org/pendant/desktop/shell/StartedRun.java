@@ -14,7 +14,7 @@ import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.shell.run.RunProgram;
 import org.pendant.script.vm.ProgramState;
 
-/** The program that was started last, for the Run screen. */
+/** Started run: the program that was started last, for the Run screen. */
 final class StartedRun implements RunProgram {
   /** Least time between two looks at the turns, ms. */
   private static final long PERIOD_MS = 200;

@@ -7,7 +7,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.StopCard;
 import org.pendant.desktop.shell.Notices.Choice;
 
-/** Tells of a stop of the arm while the screen that explains it is not in front. */
+/** Stop notice: tells of a stop of the arm while the screen that explains it is not in front. */
 final class StopNotice {
   private static final String NAME = "stop-notice";
 

@@ -14,8 +14,8 @@ import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 
 /**
- * Whether keys go somewhere on purpose, so that nothing that happens by itself may take the focus
- * away.
+ * Typing detection: whether keys have a purposeful target, so that nothing that happens by itself
+ * may take the focus away.
  */
 final class Typing {
   /** Somebody who has typed within this time will type on. */

@@ -49,7 +49,7 @@ import org.pendant.kit.fault.Faults;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.models.arm.ArmLibrary;
 
-/** Everything that is in the window: a line for each view. */
+/** Views: everything that is in the window: a line for each view. */
 final class Views {
   private final List<Place> places;
   private final ScriptEditor editor;

@@ -14,7 +14,7 @@ import org.pendant.kit.find.KeyEditor;
 import org.pendant.kit.theme.Look;
 import org.pendant.kit.theme.Theme;
 
-/** The actions for views, docks, the look, and finding actions. */
+/** Window actions: those for views, docks, the look, and finding actions. */
 final class WindowActions {
   private final ActionTable actions;
 

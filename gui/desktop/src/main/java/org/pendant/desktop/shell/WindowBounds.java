@@ -4,7 +4,7 @@ import java.awt.Rectangle;
 import java.util.List;
 import java.util.Optional;
 
-/** Where the window is, as settings have it: x, y, width, height. */
+/** Window bounds: where the window is, as settings have it: x, y, width, height. */
 final class WindowBounds {
   private static final int WIDTH = 1440;
   private static final int HEIGHT = 900;

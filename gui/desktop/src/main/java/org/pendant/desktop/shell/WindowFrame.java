@@ -22,7 +22,9 @@ import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.settings.Settings;
 
-/** The frame around everything: its place on the screen, remembered, and its picture. */
+/**
+ * Window frame: the frame around everything: its place on the screen, remembered, and its picture.
+ */
 final class WindowFrame {
   private static final String BOUNDS = "window.bounds";
   private static final String MAXIMIZED = "window.maximized";

@@ -1,5 +1,5 @@
 /**
- * The window of the desktop: what is around the views. Open {@link
+ * Shell: the window of the desktop, around the views. Open {@link
  * org.pendant.desktop.shell.Desktop} first; {@link org.pendant.desktop.shell.Views} lists what is
  * in it.
  */

@@ -17,8 +17,8 @@ import org.pendant.desktop.workbench.View;
 import org.pendant.kit.theme.Palette;
 
 /**
- * A view in which people act on the robot: while it shows the past it can be looked at only, and
- * says so to those who try.
+ * Locked view, in which people act on the robot: while it shows the past it can be looked at only,
+ * and says so to those who try.
  */
 public final class HeldView implements View {
   private final View view;

@@ -18,8 +18,8 @@ import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingMark;
 
 /**
- * Which moment people look at: now, one of what the controller has just done, or one of a file. The
- * controller goes on meanwhile. Only the dispatch thread calls it.
+ * Look back: which moment people look at: the current one, one of what the controller has just
+ * done, or one of a file. The controller goes on meanwhile. Only the dispatch thread calls it.
  */
 public final class LookBack {
   /** How much the timeline shows at first, s. */

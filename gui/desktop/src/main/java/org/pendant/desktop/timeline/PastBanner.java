@@ -13,7 +13,10 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.theme.Palette;
 
-/** Stands above the views while they show the past, so that nobody takes it for now. */
+/**
+ * Past banner: stands above the views while they show the past, so that it is not taken for the
+ * present.
+ */
 @SuppressWarnings("serial") // never written to a stream
 public final class PastBanner extends JPanel {
   private final transient LookBack lookBack;

@@ -19,7 +19,10 @@ import org.pendant.kit.theme.Palette;
 import org.pendant.language.source.ByteText;
 import org.pendant.recording.RecordedProgram;
 
-/** The text of a program as it was when it ran, in a window of its own; it cannot be changed. */
+/**
+ * Recorded text: the text of a program as it was when it ran, in a window of its own; it cannot be
+ * changed.
+ */
 public final class RecordedText {
   private final JTextArea area = new JTextArea();
   private Optional<JDialog> dialog = Optional.empty();

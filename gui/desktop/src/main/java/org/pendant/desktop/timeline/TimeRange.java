@@ -1,7 +1,7 @@
 package org.pendant.desktop.timeline;
 
 /**
- * The stretch of robot time that a timeline shows.
+ * Time range: the stretch of robot time that a timeline shows.
  *
  * @param fromS its left end, s
  * @param toS its right end, s; later than {@code fromS}

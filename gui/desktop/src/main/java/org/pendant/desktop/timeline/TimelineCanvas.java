@@ -19,7 +19,7 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.ToolTipManager;
 
-/** The tracks over time; the mouse and keys move through it. */
+/** Timeline canvas: the tracks over time; the mouse and keys move through it. */
 @SuppressWarnings("serial") // never written to a stream
 final class TimelineCanvas extends JComponent {
   /** Frames of 2 ms that make 100 ms. */

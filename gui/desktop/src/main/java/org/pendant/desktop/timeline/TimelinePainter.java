@@ -16,7 +16,7 @@ import org.pendant.kit.theme.Palette;
 import org.pendant.recording.ColumnTrace;
 import org.pendant.recording.RecordingMark;
 
-/** Draws a timeline: names at the left, time above, a row for each track. */
+/** Timeline painter: draws a timeline: names at the left, time above, a row for each track. */
 final class TimelinePainter {
   private static final List<String> ROWS =
       List.of("Program", "Marks", "Inputs", "Outputs", "TCP speed");

@@ -35,7 +35,7 @@ import org.pendant.recording.RecordingExport;
 import org.pendant.recording.RecordingFile;
 import org.pendant.recording.replay.RerunRefused;
 
-/** The panel with what the robot did over time. */
+/** Timeline view: the panel with what the robot did over time. */
 public final class TimelineView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "timeline";

@@ -7,7 +7,10 @@ import java.util.function.Consumer;
 import org.pendant.kit.fault.Faults;
 import org.pendant.recording.Recording;
 
-/** Has tracks looked for beside the dispatch thread, one at a time and at most half of the time. */
+/**
+ * Track watch: lets tracks be looked for beside the dispatch thread, one at a time and at most half
+ * of the time.
+ */
 final class TrackWatch {
   /** So long nothing new is looked at while only time goes by. */
   private static final long REST_NS = 400_000_000;

@@ -12,7 +12,7 @@ import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingMark;
 
 /**
- * What a timeline draws of a stretch of a recording.
+ * Tracks: what a timeline draws of a stretch of a recording.
  *
  * @param range the stretch
  * @param runs programs, also those that reach out of the stretch

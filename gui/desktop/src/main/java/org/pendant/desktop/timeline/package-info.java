@@ -1,5 +1,5 @@
 /**
- * Looking at what the robot did: the timeline, and the moment that the other views show meanwhile.
- * Open {@link org.pendant.desktop.timeline.LookBack} first.
+ * Timeline: what the robot did, and the moment that the other views show meanwhile. Open {@link
+ * org.pendant.desktop.timeline.LookBack} first.
  */
 package org.pendant.desktop.timeline;

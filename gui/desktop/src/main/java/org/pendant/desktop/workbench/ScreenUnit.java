@@ -3,7 +3,7 @@ package org.pendant.desktop.workbench;
 import org.pendant.controller.quantity.PhysicalUnit;
 
 /**
- * The unit in which people see a quantity: degrees, millimetres and percents.
+ * Screen unit in which people see a quantity: degrees, millimetres and percents.
  *
  * @param symbol empty where none is written
  * @param scale how many of it one unit of the controller is

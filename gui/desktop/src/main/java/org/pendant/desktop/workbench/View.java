@@ -3,7 +3,7 @@ package org.pendant.desktop.workbench;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.dock.Dockable;
 
-/** A part of the window: a screen or a panel. Only the dispatch thread calls it. */
+/** View: a part of the window: a screen or a panel. Only the dispatch thread calls it. */
 public interface View extends Dockable {
 
   /**

@@ -6,7 +6,7 @@ import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.action.Actions;
 import org.pendant.kit.settings.Settings;
 
-/** What views may use of the window around them. Only the dispatch thread calls it. */
+/** Workbench: what views may use of the window around them. Only the dispatch thread calls it. */
 public interface Workbench {
 
   /** The controller that is worked with. */

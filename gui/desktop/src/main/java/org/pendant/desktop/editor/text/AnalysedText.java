@@ -22,8 +22,8 @@ import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
 
 /**
- * One state of an editor's text and what is known about it, in characters. It never changes; any
- * thread may make and read it.
+ * Analysed text: one state of an editor's text and what is known about it, in characters. It never
+ * changes; any thread may make and read it.
  */
 public final class AnalysedText {
   private final String text;

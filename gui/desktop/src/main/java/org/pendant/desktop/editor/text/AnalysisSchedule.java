@@ -11,10 +11,10 @@ import org.pendant.kit.background.WorkQueue;
 import org.pendant.language.signature.Catalogue;
 
 /**
- * Decides when the text of one editor is analysed: after a pause in typing, or at once when
- * somebody waits for it. Results of a text that has changed since are dropped, texts that have
- * changed before their turn came are not read, and long texts are read less often: reading takes
- * time and memory from whoever types. Only the dispatch thread calls it.
+ * Analysis schedule: decides when the text of one editor is analysed: after a pause in typing, or
+ * immediately when the user waits for it. Results of a text that has changed since are dropped,
+ * texts that have changed before their turn came are not read, and long texts are read less often:
+ * reading takes time and memory from whoever types. Only the dispatch thread calls it.
  */
 public final class AnalysisSchedule {
   /** How long nobody may type before an analysis begins. */

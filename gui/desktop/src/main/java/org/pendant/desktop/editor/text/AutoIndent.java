@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 
-/** How lines are indented while they are typed. Lines are given without their ends. */
+/**
+ * Automatic indentation: how lines are indented while they are typed. Lines are given without their
+ * ends.
+ */
 public final class AutoIndent {
   /** The blanks of one step. */
   public static final int STEP = 2;

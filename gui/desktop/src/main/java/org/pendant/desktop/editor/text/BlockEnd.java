@@ -4,7 +4,7 @@ import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
-/** Whether a block that is being begun still needs its {@code end}. */
+/** Block end: whether a block that is being begun still needs its {@code end}. */
 public final class BlockEnd {
   private static final Set<String> OPENERS = Set.of("def", "sec", "thread", "if", "while");
 

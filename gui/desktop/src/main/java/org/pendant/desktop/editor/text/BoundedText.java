@@ -1,6 +1,9 @@
 package org.pendant.desktop.editor.text;
 
-/** A text that can be read only so often: some regular expressions would read it for hours. */
+/**
+ * Bounded text: a text that can be read only so often: some regular expressions would read it for
+ * hours.
+ */
 final class BoundedText implements CharSequence {
   private static final int READS = 40_000_000;
 

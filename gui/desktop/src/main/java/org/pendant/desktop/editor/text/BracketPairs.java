@@ -1,8 +1,8 @@
 package org.pendant.desktop.editor.text;
 
 /**
- * What happens to the other half of a bracket or quote. It looks at one line only and adds nothing
- * where something follows that the pair would have to hold.
+ * Bracket pairs: what happens to the other half of a bracket or quote. It looks at one line only
+ * and adds nothing where something follows that the pair would have to hold.
  */
 public final class BracketPairs {
   private static final String OPENERS = "([";

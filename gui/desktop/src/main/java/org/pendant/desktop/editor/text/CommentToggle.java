@@ -3,7 +3,7 @@ package org.pendant.desktop.editor.text;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Makes lines comments, or code again when all of them are comments. */
+/** Comment toggle: makes lines comments, or code again when all of them are comments. */
 public final class CommentToggle {
   private CommentToggle() {}
 

@@ -4,7 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * One change of an editor's text, counted in characters.
+ * Edit: one change of an editor's text, counted in characters.
  *
  * @param span what goes; empty to insert
  * @param text what comes

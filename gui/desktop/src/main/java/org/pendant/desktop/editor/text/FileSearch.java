@@ -11,7 +11,8 @@ import java.util.function.Consumer;
 import org.pendant.language.source.ByteText;
 
 /**
- * Looks through the scripts of a folder and the folders in it. Slow: for a worker thread.
+ * File search: looks through the scripts of a folder and the folders in it. Slow: for a worker
+ * thread.
  *
  * @param folder where to look
  * @param query what for

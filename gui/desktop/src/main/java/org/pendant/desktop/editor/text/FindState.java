@@ -3,7 +3,7 @@ package org.pendant.desktop.editor.text;
 import java.util.List;
 
 /**
- * Where a search stands.
+ * Find state: where a search stands.
  *
  * @param query what is looked for
  * @param matches where it stands in the text, in order

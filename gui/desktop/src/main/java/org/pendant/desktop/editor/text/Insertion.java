@@ -3,7 +3,7 @@ package org.pendant.desktop.editor.text;
 import org.pendant.language.service.Completion;
 
 /**
- * What choosing a completion does to the text.
+ * Insertion: what choosing a completion does to the text.
  *
  * @param edit the change
  * @param caret where the caret stands after it

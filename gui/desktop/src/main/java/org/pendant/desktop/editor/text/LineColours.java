@@ -12,9 +12,9 @@ import org.pendant.language.signature.Catalogue;
 import org.pendant.language.source.Source;
 
 /**
- * The colours of every line. Analyses set them all; between two of them a line that has changed is
- * read alone, with the names that the last analysis knew, so that a key costs one line and not the
- * text.
+ * Line colours: the colours of every line. Analyses set them all; between two of them a line that
+ * has changed is read alone, with the names that the last analysis knew, so that a key costs one
+ * line and not the text.
  */
 public final class LineColours {
   private final Catalogue catalogue;

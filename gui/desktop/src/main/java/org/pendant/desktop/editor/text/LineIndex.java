@@ -3,7 +3,7 @@ package org.pendant.desktop.editor.text;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The lines of a text. */
+/** Line index: the lines of a text. */
 public final class LineIndex {
   private LineIndex() {}
 

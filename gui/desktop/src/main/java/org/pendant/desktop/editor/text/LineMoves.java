@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Edits of whole lines.
+ * Line moves: edits of whole lines.
  *
  * @param edit what changes
  * @param shift by how many characters the selection moves with its lines

@@ -3,7 +3,7 @@ package org.pendant.desktop.editor.text;
 import org.pendant.language.source.Diagnostic;
 
 /**
- * A diagnostic where an editor shows it.
+ * Problem: a diagnostic where an editor shows it.
  *
  * @param span the characters that are underlined
  * @param line where it begins, from 1

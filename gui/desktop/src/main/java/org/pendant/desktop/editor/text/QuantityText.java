@@ -4,7 +4,7 @@ import java.util.Locale;
 import org.pendant.language.service.Quantity;
 import org.pendant.language.signature.Unit;
 
-/** A number of a script in the units that people think in. */
+/** Quantity text: a number of a script in the units that people think in. */
 final class QuantityText {
   private QuantityText() {}
 

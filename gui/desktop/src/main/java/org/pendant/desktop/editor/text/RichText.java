@@ -10,7 +10,7 @@ import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.language.source.ByteText;
 
-/** What popups say, in the HTML that labels understand. */
+/** Rich text: what popups say, in the HTML that labels understand. */
 public final class RichText {
   private static final int WIDTH_PX = 250;
 

@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.BooleanSupplier;
 
-/** The scripts in a folder and the folders in it. Slow: for a worker thread. */
+/** Script folder: the scripts in a folder and the folders in it. Slow: for a worker thread. */
 public final class ScriptFolder {
   private static final int DEEPEST = 12;
 

@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
 
 /**
- * What is looked for.
+ * Search query: what is looked for.
  *
  * @param words the text or the regular expression
  * @param matchCase whether capitals differ from small letters

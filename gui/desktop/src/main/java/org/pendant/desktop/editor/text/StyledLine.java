@@ -5,7 +5,7 @@ import java.util.List;
 import org.pendant.language.service.HighlightToken.Style;
 
 /**
- * The colours of one line.
+ * Styled line: the colours of one line.
  *
  * @param text the line without its end; colours of another text are of no use
  * @param runs its coloured stretches, in order

@@ -9,7 +9,7 @@ import org.pendant.language.service.HighlightToken;
 import org.pendant.language.service.HighlightToken.Style;
 
 /**
- * The colours of a whole text, line by line.
+ * Styled lines: the colours of a whole text, line by line.
  *
  * @param lines every line
  * @param names what the text's own names are, for lines that are read alone

@@ -1,7 +1,7 @@
 package org.pendant.desktop.editor.text;
 
 /**
- * A stretch of an editor's text, counted in characters.
+ * Text span: a stretch of an editor's text, counted in characters.
  *
  * @param start its first character, at least 0
  * @param end just past its last, at least {@code start}

@@ -5,7 +5,7 @@ import java.util.Deque;
 import java.util.Optional;
 
 /**
- * Places that somebody jumped away from, to go back to and forward again.
+ * Trail: places that the user jumped away from, to go back to and forward again.
  *
  * @param <P> a place
  */

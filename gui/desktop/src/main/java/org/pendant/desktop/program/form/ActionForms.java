@@ -10,7 +10,10 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.Section;
 import org.pendant.project.program.WaitFor;
 
-/** The forms of nodes that do something else than moving; settings have a class of their own. */
+/**
+ * Action forms: those of nodes that do something else than moving; settings have a class of their
+ * own.
+ */
 final class ActionForms {
   static final String NO_SIGNAL = "is no such signal";
   private static final String ANALOG = "analog_in[0]";

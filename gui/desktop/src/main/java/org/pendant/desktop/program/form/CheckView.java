@@ -3,7 +3,7 @@ package org.pendant.desktop.program.form;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 
-/** Yes or no. */
+/** Check view: yes or no. */
 final class CheckView implements FieldView {
   private final JCheckBox box;
   private final FieldPanel panel;

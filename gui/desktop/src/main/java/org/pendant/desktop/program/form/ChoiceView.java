@@ -11,7 +11,7 @@ import javax.swing.JList;
 import org.pendant.desktop.program.form.Item.Option;
 import org.pendant.kit.theme.Palette;
 
-/** A choice that folds out; says when what was chosen is no longer there. */
+/** Choice view: a choice that folds out; says when what was chosen is no longer there. */
 final class ChoiceView implements FieldView {
   private final JComboBox<Option> box = new JComboBox<>();
   private final FieldPanel panel;

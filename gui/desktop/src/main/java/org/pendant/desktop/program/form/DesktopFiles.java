@@ -15,7 +15,7 @@ import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import org.pendant.kit.background.WorkQueue;
 
-/** Files of this machine. */
+/** Desktop files: those of this machine. */
 final class DesktopFiles implements FormFiles {
   /** Longer ones are no program. */
   private static final long MAX_BYTES = 4_000_000;

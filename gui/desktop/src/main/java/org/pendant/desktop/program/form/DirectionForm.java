@@ -9,7 +9,7 @@ import org.pendant.project.program.NodeField;
 import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.Step;
 
-/** The form of a straight way in a direction. */
+/** Direction form: a straight move in a direction. */
 final class DirectionForm {
   private static final List<String> AXES = List.of("X", "Y", "Z");
 

@@ -6,8 +6,8 @@ import org.pendant.language.source.Source;
 import org.pendant.project.program.ProgramTree;
 
 /**
- * A program in which expressions of a tree are read while they are typed: it knows the names of the
- * tree and of the installation, and nothing of their values.
+ * Expression scope: a program in which expressions of a tree are read while they are typed: it
+ * knows the names of the tree and of the installation, and nothing of their values.
  *
  * @param line before which expressions stand, from 1
  */

@@ -5,7 +5,7 @@ import org.pendant.desktop.debug.ConditionCheck;
 import org.pendant.desktop.debug.FieldCompletions;
 import org.pendant.kit.layout.Typed;
 
-/** An expression: read while it is typed, completed by CTRL SPACE. */
+/** Expression view: an expression, read while it is typed, completed by CTRL SPACE. */
 final class ExpressionView implements FieldView {
   private static final int COLUMNS = 14;
 

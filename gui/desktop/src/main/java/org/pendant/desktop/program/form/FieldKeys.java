@@ -8,7 +8,10 @@ import java.util.EnumSet;
 import java.util.Set;
 import javax.swing.JTextField;
 
-/** Enter tidies what is in a field, Escape brings back what was there when it got the focus. */
+/**
+ * Field keys: Enter tidies what is in a field, Escape brings back what was there when it got the
+ * focus.
+ */
 final class FieldKeys extends KeyAdapter {
   /** How the focus comes by Tab: what is typed then takes the place of what is there. */
   private static final Set<FocusEvent.Cause> BY_KEY =

@@ -6,7 +6,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.theme.Palette;
 
-/** A control with what is wrong with it below. */
+/** Field panel: a control with what is wrong with it below. */
 @SuppressWarnings("serial") // never written to a stream
 final class FieldPanel extends JPanel {
   private final FormText problem;

@@ -2,7 +2,7 @@ package org.pendant.desktop.program.form;
 
 import javax.swing.JComponent;
 
-/** Shows one item of a form and hands on what people do with it. */
+/** Field view: shows one item of a form and hands on what people do with it. */
 interface FieldView {
 
   /** The control, or all of them. */

@@ -7,7 +7,7 @@ import org.pendant.desktop.debug.ConditionCheck;
 import org.pendant.language.signature.Catalogue;
 
 /**
- * Makes the controls of a form.
+ * Field view factory: makes the controls of a form.
  *
  * @param presenter takes what people do
  * @param checks makes what reads one expression while it is typed

@@ -14,7 +14,10 @@ import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.text.ProgramText;
 import org.pendant.project.program.text.ReadProgram;
 
-/** What forms do with files: a script that is pasted, a program that becomes a sub program. */
+/**
+ * File parts: what forms do with files: a script that is pasted, a program that becomes a sub
+ * program.
+ */
 final class FileParts {
   private FileParts() {}
 

@@ -9,7 +9,7 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Step;
 
-/** The forms of nodes that decide which nodes run. */
+/** Flow forms: those of nodes that decide which nodes run. */
 final class FlowForms {
   private static final String CONDITION = "such as get_standard_digital_in(0)";
 

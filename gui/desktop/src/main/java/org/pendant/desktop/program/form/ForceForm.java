@@ -8,7 +8,7 @@ import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.TemplateStep.Force;
 import org.pendant.project.program.TemplateStep.ForceKind;
 
-/** The form of a node that holds forces. */
+/** Force form: that of a node that keeps forces. */
 final class ForceForm {
   private static final List<String> AXES = List.of("X", "Y", "Z", "RX", "RY", "RZ");
   private static final int Z = 2;

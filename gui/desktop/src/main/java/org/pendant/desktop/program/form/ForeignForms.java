@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.pendant.project.program.ExternalControl;
 import org.pendant.project.program.ForeignStep;
 
-/** The forms of nodes that Pendant does not know. */
+/** Foreign forms: those of nodes that Pendant does not know. */
 final class ForeignForms {
   private ForeignForms() {}
 

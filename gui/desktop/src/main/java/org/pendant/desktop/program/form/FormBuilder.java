@@ -14,7 +14,7 @@ import org.pendant.project.program.NumberRange;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Step;
 
-/** Puts a form together; most edits give another step for the node. */
+/** Form builder: puts a form together; most edits give another step for the node. */
 final class FormBuilder {
   private final FormContext context;
   private final String kind;

@@ -18,7 +18,7 @@ import org.pendant.project.program.TemplateStep;
 import org.pendant.project.program.WaypointPosition;
 
 /**
- * What the form of one node is made from.
+ * Form context: what the form of one node is made from.
  *
  * @param tree as it was when the form was made; the form is made anew when it changes
  * @param files reads and chooses files

@@ -3,7 +3,7 @@ package org.pendant.desktop.program.form;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 
-/** Chooses and reads files for forms. */
+/** Form files: chooses and reads files for forms. */
 interface FormFiles {
 
   /** Asks for a file; {@code chosen} hears of it unless nobody chooses one. */

@@ -8,7 +8,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
-/** What kind of node it is, what that does, and what is wrong with it as a whole. */
+/** Form header: what kind of node it is, what that does, and what is wrong with it as a whole. */
 @SuppressWarnings("serial") // never written to a stream
 final class FormHeader extends JPanel {
   private final JLabel title = new JLabel();

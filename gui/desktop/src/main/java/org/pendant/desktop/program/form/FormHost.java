@@ -9,7 +9,8 @@ import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.check.NodeProblem;
 
 /**
- * What the forms of nodes may use of the program that they edit. Only the dispatch thread calls.
+ * Form host: what the forms of nodes may use of the program that they edit. Only the dispatch
+ * thread calls.
  */
 public interface FormHost {
 

@@ -5,7 +5,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
 
-/** What stands beside a field, as high as one. */
+/** Form label: what stands beside a field, as high as one. */
 @SuppressWarnings("serial") // never written to a stream
 final class FormLabel extends JLabel {
   FormLabel(String text, JComponent field) {

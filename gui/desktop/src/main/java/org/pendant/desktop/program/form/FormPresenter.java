@@ -13,8 +13,8 @@ import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.check.NodeProblem;
 
 /**
- * What is shown of the selected node, and what becomes of what people type. One thread uses it, the
- * dispatch thread.
+ * Form presenter: what is shown of the selected node, and what becomes of what people type. One
+ * thread uses it, the dispatch thread.
  */
 final class FormPresenter {
   private final FormHost host;

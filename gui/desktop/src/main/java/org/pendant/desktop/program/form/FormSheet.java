@@ -6,7 +6,9 @@ import javax.swing.JPanel;
 import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
 
-/** The cards of a form below each other, as wide as the window; it scrolls upwards only. */
+/**
+ * Form sheet: the cards of a form below each other, as wide as the window; it scrolls upwards only.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class FormSheet extends JPanel implements Scrollable {
   FormSheet() {

@@ -7,7 +7,7 @@ import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
 
-/** Wrapped sentences; never a reason for a form to be wider. */
+/** Form text: wrapped sentences; never a reason for a form to be wider. */
 @SuppressWarnings("serial") // never written to a stream
 final class FormText extends JTextArea {
   private final transient Supplier<Color> color;

@@ -15,7 +15,7 @@ import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.theme.Palette;
 
-/** Numbers in columns, filled downwards; what is wrong with them stands below all. */
+/** Grid view: numbers in columns, filled downwards; what is wrong with them stands below all. */
 final class GridView implements FieldView {
   private static final int FIELD_COLUMNS = 5;
 

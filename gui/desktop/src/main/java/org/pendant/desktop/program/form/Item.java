@@ -11,7 +11,7 @@ import org.pendant.project.program.NumberRange;
 import org.pendant.project.program.ProgramTree;
 
 /**
- * A part of a form, with the value that it has now. Those that can be changed know the program that
+ * Item: a part of a form, with its current value. Those that can be changed know the program that
  * comes of another value. Names are their own within a form; what is before the first point of one
  * is the component of the step's record that it is about.
  */

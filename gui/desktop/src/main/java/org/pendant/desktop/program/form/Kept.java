@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What the node had before its kind was changed, so that changing the kind back loses nothing;
- * until another node is selected.
+ * Kept settings: what the node had before its kind was changed, so that changing the kind back
+ * loses nothing; until another node is selected.
  */
 final class Kept {
   private final Map<String, Object> values = new HashMap<>();

@@ -9,7 +9,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.layout.WrappingRow;
 
-/** Several controls beside each other; those of fixed width wrap where it is narrow. */
+/** Line view: several controls beside each other; those of fixed width wrap where it is narrow. */
 final class LineView implements FieldView {
   private final JPanel row;
   private final Optional<JComponent> lead;

@@ -13,7 +13,7 @@ import java.util.List;
 import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.ActionStep;
 
-/** Draws a popup as operators will see it. */
+/** Message painter: draws a popup as operators will see it. */
 final class MessagePainter {
   private final Graphics2D pen;
   private final int width;

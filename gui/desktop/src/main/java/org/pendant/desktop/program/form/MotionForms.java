@@ -19,7 +19,7 @@ import org.pendant.project.program.Timing;
 import org.pendant.project.program.ToolChoice;
 import org.pendant.project.program.UntilRule;
 
-/** The forms of moves and of what belongs to them, without waypoints. */
+/** Motion forms: those of moves and of what belongs to them, without waypoints. */
 final class MotionForms {
   static final String NO_FEATURE = "is no feature of the installation";
   private static final String NAMED = "tcp:";

@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * What is shown of one node: values and what can be done with them.
+ * Node form: what is shown of one node: values and what can be done with them.
  *
  * @param kind of the node, a word for names of controls such as {@code waypoint}
  * @param title of the kind, for people

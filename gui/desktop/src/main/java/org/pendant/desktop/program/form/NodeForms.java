@@ -25,7 +25,7 @@ import org.pendant.language.signature.Catalogue;
 import org.pendant.project.program.ProgramNode;
 
 /**
- * The form of the selected node. What is typed changes the program at once, by {@link
+ * Node forms: the form of the selected node. What is typed changes the program at once, by {@link
  * FormHost#change}; what cannot be taken stays red in its field. Controls are named {@code
  * form-<kind>-<field>}. Only the dispatch thread calls it.
  */

@@ -4,7 +4,7 @@ import java.awt.Color;
 import javax.swing.JComponent;
 import org.pendant.kit.theme.Palette;
 
-/** A sentence. */
+/** Note view: a sentence. */
 final class NoteView implements FieldView {
   private final FormText text;
   private Item.Tone tone;

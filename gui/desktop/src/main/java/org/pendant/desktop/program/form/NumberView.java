@@ -10,7 +10,7 @@ import org.pendant.kit.layout.Squeeze;
 import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.NumberRange;
 
-/** A number with its unit, and what is legal where there is room for it. */
+/** Number view: a number with its unit, and what is legal where there is room for it. */
 final class NumberView implements FieldView {
   private static final int COLUMNS = 7;
   private static final int FEW_COLUMNS = 5;

@@ -9,7 +9,7 @@ import org.pendant.project.program.Pattern;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.TemplateStep.Palletizing;
 
-/** The form of a pattern of places. */
+/** Palletizing form: that of a pattern of places. */
 final class PalletizingForm {
   private static final int CORNERS = 4;
 

@@ -5,7 +5,7 @@ import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 
-/** Lines of a file that can only be read and copied. */
+/** Plain text view: lines of a file that can only be read and copied. */
 final class PlainView implements FieldView {
   private static final int MIN_ROWS = 4;
   private static final int MAX_ROWS = 20;

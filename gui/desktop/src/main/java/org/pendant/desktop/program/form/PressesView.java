@@ -12,7 +12,7 @@ import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 
-/** Buttons beside each other. */
+/** Button view: buttons beside each other. */
 final class PressesView implements FieldView {
   /** Between buttons, in pixels before scaling. */
   static final int GAP = 4;

@@ -21,7 +21,7 @@ import org.pendant.project.program.Step;
 import org.pendant.project.program.TemplateStep;
 import org.pendant.project.program.TreeNames;
 
-/** What a program and its installation have given names to. */
+/** Program names: what a program and its installation have given names to. */
 final class ProgramNames {
   /** What {@link #variables} takes for a name of the language. */
   private static final Pattern NAME = Pattern.compile("[A-Za-z_]\\w*");

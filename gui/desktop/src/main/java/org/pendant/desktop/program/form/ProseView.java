@@ -6,7 +6,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import org.pendant.kit.layout.Typed;
 
-/** Several lines of text; Tab goes on to the next field. */
+/** Prose view: several lines of text; Tab continues to the next field. */
 final class ProseView implements FieldView {
   private static final int ROWS = 4;
 

@@ -3,7 +3,7 @@ package org.pendant.desktop.program.form;
 import javax.swing.JComponent;
 import org.pendant.desktop.editor.ScriptPad;
 
-/** URScript with its colours. */
+/** Script view: URScript with its colours. */
 final class ScriptView implements FieldView {
   private static final int MIN_ROWS = 3;
   private static final int MAX_ROWS = 16;

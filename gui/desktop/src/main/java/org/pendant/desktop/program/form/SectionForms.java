@@ -10,7 +10,7 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
 
-/** The forms of the parts of a program. */
+/** Section forms: those of the parts of a program. */
 final class SectionForms {
   private SectionForms() {}
 

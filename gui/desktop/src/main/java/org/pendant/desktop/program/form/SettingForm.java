@@ -10,7 +10,7 @@ import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.Setting;
 
-/** The form of a node that sets something. */
+/** Setting form: that of a node that sets something. */
 final class SettingForm {
   private static final List<String> POSE = List.of("X", "Y", "Z", "RX", "RY", "RZ");
   private static final String OTHER = "other";

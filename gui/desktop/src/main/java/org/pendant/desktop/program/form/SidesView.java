@@ -10,7 +10,7 @@ import org.pendant.desktop.program.form.Item.Option;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 
-/** A choice of few, as buttons beside each other. */
+/** Segmented view: a choice of few, as buttons beside each other. */
 final class SidesView implements FieldView {
   private final JPanel row = new JPanel(new WrappingRow(PressesView.GAP));
   private final Map<String, JToggleButton> buttons = new LinkedHashMap<>();

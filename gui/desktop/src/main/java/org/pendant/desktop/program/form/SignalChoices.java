@@ -12,7 +12,10 @@ import org.pendant.desktop.program.form.Item.Option;
 import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.NumberRange;
 
-/** The signals that a node can be about, with the names that the installation gives them. */
+/**
+ * Signal choices: the signals that a node can be about, with the names that the installation gives
+ * them.
+ */
 record SignalChoices(Installation installation) {
   private static final NumberRange REGISTER = NumberRange.of(0, 65_535);
 

@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.Pattern;
 
-/** What a picture in a form shows. */
+/** Sketch: what a picture in a form shows. */
 sealed interface Sketch {
 
   /** The corners of a pattern with its places. */

@@ -12,7 +12,7 @@ import java.util.List;
 import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.Pattern;
 
-/** Draws frames, directions and patterns, seen from above at an angle. */
+/** Sketch painter: draws frames, directions and patterns, seen from above at an angle. */
 final class SketchPainter {
   /** More dots in a row than this are not drawn: they would touch. */
   private static final int MOST = 12;

@@ -8,7 +8,7 @@ import java.awt.RenderingHints;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 
-/** A small picture in a form, as wide as that. */
+/** Sketch view: a small picture in a form, as wide as that. */
 @SuppressWarnings("serial") // never written to a stream
 final class SketchView extends JPanel implements FieldView {
   private static final int WIDTH = 200;

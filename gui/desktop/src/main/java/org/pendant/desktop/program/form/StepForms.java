@@ -7,7 +7,7 @@ import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.Section;
 import org.pendant.project.program.TemplateStep;
 
-/** The form of any node. */
+/** Step forms: the form of any node. */
 final class StepForms {
   private StepForms() {}
 

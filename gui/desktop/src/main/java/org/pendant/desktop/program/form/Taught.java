@@ -16,7 +16,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.project.program.WaypointPosition;
 
-/** Positions of waypoints: as the arm stands, typed, and whether the arm gets there. */
+/** Taught positions of waypoints: as the arm stands, typed, and whether the arm gets there. */
 public final class Taught {
   /** Nearer than this to the end of a joint's range something should be said. */
   private static final double NEAR_RAD = Math.toRadians(5);

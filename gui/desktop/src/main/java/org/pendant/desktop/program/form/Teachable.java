@@ -10,7 +10,7 @@ import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.WaypointPosition;
 
 /**
- * A place that a node refers to by the name of a waypoint: chosen, set, taught and gone to.
+ * Teachable place that a node refers to by the name of a waypoint: chosen, set, taught and gone to.
  *
  * @param name of the item
  * @param waypoint the name as it is; empty for none yet

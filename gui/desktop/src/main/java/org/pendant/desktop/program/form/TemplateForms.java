@@ -13,7 +13,7 @@ import org.pendant.project.program.TemplateStep.Screwdriving;
 import org.pendant.project.program.TemplateStep.Seek;
 import org.pendant.project.program.ToolChoice;
 
-/** The forms of templates; force and palletizing have classes of their own. */
+/** Template forms; force and palletizing have classes of their own. */
 final class TemplateForms {
   private TemplateForms() {}
 

@@ -9,7 +9,7 @@ import javax.swing.JPopupMenu;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.layout.TitledCard;
 
-/** A line of text, with texts to choose from behind an arrow where there are any. */
+/** Text view: a line of text, with texts to choose from behind an arrow where there are any. */
 final class TextView implements FieldView {
   private static final int COLUMNS = 12;
   private static final int MOST = 20;

@@ -6,8 +6,8 @@ import javax.swing.JTextField;
 import org.pendant.kit.layout.Typed;
 
 /**
- * A field of a form. What is typed is taken at once if it can be; otherwise it stays red until it
- * is put right, and the program keeps what it had.
+ * Typed field of a form. What is typed is taken at once if it can be; otherwise it stays red until
+ * it is put right, and the program keeps what it had.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class TypedField extends JTextField {

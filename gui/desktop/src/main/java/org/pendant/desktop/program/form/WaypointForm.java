@@ -20,7 +20,7 @@ import org.pendant.project.program.Timing;
 import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.WaypointTarget;
 
-/** The form of a waypoint. */
+/** Waypoint form. */
 final class WaypointForm {
   private static final List<String> POSE = List.of("X", "Y", "Z", "RX", "RY", "RZ");
 

@@ -6,7 +6,7 @@ import java.util.Set;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.TreeNames;
 
-/** The names of the places of a program, and who uses them. */
+/** Waypoint names: the names of the places of a program, and who uses them. */
 final class WaypointNames {
   private WaypointNames() {}
 

@@ -17,7 +17,7 @@ import org.pendant.desktop.scene.mesh.Mesh;
 import org.pendant.desktop.scene.mesh.WorldMesh;
 import org.pendant.models.shape.ArmShapes;
 
-/** The meshes of a model in the memory of the graphics, made again when they have to be. */
+/** Bodies: the meshes of a model in the memory of the graphics, made again when they have to be. */
 final class Bodies implements AutoCloseable {
   private static final double ROD_RADIUS_M = 0.004;
 

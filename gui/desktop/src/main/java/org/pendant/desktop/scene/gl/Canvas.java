@@ -3,8 +3,8 @@ package org.pendant.desktop.scene.gl;
 import static org.lwjgl.opengl.GL33C.*;
 
 /**
- * What is drawn on: a picture of one size, with one or several samples a pixel, or smaller than
- * what is read from it. In the last two cases there is another picture to read from.
+ * Canvas: what is drawn on: a picture of one size, with one or several samples a pixel, or smaller
+ * than what is read from it. In the last two cases there is another picture to read from.
  */
 final class Canvas implements AutoCloseable {
   private final int width;

@@ -18,7 +18,7 @@ import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
 import org.pendant.protocols.natives.NativeFolder;
 
-/** A context without a window, from EGL: on Linux with Mesa and others, with a GPU or without. */
+/** EGL context without a window: on Linux with Mesa and others, with a GPU or without. */
 final class EglContext implements GlContext {
   /** EGL_PLATFORM_SURFACELESS_MESA: needs neither a display nor a device that is named. */
   private static final int SURFACELESS = 0x31DD;

@@ -1,7 +1,7 @@
 package org.pendant.desktop.scene.gl;
 
 /**
- * An OpenGL 3.3 core context that is current on the thread that opened it. That thread alone draws
+ * OpenGL context, 3.3 core, that is current on the thread that opened it. That thread alone draws
  * with it and closes it.
  */
 interface GlContext extends AutoCloseable {

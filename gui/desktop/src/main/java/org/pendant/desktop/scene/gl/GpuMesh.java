@@ -9,8 +9,8 @@ import org.lwjgl.system.MemoryUtil;
 import org.pendant.desktop.scene.mesh.Mesh;
 
 /**
- * Meshes in the memory of the graphics, drawn by one call. The number of each in the list is the
- * place that moves it.
+ * GPU mesh: meshes in the memory of the graphics, drawn by one call. The number of each in the list
+ * is the place that moves it.
  */
 final class GpuMesh implements AutoCloseable {
   private static final int FLOATS = Mesh.STRIDE * Float.BYTES;

@@ -15,7 +15,9 @@ import org.pendant.desktop.scene.mesh.Finish;
 import org.pendant.desktop.scene.mesh.FloorScale;
 import org.pendant.desktop.scene.mesh.Lines;
 
-/** Draws the lines of a model: the trace, the edges of boxes, the metres on the floor. */
+/**
+ * Line painter: draws the lines of a model: the trace, the edges of boxes, the metres on the floor.
+ */
 final class LinePainter implements AutoCloseable {
   private static final float TRACE_PX_AT_800 = 2.6f;
   private static final float EDGE_PX_AT_800 = 1.3f;

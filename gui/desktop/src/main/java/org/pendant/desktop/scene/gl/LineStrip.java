@@ -6,7 +6,7 @@ import org.pendant.desktop.scene.SpeedColours;
 import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.mesh.Lines;
 
-/** Lines in the memory of the graphics: every two points in a row make a piece. */
+/** Line list: lines in the memory of the graphics: every two points in a row make a piece. */
 final class LineStrip implements AutoCloseable {
   private static final int STRIDE_BYTES = Lines.STRIDE * Float.BYTES;
   private static final int CORNERS = 4;

@@ -14,8 +14,8 @@ import org.pendant.desktop.scene.Ray;
 import org.pendant.desktop.scene.SceneModel;
 
 /**
- * Draws models into images, without a window. All of OpenGL happens on one thread of its own; the
- * methods may be called from any.
+ * Offscreen scene: draws models into images, without a window. All of OpenGL happens on one thread
+ * of its own; the methods may be called from any.
  */
 public final class OffscreenScene implements AutoCloseable {
   /** Largest width and height of an image, pixels; every OpenGL 3.3 has room for it. */

@@ -4,7 +4,7 @@ import org.joml.Vector3f;
 import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.desktop.scene.mesh.Finish;
 
-/** Colours as shaders take them. */
+/** Paints: colours as shaders take them. */
 final class Paints {
   private Paints() {}
 

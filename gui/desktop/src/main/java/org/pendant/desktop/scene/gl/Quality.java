@@ -2,7 +2,7 @@ package org.pendant.desktop.scene.gl;
 
 import org.pendant.desktop.scene.mesh.Detail;
 
-/** How much a picture may cost, the best first. A GPU always has time for the best. */
+/** Quality: how much a picture may cost, the best first. A GPU always has time for the best. */
 public enum Quality {
   /** Everything: for what stands still, and for files. */
   FULL(Detail.FINE, 4, Shadows.SOFT, 1),

@@ -23,8 +23,9 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /**
- * Draws models with the context that is current on the calling thread: a dozen calls a picture, all
- * meshes in the memory of the graphics, the shadow again only when a body has moved.
+ * Scene renderer: draws models with the context that is current on the calling thread: a dozen
+ * calls a picture, all meshes in the memory of the graphics, the shadow again only when a body has
+ * moved.
  */
 final class SceneRenderer implements AutoCloseable {
   private static final Vector3f TO_SUN = new Vector3f(0.42f, -0.62f, 1.05f).normalize();

@@ -1,6 +1,8 @@
 package org.pendant.desktop.scene.gl;
 
-/** There is no OpenGL to draw with; the message says what is missing and how to get it. */
+/**
+ * Missing OpenGL: there is none to draw with; the message says what is missing and how to get it.
+ */
 public final class SceneUnavailable extends Exception {
   private static final long serialVersionUID = 1L;
 

@@ -12,7 +12,10 @@ import java.util.Map;
 import org.joml.Matrix4fc;
 import org.joml.Vector3fc;
 
-/** A vertex shader and a fragment shader from the resources, and their uniforms by name. */
+/**
+ * Shader program: a vertex shader and a fragment shader from the resources, and their uniforms by
+ * name.
+ */
 final class ShaderProgram implements AutoCloseable {
   private static final String INCLUDE = "#include ";
 

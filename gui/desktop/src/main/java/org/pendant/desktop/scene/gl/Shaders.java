@@ -3,7 +3,7 @@ package org.pendant.desktop.scene.gl;
 import java.util.EnumMap;
 import java.util.Map;
 
-/** Every program of the graphics; those that look for shadows in all their forms. */
+/** Shaders: every program of the graphics; those that look for shadows in all their forms. */
 final class Shaders implements AutoCloseable {
   private final Map<Shadows, ShaderProgram> solids = new EnumMap<>(Shadows.class);
   private final Map<Shadows, ShaderProgram> planes = new EnumMap<>(Shadows.class);

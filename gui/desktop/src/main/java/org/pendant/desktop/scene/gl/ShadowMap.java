@@ -9,7 +9,7 @@ import org.joml.Vector3fc;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.Ball;
 
-/** How far the light sees: a picture of depths, taken from the sun. */
+/** Shadow map: how far the light sees: a picture of depths, taken from the sun. */
 final class ShadowMap implements AutoCloseable {
   private static final int SIZE = 1024;
 

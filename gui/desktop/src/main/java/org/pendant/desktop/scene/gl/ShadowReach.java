@@ -6,8 +6,8 @@ import org.joml.Vector3fc;
 import org.pendant.desktop.scene.mesh.Mesh;
 
 /**
- * The part of a level floor that shadows can reach: a rectangle around where the corners of boxes
- * throw theirs. Elsewhere nobody has to look.
+ * Shadow reach: the part of a level floor that shadows can reach: a rectangle around where the
+ * corners of boxes throw theirs. Elsewhere nobody has to look.
  */
 final class ShadowReach {
   private static final int CORNERS = 8;

@@ -1,6 +1,6 @@
 package org.pendant.desktop.scene.gl;
 
-/** How a surface looks up whether it is in the shadow; a shader is made for each. */
+/** Shadow lookup: how a surface finds whether it is in the shadow; a shader is made for each. */
 enum Shadows {
   /** There is none to look for. */
   NONE,

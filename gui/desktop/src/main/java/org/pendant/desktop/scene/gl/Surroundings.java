@@ -10,7 +10,9 @@ import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.desktop.scene.mesh.Finish;
 
-/** Draws what has no end: the floor with its grid, planes of the scene, and the sky. */
+/**
+ * Surroundings: draws what has no end: the floor with its grid, planes of the scene, and the sky.
+ */
 final class Surroundings implements AutoCloseable {
   /** The floor is there up to this share of the arm's reach, and then fades. */
   static final float FLOOR_REACH = 1.25f;

@@ -6,9 +6,9 @@ import org.pendant.models.arm.DhLengths;
 import org.pendant.models.shape.ArmShape;
 
 /**
- * The bodies of an arm as triangles, made from its measures: housings with covers over the joints,
- * tubes that grow out of them with fillets, a dark gap where one link turns on the other. About
- * 32,000 triangles; making them takes some tenths of a second.
+ * Arm meshes: the bodies of an arm as triangles, made from its measures: housings with covers over
+ * the joints, tubes that grow out of them with fillets, a dark gap where one link turns on the
+ * other. About 32,000 triangles; making them takes some tenths of a second.
  */
 public final class ArmMeshes {
   private final Map<Link, Mesh> meshes = new EnumMap<>(Link.class);

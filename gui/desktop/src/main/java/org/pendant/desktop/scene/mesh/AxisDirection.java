@@ -2,7 +2,7 @@ package org.pendant.desktop.scene.mesh;
 
 import org.joml.Matrix4f;
 
-/** The direction that the z axis of a part has in the frame of its link. */
+/** Axis direction: the direction that the z axis of a part has in the frame of its link. */
 enum AxisDirection {
   UP_Z,
   DOWN_Z,

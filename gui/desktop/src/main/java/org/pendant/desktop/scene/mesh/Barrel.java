@@ -4,7 +4,7 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
 /**
- * A cylinder with rounded edges as a field of distances: what a tube grows out of.
+ * Barrel: a cylinder with rounded edges as a field of distances: what a tube grows out of.
  *
  * @param centre its middle, in the link's frame, m
  * @param axis its direction, of length 1

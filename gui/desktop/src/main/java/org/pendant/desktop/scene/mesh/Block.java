@@ -3,8 +3,8 @@ package org.pendant.desktop.scene.mesh;
 import org.joml.Vector3f;
 
 /**
- * A box with bevelled edges around the origin of its frame. Each corner has three vertices, one for
- * each face; the bevels between are shaded as if they were round.
+ * Block: a box with bevelled edges around the origin of its frame. Each corner has three vertices,
+ * one for each face; the bevels between are shaded as if they were round.
  */
 final class Block {
   private static final int CORNERS = 8;

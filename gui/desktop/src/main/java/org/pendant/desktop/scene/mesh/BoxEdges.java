@@ -7,7 +7,7 @@ import org.joml.Vector3f;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 
-/** The edges of the boxes of a scene: two boxes of one colour in front of each other stay two. */
+/** Box edges of a scene: two boxes of one colour in front of each other stay two. */
 public final class BoxEdges {
   private static final int CORNERS = 8;
 

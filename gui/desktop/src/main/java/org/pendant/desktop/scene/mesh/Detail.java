@@ -1,8 +1,8 @@
 package org.pendant.desktop.scene.mesh;
 
 /**
- * How finely round things are cut. On a machine without a GPU the number of triangles is what takes
- * the time, far more than the number of pixels.
+ * Detail: how finely round things are cut. On a machine without a GPU the number of triangles is
+ * what takes the time, far more than the number of pixels.
  */
 public enum Detail {
   /** No corner is seen, however near the eye is. */

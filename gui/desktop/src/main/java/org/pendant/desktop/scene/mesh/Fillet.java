@@ -4,9 +4,9 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
 /**
- * The surface that leads from a tube to a barrel: where a smooth minimum of both distances is zero
- * (I. Quilez, "Smooth minimum"). Where both surfaces face the same way there is nothing to fill,
- * and the smoothing goes to zero: otherwise two equal cylinders would swell where they touch.
+ * Fillet: the surface that leads from a tube to a barrel: where a smooth minimum of both distances
+ * is zero (I. Quilez, "Smooth minimum"). Where both surfaces face the same way there is nothing to
+ * fill, and the smoothing goes to zero: otherwise two equal cylinders would swell where they touch.
  *
  * @param sizeM how far it reaches along either surface where they are square to each other, m
  */

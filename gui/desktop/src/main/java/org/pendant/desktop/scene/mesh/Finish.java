@@ -1,6 +1,6 @@
 package org.pendant.desktop.scene.mesh;
 
-/** What a surface looks like; the theme says which colour that is. */
+/** Finish: what a surface looks like; the theme says which colour that is. */
 public enum Finish {
   /** Painted castings and tubes of the arm. */
   SHELL(0),

@@ -5,7 +5,8 @@ import org.pendant.models.shape.Cylinder;
 import org.pendant.models.shape.JointHousing;
 
 /**
- * The last link: its body, the metal flange with its threads, and the socket of the tool's cable.
+ * Flange mesh: the last link, its body, the metal flange with its threads, and the socket of the
+ * tool's cable.
  */
 final class FlangeMesh {
   private static final int THREADS = 4;

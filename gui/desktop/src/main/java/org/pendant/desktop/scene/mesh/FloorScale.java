@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Metres written on the floor beside the axes, drawn by strokes: no font is needed, and they lie in
- * the plane of the floor.
+ * Floor scale: metres written on the floor beside the axes, drawn by strokes: no font is needed,
+ * and they lie in the plane of the floor.
  */
 public final class FloorScale {
   private static final double STEP_M = 0.5;

@@ -3,7 +3,7 @@ package org.pendant.desktop.scene.mesh;
 import org.joml.Matrix4f;
 import org.pendant.models.shape.Base;
 
-/** The fixed foot: a plate with screws, and the body of the first joint on it. */
+/** Foot: the fixed one, a plate with screws, and the body of the first joint on it. */
 final class Foot {
   private static final double THICKEST_PLATE_M = 0.014;
   private static final int SCREWS = 4;

@@ -4,8 +4,8 @@ import org.joml.Matrix4fc;
 import org.joml.Vector3f;
 
 /**
- * The round body over one joint, along the z axis of its frame: z = 0 is the face that the next
- * link turns on, at z = length the body ends.
+ * Housing: the round body over one joint, along the z axis of its frame: z = 0 is the face that the
+ * next link turns on, at z = length the body ends.
  */
 final class Housing {
   private static final double EDGE_M = 0.0012;

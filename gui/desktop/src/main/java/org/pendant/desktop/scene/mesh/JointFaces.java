@@ -4,8 +4,8 @@ import org.pendant.models.arm.DhLengths;
 import org.pendant.models.shape.ArmShape;
 
 /**
- * Where each link turns on the one before, m. The bodies were measured apart and overlap or gape by
- * some millimetres; the face is put in the middle of that.
+ * Joint faces: where each link turns on the one before, m. The bodies were measured apart and
+ * overlap or gape by some millimetres; the face is put in the middle of that.
  *
  * @param j1 height over the base frame
  * @param j2 on z of frame 1

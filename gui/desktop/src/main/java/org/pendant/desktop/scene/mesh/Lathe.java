@@ -3,7 +3,7 @@ package org.pendant.desktop.scene.mesh;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Turns outlines around the z axis of the part's frame. */
+/** Lathe: turns outlines around the z axis of the part's frame. */
 final class Lathe {
   /** Corners of what is round, at best; at this number nobody sees them. */
   static final int AROUND = 48;

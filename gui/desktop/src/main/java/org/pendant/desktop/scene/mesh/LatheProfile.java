@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Half the outline of a turned part: corners from its axis at the bottom to its axis at the top,
- * the solid on the left of the way. Corners are rounded.
+ * Lathe profile: half the outline of a turned part: corners from its axis at the bottom to its axis
+ * at the top, the solid on the left of the outline. Corners are rounded.
  */
 final class LatheProfile {
   /** Steps of a quarter circle, and of one that is large enough to be looked at. */

@@ -3,8 +3,9 @@ package org.pendant.desktop.scene.mesh;
 import org.pendant.models.shape.Tube;
 
 /**
- * How thick the tube of a limb is. Its radius was taken at 30, 50 and 70 % of the length; in
- * between it changes smoothly, and towards the ends to what there is room for under the lids.
+ * Limb radius: how thick the tube of a limb is. Its radius was taken at 30, 50 and 70 % of the
+ * length; in between it changes smoothly, and towards the ends to what there is room for under the
+ * lids.
  *
  * @param tube the measures
  * @param nearRoomM largest radius at the near end, m

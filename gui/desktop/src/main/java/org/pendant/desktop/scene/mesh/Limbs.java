@@ -7,7 +7,7 @@ import org.pendant.models.shape.Cylinder;
 import org.pendant.models.shape.Limb;
 import org.pendant.models.shape.Tube;
 
-/** Upper arm and forearm: a housing at either end, and a tube between them. */
+/** Limbs: upper arm and forearm, a housing at either end, and a tube between them. */
 final class Limbs {
   private static final double GAP_M = JointFaces.HALF_GAP_M;
   private static final double FILLET_SHARE = 0.55;

@@ -1,8 +1,8 @@
 package org.pendant.desktop.scene.mesh;
 
 /**
- * The seven bodies of an arm, from the table to the tool; the frame that each is described in is
- * the one {@link org.pendant.models.shape.ArmShape} names.
+ * Link bodies: the seven bodies of an arm, from the table to the tool; the frame that each is
+ * described in is the one {@link org.pendant.models.shape.ArmShape} names.
  */
 public enum Link {
   BASE,

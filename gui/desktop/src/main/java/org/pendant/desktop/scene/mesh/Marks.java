@@ -2,7 +2,7 @@ package org.pendant.desktop.scene.mesh;
 
 import org.joml.Matrix4f;
 
-/** Signs that are drawn among the bodies, in unit size. */
+/** Marks: signs that are drawn among the bodies, in unit size. */
 public final class Marks {
   private static final double SHAFT = 0.022;
   private static final double HEAD = 0.06;

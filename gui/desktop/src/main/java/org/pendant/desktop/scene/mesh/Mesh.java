@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.joml.Vector3f;
 
 /**
- * Triangles of closed surfaces, in m, each with its corners counter-clockwise as seen from outside.
- * Immutable; a mesh of several parts is closed part by part.
+ * Mesh: triangles of closed surfaces, in m, each with its corners counter-clockwise as seen from
+ * outside. Immutable; a mesh of several parts is closed part by part.
  */
 public final class Mesh {
   /** Numbers of a vertex: position, m, then the outward normal of length 1. */

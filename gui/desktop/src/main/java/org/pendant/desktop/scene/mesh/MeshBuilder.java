@@ -5,7 +5,10 @@ import org.joml.Matrix4f;
 import org.joml.Matrix4fc;
 import org.joml.Vector3f;
 
-/** Gathers the vertices and triangles of a mesh, part by part, each part in a place of its own. */
+/**
+ * Mesh builder: gathers the vertices and triangles of a mesh, part by part, each part in a place of
+ * its own.
+ */
 final class MeshBuilder {
   private float[] vertices = new float[Mesh.STRIDE * 1024];
   private byte[] finishes = new byte[1024];

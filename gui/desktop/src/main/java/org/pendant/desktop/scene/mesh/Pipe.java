@@ -5,7 +5,7 @@ import org.joml.Matrix4fc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
-/** A tube along the z axis of its frame, from z = 0. */
+/** Pipe: a tube along the z axis of its frame, from z = 0. */
 final class Pipe {
   private static final double STEP_M = 1e-3;
 

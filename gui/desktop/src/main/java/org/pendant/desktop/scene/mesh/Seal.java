@@ -2,7 +2,7 @@ package org.pendant.desktop.scene.mesh;
 
 import org.joml.Matrix4fc;
 
-/** The dark ring in the gap between two links; it belongs to the one that turns. */
+/** Seal: the dark ring in the gap between two links; it belongs to the one that turns. */
 final class Seal {
   private static final double NARROWER_M = 0.004;
   private static final double HALF_WIDTH_M = 0.003;

@@ -7,8 +7,8 @@ import org.joml.Matrix4f;
 import org.joml.Vector3f;
 
 /**
- * The skin of a tube that grows out of a barrel at its far end, and of another or of none at its
- * near end. It is laid in staves: lines from end to end, one at each angle.
+ * Tubing: the skin of a tube that grows out of a barrel at its far end, and of another or of none
+ * at its near end. It is laid in staves: lines from end to end, one at each angle.
  */
 final class Tubing {
   private static final int FILLET_STEPS = 7;

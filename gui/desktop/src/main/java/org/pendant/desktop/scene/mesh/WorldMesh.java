@@ -9,7 +9,8 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.models.pose.Pose;
 
 /**
- * The boxes and balls of a scene, in the base frame. Planes have no end and are drawn otherwise.
+ * World mesh: the boxes and balls of a scene, in the base frame. Planes have no end and are drawn
+ * otherwise.
  */
 public final class WorldMesh {
   private static final double WIDEST_BEVEL_M = 0.003;

@@ -5,9 +5,9 @@ import java.util.List;
 import org.pendant.desktop.scene.gl.Quality;
 
 /**
- * Chooses how well pictures that follow each other are drawn, from how long the last ones took: as
- * well as leaves about 30 of them in a second. Worse at once, better only after a while, so that
- * the look does not flicker.
+ * Adaptive quality: chooses how well pictures that follow each other are drawn, from how long the
+ * last ones took: as well as leaves about 30 of them in a second. Worse at once, better only after
+ * a while, so that the look does not flicker.
  */
 final class AdaptiveQuality {
   /** What a picture may take, ns. */

@@ -18,8 +18,9 @@ import org.pendant.desktop.scene.Picked;
 import org.pendant.kit.theme.Palette;
 
 /**
- * The mouse that pulls the arm at the point where it was grabbed. What is under the pointer is
- * known a moment after the press; until then, and while something is held, the view does not turn.
+ * Arm drag: the mouse that pulls the arm at the point where it was grabbed. What is under the
+ * pointer is known a moment after the press; until then, and while something is held, the view does
+ * not turn.
  */
 final class ArmDrag extends MouseAdapter {
   private static final double DOT_EM = 0.45;

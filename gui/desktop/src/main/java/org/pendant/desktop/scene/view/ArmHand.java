@@ -2,7 +2,7 @@ package org.pendant.desktop.scene.view;
 
 import org.pendant.controller.world.Vector3;
 
-/** The hand that pulls the arm when somebody drags it in the picture. */
+/** Hand on the arm: pulls it when the user drags it in the picture. */
 public interface ArmHand {
   /** A hand that drags nothing. */
   ArmHand NONE =

@@ -9,8 +9,8 @@ import org.pendant.command.service.StandardView;
 import org.pendant.desktop.scene.Camera;
 
 /**
- * The keyboard on the view: arrows turn, with shift they move, plus and minus go near and far,
- * digits look from the standard directions.
+ * Camera keys: arrows turn, with shift they move, plus and minus zoom in and out, digits look from
+ * the standard directions.
  */
 final class CameraKeys {
   private static final double TURN_RAD = Math.toRadians(5);

@@ -7,8 +7,8 @@ import javax.swing.SwingUtilities;
 import org.pendant.desktop.scene.Camera;
 
 /**
- * The mouse on the view: left turns, right, middle or shift moves, the wheel goes nearer to the
- * pointer, a double click looks at the tool.
+ * Camera mouse: left turns, right, middle or shift moves, the wheel zooms towards the pointer, a
+ * double click looks at the tool.
  */
 final class CameraMouse extends MouseAdapter {
   private static final double RAD_PER_PIXEL = 0.008;

@@ -12,8 +12,8 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Transforms;
 
 /**
- * A point of the arm that the pointer holds, and the plane in which it drags it: parallel to the
- * screen, through where the point was grabbed.
+ * Grabbed point of the arm that the pointer holds, and the plane in which it drags it: parallel to
+ * the screen, through where the point was grabbed.
  *
  * @param link the link that joint 0 to 5 moves
  * @param inLinkM the point in the Denavit-Hartenberg frame behind that joint, m

@@ -10,8 +10,8 @@ import java.util.function.BiFunction;
 import org.pendant.desktop.scene.Picked;
 
 /**
- * Knows what the pointer is on: asks once at a time, and again when the pointer or the picture has
- * moved meanwhile. Belongs to the dispatch thread.
+ * Hover tracker: knows what the pointer is on: asks once at a time, and again when the pointer or
+ * the picture has moved meanwhile. Belongs to the dispatch thread.
  */
 final class HoverTracker extends MouseAdapter {
   private final BiFunction<Integer, Integer, CompletableFuture<Optional<Picked>>> pick;

@@ -7,7 +7,10 @@ import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 
-/** Stands in place of the picture where nothing can draw one; its text can be copied. */
+/**
+ * Missing graphics note: stands in place of the picture where nothing can draw one; its text can be
+ * copied.
+ */
 final class MissingGraphics extends JPanel {
   private static final long serialVersionUID = 1L;
 

@@ -3,7 +3,7 @@ package org.pendant.desktop.scene.view;
 import org.pendant.desktop.scene.Picked;
 import org.pendant.desktop.scene.mesh.Link;
 
-/** What people call the thing that the pointer is on. */
+/** Picked name: what people call the thing that the pointer is on. */
 final class PickedName {
   private PickedName() {}
 

@@ -10,9 +10,9 @@ import org.pendant.desktop.scene.gl.OffscreenScene;
 import org.pendant.desktop.scene.gl.Quality;
 
 /**
- * Draws the newest picture that was asked for, one at a time, elsewhere; whatever was asked for in
- * between is dropped. While pictures follow each other they are drawn as well as there is time for
- * ({@link AdaptiveQuality}); {@link #settle} has the last one drawn again in full.
+ * Picture loop: draws the newest picture that was asked for, one at a time, elsewhere; whatever was
+ * asked for in between is dropped. While pictures follow each other they are drawn as well as there
+ * is time for ({@link AdaptiveQuality}); {@link #settle} has the last one drawn again in full.
  *
  * <p>Belongs to the thread of its executor, the dispatch thread.
  */

@@ -5,7 +5,7 @@ import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.gl.Quality;
 
 /**
- * A picture that is wanted.
+ * Picture request: a picture that is wanted.
  *
  * @param model what to draw
  * @param camera from where

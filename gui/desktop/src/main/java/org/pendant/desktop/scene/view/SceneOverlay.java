@@ -19,7 +19,10 @@ import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.pose.Pose;
 
-/** What is written on the picture: the scale of speeds, names of frames, what the pointer is on. */
+/**
+ * Scene overlay: what is written on the picture: the scale of speeds, names of frames, what the
+ * pointer is on.
+ */
 final class SceneOverlay {
   private static final List<String> JOINT_FRAMES =
       List.of("J1", "J2", "J3", "J4", "J5", "J6, flange");

@@ -29,7 +29,7 @@ import org.pendant.kit.fault.Faults;
 import org.pendant.models.pose.Pose;
 
 /**
- * Shows models in 3D. A lightweight component: pictures are drawn elsewhere ({@link
+ * Scene view: shows models in 3D. A lightweight component: pictures are drawn elsewhere ({@link
  * OffscreenScene}) at the pixels of the screen, and only when the model, the camera or the size has
  * changed. OpenGL is started when the component becomes part of a window; where there is none the
  * component says why.

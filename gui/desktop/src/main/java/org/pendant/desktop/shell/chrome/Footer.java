@@ -24,7 +24,10 @@ import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.layout.Squeeze;
 import org.pendant.kit.theme.Palette;
 
-/** What is needed at any time: readiness, speed, the pace of time, and the program's buttons. */
+/**
+ * Footer: what is needed at any time: readiness, speed, the pace of time, and the program's
+ * buttons.
+ */
 @SuppressWarnings("serial") // never written to a stream
 public final class Footer extends JPanel {
   /** Layout of a button with its word, without it, and where there is hardly any room. */

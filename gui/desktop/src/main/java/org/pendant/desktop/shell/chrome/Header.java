@@ -26,7 +26,7 @@ import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.script.vm.ProgramState;
 
-/** Which program and robot this is, and the modes. */
+/** Header: which program and robot this is, and the modes. */
 @SuppressWarnings("serial") // never written to a stream
 public final class Header extends JPanel {
   private final ProgramButton program;

@@ -5,7 +5,7 @@ import java.util.List;
 import org.pendant.controller.Pace;
 
 /**
- * A pace that people can choose.
+ * Pace choice: a pace that people can choose.
  *
  * @param title such as {@code x 2}
  */

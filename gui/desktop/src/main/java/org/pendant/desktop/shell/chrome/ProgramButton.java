@@ -7,7 +7,7 @@ import javax.swing.SwingConstants;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.kit.icon.Glyph;
 
-/** The name of the open program; it opens a menu of other programs. */
+/** Program button: the name of the open program; it opens a menu of other programs. */
 @SuppressWarnings("serial") // never written to a stream
 final class ProgramButton extends JButton {
   private final transient ProgramMenu menu;

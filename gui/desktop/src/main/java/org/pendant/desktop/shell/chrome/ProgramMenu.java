@@ -13,7 +13,7 @@ import org.pendant.kit.action.ActionItem;
 import org.pendant.kit.action.ActionTable;
 
 /**
- * A menu of programs: those that are open, those that were open lately, and what can be done with
+ * Program menu: programs that are open, those that were open lately, and what can be done with
  * files.
  *
  * @param recent files that were open lately, the last one first

@@ -26,8 +26,8 @@ import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.theme.Palette;
 
 /**
- * The screens, one below the other. In a low window they lose their words; those that have no room
- * then are in a menu at the end.
+ * Rail: the screens, one below the other. In a low window they lose their words; those that have no
+ * room then are in a menu at the end.
  */
 @SuppressWarnings("serial") // never written to a stream
 public final class Rail extends JPanel {

@@ -13,7 +13,7 @@ import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.theme.Badge;
 import org.pendant.kit.theme.Palette;
 
-/** Whether the arm is ready, and the button that makes it so. */
+/** Readiness bar: whether the arm is ready, and the button that makes it so. */
 @SuppressWarnings("serial") // never written to a stream
 final class ReadinessBar extends JPanel {
   private final Badge light = new Badge("readiness", "Whether the arm is ready for programs");

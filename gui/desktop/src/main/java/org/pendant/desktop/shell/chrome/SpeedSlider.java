@@ -9,7 +9,7 @@ import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.command.Reply;
 
-/** How fast programs move the arm, 0 to 100 %. */
+/** Speed slider: how fast programs move the arm, 0 to 100 %. */
 @SuppressWarnings("serial") // never written to a stream
 final class SpeedSlider extends JPanel {
   private final JSlider slider = new JSlider(0, 100, 100);

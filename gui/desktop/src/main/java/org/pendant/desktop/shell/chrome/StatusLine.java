@@ -12,7 +12,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.WallClock.Lateness;
 import org.pendant.kit.theme.Palette;
 
-/** The last thing that was told, and how punctual the frames are. */
+/** Status line: the last thing that was told, and how punctual the frames are. */
 @SuppressWarnings("serial") // never written to a stream
 public final class StatusLine extends JPanel {
   private final JLabel told = new JLabel(" ");

@@ -7,7 +7,7 @@ import org.pendant.controller.message.Question;
 import org.pendant.language.source.ByteText;
 
 /**
- * A popup or a question, in words for people.
+ * Prompt: a popup or a question, in words for people.
  *
  * @param number under which it is answered
  * @param kind which answers it takes, for a question

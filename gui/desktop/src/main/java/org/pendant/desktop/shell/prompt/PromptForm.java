@@ -22,7 +22,7 @@ import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 
-/** The widgets that show one popup or question. */
+/** Prompt form: the widgets that show one popup or question. */
 final class PromptForm {
   private static final int MIN_ROWS = 2;
   private static final int MAX_ROWS = 14;

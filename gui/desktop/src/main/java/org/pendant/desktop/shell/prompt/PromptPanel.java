@@ -14,8 +14,9 @@ import org.pendant.kit.action.KeyText;
 import org.pendant.kit.theme.Overlay;
 
 /**
- * Shows popups and questions of programs, one at a time, over the views and never over the footer.
- * It takes the focus unless somebody types; the action {@value #ANSWER} gives it the focus then.
+ * Prompt panel: shows popups and questions of programs, one at a time, over the views and never
+ * over the footer. It takes the focus unless somebody types; the action {@value #ANSWER} gives it
+ * the focus then.
  */
 public final class PromptPanel {
   /** The action that brings the focus here. */

@@ -15,8 +15,8 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.ByteText;
 
 /**
- * Popups and questions in a queue, one of which is shown. It stays until it is closed or people go
- * on to another one; then what the program waits for comes first, and what is older.
+ * Prompts: popups and questions in a queue, one of which is shown. It stays until it is closed or
+ * people go on to another one; then what the program waits for comes first, and what is older.
  */
 final class Prompts {
   /** Keys and clicks shortly after one appears were meant for something else. */

@@ -1,5 +1,5 @@
 /**
- * What programs show to people and ask them. Open {@link
+ * Prompts: what programs show to people and ask them. Open {@link
  * org.pendant.desktop.shell.prompt.PromptPanel} first.
  */
 package org.pendant.desktop.shell.prompt;

@@ -10,7 +10,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.theme.Card;
 import org.pendant.kit.theme.Palette;
 
-/** A card with the last messages. */
+/** Messages panel: a card with the last messages. */
 final class MessagesPanel {
   private final RecentMessages messages = new RecentMessages();
   private final JPanel card =

@@ -8,7 +8,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.theme.Card;
 import org.pendant.kit.theme.Palette;
 
-/** A card with names and numbers in a column each. */
+/** Numbers panel: a card with names and numbers in a column each. */
 final class NumbersPanel {
   private final JPanel card =
       new Card(new MigLayout("insets 16, gap 8 4, wrap 2", "[]16[grow, right, 90::]", ""));

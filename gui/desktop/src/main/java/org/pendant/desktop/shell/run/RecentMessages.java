@@ -8,7 +8,7 @@ import java.util.function.LongFunction;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.language.source.ByteText;
 
-/** The last few lines of the log. */
+/** Recent messages: the last few lines of the log. */
 final class RecentMessages {
   private static final int MOST = 8;
 

@@ -16,7 +16,7 @@ import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.ProgramState;
 
 /**
- * What the Run screen says about a snapshot, in words.
+ * Run facts: what the Run screen says about a snapshot, in words.
  *
  * @param state of the program and how the last one ended
  * @param failed whether the last one ended by an error

@@ -7,7 +7,7 @@ import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.program.RunNode;
 
-/** What the Run screen asks about the program that was started last. */
+/** Run program: what the Run screen asks about the program that was started last. */
 public interface RunProgram {
 
   /** What it is called; empty for as the program that is open. */

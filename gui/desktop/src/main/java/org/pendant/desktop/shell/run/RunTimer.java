@@ -4,7 +4,7 @@ import java.util.Locale;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.script.vm.ProgramState;
 
-/** How long the program has run, in robot time. */
+/** Run timer: how long the program has run, in robot time. */
 final class RunTimer {
   private ProgramState before = ProgramState.STOPPED;
   private double startS;

@@ -32,7 +32,9 @@ import org.pendant.kit.theme.Card;
 import org.pendant.kit.theme.Palette;
 import org.pendant.language.source.ByteText;
 
-/** The screen to watch a program on: what it does, where the arm is, what is the matter. */
+/**
+ * Run view: the screen to watch a program on: what it does, where the arm is, what is the matter.
+ */
 public final class RunView implements View {
   private static final String WIDE = "insets 16, gap 16, hidemode 3, wrap 2";
   private static final String WIDE_COLUMNS = "[grow, fill, 0::][fill]";

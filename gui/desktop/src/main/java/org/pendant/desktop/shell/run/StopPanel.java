@@ -19,7 +19,7 @@ import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.theme.Card;
 import org.pendant.kit.theme.Palette;
 
-/** Why the arm is stopped and what to do about it; hidden while it is not. */
+/** Stop panel: why the arm is stopped and what to do about it; hidden while it is not. */
 final class StopPanel {
   private final JPanel panel =
       new Card(new MigLayout("insets 16, gap 8, wrap 1, hidemode 3", "[grow, fill, 0::]", ""));

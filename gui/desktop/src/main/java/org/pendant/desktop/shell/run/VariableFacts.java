@@ -17,7 +17,7 @@ import org.pendant.script.variables.VariableSample;
 import org.pendant.script.variables.VariableSamples;
 
 /**
- * What the Run screen says about the variables of a program.
+ * Variable facts: what the Run screen says about the variables of a program.
  *
  * @param rows favourites first, as many as there is room for
  * @param more how many there are besides

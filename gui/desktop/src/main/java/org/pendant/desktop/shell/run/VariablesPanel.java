@@ -15,7 +15,7 @@ import org.pendant.kit.theme.Card;
 import org.pendant.kit.theme.Palette;
 import org.pendant.script.variables.VariableSamples;
 
-/** A card with the variables of the running or last program, favourites first. */
+/** Variables panel: a card with the variables of the running or last program, favourites first. */
 final class VariablesPanel {
   private static final String EMPTY =
       "The variables of a program appear here while it runs, favourites first,"

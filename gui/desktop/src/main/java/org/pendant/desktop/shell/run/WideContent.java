@@ -7,7 +7,10 @@ import java.awt.Rectangle;
 import javax.swing.JPanel;
 import javax.swing.Scrollable;
 
-/** Content as wide as the place that shows it, unless that is too narrow; it scrolls then. */
+/**
+ * Wide content: content as wide as the place that shows it, unless that is too narrow; it scrolls
+ * then.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class WideContent extends JPanel implements Scrollable {
   private static final int STEP = 24;

@@ -1,2 +1,2 @@
-/** The Run screen. Open {@link org.pendant.desktop.shell.run.RunView} first. */
+/** Run screen. Open {@link org.pendant.desktop.shell.run.RunView} first. */
 package org.pendant.desktop.shell.run;

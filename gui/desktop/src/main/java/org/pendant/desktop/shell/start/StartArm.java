@@ -3,7 +3,10 @@ package org.pendant.desktop.shell.start;
 import java.util.function.Consumer;
 import org.pendant.models.arm.Joints;
 
-/** Moves the arm to where a program goes first. One thread uses it, which is told how it ends. */
+/**
+ * Start of the arm: moves it to where a program moves first. One thread uses it, which is told how
+ * it ends.
+ */
 public interface StartArm {
 
   /**

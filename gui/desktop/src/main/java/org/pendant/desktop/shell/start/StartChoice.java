@@ -7,9 +7,9 @@ import org.pendant.kit.settings.Settings;
 import org.pendant.script.vm.ProgramState;
 
 /**
- * What is asked when a program shall start and the arm is not where it goes first: whether it goes
- * there by itself, or while somebody holds a button, or the program starts all the same. It has no
- * Swing; one thread uses it, the dispatch thread.
+ * Start choice: what is asked when a program shall start and the arm is not where it moves first:
+ * whether it moves there by itself, or while the operator holds a button, or the program starts all
+ * the same. It has no Swing; one thread uses it, the dispatch thread.
  */
 public final class StartChoice {
   private static final String SETTING = "program.ask-start";

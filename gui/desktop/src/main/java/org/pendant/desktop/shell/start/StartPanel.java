@@ -19,7 +19,10 @@ import org.pendant.kit.theme.Overlay;
 import org.pendant.kit.theme.Palette;
 import org.pendant.kit.theme.WrappedText;
 
-/** Shows a {@link StartChoice} over the views and never over the footer. Escape cancels. */
+/**
+ * Start panel: shows a {@link StartChoice} over the views and never over the footer. Escape
+ * cancels.
+ */
 public final class StartPanel {
   /** How wide it would be, in pixels before scaling. */
   private static final int WIDTH = 480;

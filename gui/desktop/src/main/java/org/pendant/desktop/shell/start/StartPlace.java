@@ -15,7 +15,7 @@ import org.pendant.project.program.FirstWaypoint;
 import org.pendant.project.program.WaypointPosition;
 
 /**
- * The place where a program goes first.
+ * Start location: where a program moves the arm first.
  *
  * @param name of the waypoint
  * @param tcpInBase where the TCP is there

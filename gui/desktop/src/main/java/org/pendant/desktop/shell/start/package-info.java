@@ -1,5 +1,5 @@
 /**
- * Programs that start while the arm is somewhere else than where they go first: what people can do
- * then. Begin at {@code StartChoice}.
+ * Program start away from the first waypoint: what people can do when the arm is somewhere else.
+ * Begin at {@code StartChoice}.
  */
 package org.pendant.desktop.shell.start;
