@@ -3,7 +3,7 @@ package org.pendant.models.arm;
 import java.util.List;
 
 /**
- * Everything the program knows about one arm model.
+ * Arm description: everything the program knows about one arm model.
  *
  * @param id the word that selects it, such as {@code ur5e}
  * @param displayName the name for people

@@ -8,7 +8,9 @@ import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 import org.pendant.models.json.JsonFile;
 
-/** The arm models that come with the program. Descriptions are data, one JSON file each. */
+/**
+ * Arm library: the models that come with the program. Descriptions are data, one JSON file each.
+ */
 public final class ArmLibrary {
   private static final List<String> IDS =
       List.of(

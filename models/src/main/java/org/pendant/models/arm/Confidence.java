@@ -2,7 +2,7 @@ package org.pendant.models.arm;
 
 import java.util.Locale;
 
-/** How far a group of numbers in a description can be trusted. */
+/** Confidence: how far a group of numbers in a description can be trusted. */
 public enum Confidence {
   /** Two independent public sources agree. */
   VERIFIED,

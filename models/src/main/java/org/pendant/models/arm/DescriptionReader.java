@@ -6,8 +6,8 @@ import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 
 /**
- * Reads an arm description from JSON. Every start of the program comes through here: no code made
- * at run time (lambdas, text joined by plus) where nothing is wrong.
+ * Arm description reader: reads one from JSON. Every start of the program comes through here: no
+ * code made at run time (lambdas, text joined by plus) where nothing is wrong.
  *
  * <p>The layout is the records' own: the same names with their units, links' centre of mass and
  * inertia as arrays {@code [x, y, z]} and {@code [xx, xy, xz, yy, yz, zz]}.

@@ -1,9 +1,9 @@
 package org.pendant.models.arm;
 
 /**
- * What one arm's calibration adds to the Denavit-Hartenberg parameters of its model, joint by
- * joint: {@code T_i = Rz(q_i + thetaRad_i) Tz(d_i + dM_i) Tx(a_i + aM_i) Rx(alpha_i + alphaRad_i)},
- * in the convention of {@link DhLengths}.
+ * Denavit-Hartenberg deltas: what one arm's calibration adds to the Denavit-Hartenberg parameters
+ * of its model, joint by joint: {@code T_i = Rz(q_i + thetaRad_i) Tz(d_i + dM_i) Tx(a_i + aM_i)
+ * Rx(alpha_i + alphaRad_i)}, in the convention of {@link DhLengths}.
  *
  * <p>The angles are small, and so are most lengths. Along the parallel axes 2 and 3 a calibration
  * may shift the links by metres one way and back again: what tells these shifts apart is the tiny

@@ -1,7 +1,7 @@
 package org.pendant.models.arm;
 
 /**
- * The six lengths that fix the shape of an arm with this family's joints, in m.
+ * Denavit-Hartenberg lengths: the six that fix the shape of an arm with this family's joints, in m.
  *
  * <p>Standard (distal) Denavit-Hartenberg convention, {@code T_i = Rz(q_i) Tz(d_i) Tx(a_i)
  * Rx(alpha_i)}, with {@code alpha = (pi/2, 0, 0, pi/2, -pi/2, 0)} and every length not named here

@@ -1,7 +1,7 @@
 package org.pendant.models.arm;
 
 /**
- * What one joint can do.
+ * Joint limits: what one joint is capable of.
  *
  * @param minRad smallest position by the data sheet, rad; minus infinity for a joint that turns
  *     without end

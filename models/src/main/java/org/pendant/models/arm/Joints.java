@@ -1,8 +1,8 @@
 package org.pendant.models.arm;
 
 /**
- * Six numbers, one a joint from base to wrist 3: positions in rad, speeds in rad/s, torques in Nm,
- * whatever the name of the variable says.
+ * Joint vector: six numbers, one a joint from base to wrist 3: positions in rad, speeds in rad/s,
+ * torques in Nm, whatever the name of the variable says.
  */
 public record Joints(double q0, double q1, double q2, double q3, double q4, double q5) {
   /** Number of joints. */

@@ -8,7 +8,8 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 
 /**
- * Torques that a motion needs, and the motion that torques give (manual 16.12, 16.21).
+ * Arm dynamics: torques that a motion needs, and the motion that torques give (manual 16.12,
+ * 16.21).
  *
  * <p>{@code M(q) qdd + C(q, qd) qd + g(q) = torque}. The payload is welded to the last link.
  * Friction is not part of it; the inertia of the rotors counts where a method says so. Gravity is

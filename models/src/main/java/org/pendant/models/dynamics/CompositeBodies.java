@@ -5,9 +5,9 @@ import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
 
 /**
- * The mass matrix by composite bodies: each joint moves all links behind it as one body, whose
- * first and second moments are carried from frame to frame towards the base. (R. Featherstone,
- * "Rigid Body Dynamics Algorithms", section 6.2.)
+ * Composite bodies, by which the mass matrix is found: each joint moves all links after it as one
+ * body, whose first and second moments are carried from frame to frame towards the base. (R.
+ * Featherstone, "Rigid Body Dynamics Algorithms", section 6.2.)
  */
 final class CompositeBodies {
   private static final int N = Joints.COUNT;

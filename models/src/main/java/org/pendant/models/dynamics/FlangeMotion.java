@@ -1,9 +1,9 @@
 package org.pendant.models.dynamics;
 
 /**
- * How the flange moves, along its own axes, as the latest {@link ArmDynamics#inverse} has found it:
- * what an accelerometer in it reads, and what a load on it weighs. Only for the frame loop that
- * owns the dynamics; its numbers change with every call.
+ * Flange motion: how the flange moves, along its own axes, as the latest {@link
+ * ArmDynamics#inverse} has found it: what an accelerometer in it reads, and what a load on it
+ * weighs. Only for the frame loop that owns the dynamics; its numbers change with every call.
  */
 public final class FlangeMotion {
   private double wx;

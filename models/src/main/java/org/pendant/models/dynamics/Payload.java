@@ -1,7 +1,7 @@
 package org.pendant.models.dynamics;
 
 /**
- * What hangs on the flange (manual 16.52).
+ * Payload: what is mounted on the flange (manual 16.52).
  *
  * @param massKg mass, kg
  * @param cogXM centre of gravity in the flange frame, m

@@ -11,8 +11,8 @@ import org.pendant.models.pose.Rotations;
 import org.pendant.models.pose.Wrench;
 
 /**
- * The two systems of equations of {@link PayloadEstimate}: forces tell the mass, torques the first
- * moment. Unknowns are scaled by gravity, so that all coefficients are of one size.
+ * Payload equations: the two systems of {@link PayloadEstimate}: forces tell the mass, torques the
+ * first moment. Unknowns are scaled by gravity, so that all coefficients are of one size.
  */
 final class PayloadEquations {
   /** Gravity below this, m/s², gives a load no weight. */

@@ -8,8 +8,8 @@ import org.pendant.models.pose.Poses;
 import org.pendant.models.pose.Wrench;
 
 /**
- * Mass and centre of gravity of what hangs on the flange, from how its weight loads the flange in
- * several orientations (manual 16.2).
+ * Payload estimate: mass and centre of gravity of what is mounted on the flange, from how its
+ * weight loads the flange in several orientations (manual 16.2).
  *
  * <p>With a the acceleration that the resting arm feels, R the rotation of the flange, m the mass
  * and h = m c the first moment of the load, each measurement says {@code f = -m a + R b} and {@code

@@ -1,6 +1,6 @@
 package org.pendant.models.json;
 
-/** Where something stands in a file; lines and columns count from 1. */
+/** File position: where something stands in a file; lines and columns count from 1. */
 public record FilePosition(String file, int line, int column) {
 
   /** The place that follows {@code text}, which begins the file. */

@@ -1,7 +1,7 @@
 package org.pendant.models.json;
 
 /**
- * What a number of a file may be; NaN is in no range.
+ * Range: what a number of a file may be; NaN is in no range.
  *
  * @param least the smallest value allowed
  * @param most the largest value allowed

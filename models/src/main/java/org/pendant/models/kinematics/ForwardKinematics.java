@@ -8,7 +8,8 @@ import org.pendant.models.pose.Poses;
 import org.pendant.models.pose.Transforms;
 
 /**
- * From joint positions to the frames of the links, seen from the base frame (manual 16.13).
+ * Forward kinematics: from joint positions to the frames of the links, seen from the base frame
+ * (manual 16.13).
  *
  * <p>The product of the six Denavit-Hartenberg matrices is written out for this family of arms: the
  * second, third and fourth axes are parallel, so the arm moves in a plane that joint 1 turns about

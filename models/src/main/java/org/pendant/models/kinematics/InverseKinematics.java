@@ -11,7 +11,8 @@ import org.pendant.models.pose.Poses;
 import org.pendant.models.pose.Transforms;
 
 /**
- * From the pose of the flange to joint positions, in closed form (manual 16.15, 16.16).
+ * Inverse kinematics: from the pose of the flange to joint positions, in closed form (manual 16.15,
+ * 16.16).
  *
  * <p>A pose has up to eight solutions, and each joint may make a full turn more where its range
  * allows. Every joint is turned as near as its range permits to the position it is asked to be near

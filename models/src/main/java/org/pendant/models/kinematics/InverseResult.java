@@ -2,7 +2,7 @@ package org.pendant.models.kinematics;
 
 import org.pendant.models.arm.Joints;
 
-/** What a search for joint positions found. */
+/** Inverse kinematics result: what a search for joint positions found. */
 public sealed interface InverseResult {
   /**
    * Joint positions that reach the pose.

@@ -1,7 +1,7 @@
 package org.pendant.models.kinematics;
 
 /**
- * How far one frame is from another.
+ * Pose error: how far one frame is from another.
  *
  * @param positionM distance of the origins, m
  * @param orientationRad angle between the orientations, rad

@@ -10,9 +10,9 @@ import org.ejml.dense.row.mult.MatrixVectorMult_DDRM;
 import org.pendant.models.arm.Joints;
 
 /**
- * Six linear equations for six joint speeds: exactly by elimination, or damped by least squares (B.
- * Siciliano et al., "Robotics: Modelling, Planning and Control", section 3.5.2). Keeps its scratch
- * space, so it allocates nothing.
+ * Joint speed solver: six linear equations for six joint speeds: exactly by elimination, or damped
+ * by least squares (B. Siciliano et al., "Robotics: Modelling, Planning and Control", section
+ * 3.5.2). Keeps its scratch space, so it allocates nothing.
  */
 final class SpeedSolver {
   /**

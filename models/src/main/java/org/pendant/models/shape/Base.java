@@ -1,7 +1,7 @@
 package org.pendant.models.shape;
 
 /**
- * The foot of an arm: upright on the z axis of the base frame, from z = 0.
+ * Foot of an arm: upright on the z axis of the base frame, from z = 0.
  *
  * @param heightM up to where the shoulder begins, m
  * @param footRadiusM at the bottom, m

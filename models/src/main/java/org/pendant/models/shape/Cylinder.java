@@ -1,7 +1,7 @@
 package org.pendant.models.shape;
 
 /**
- * A cylinder around one axis of its body's frame; the place that holds it says which axis.
+ * Cylinder around one axis of its body's frame; the place that has it says which axis.
  *
  * @param radiusM radius, m
  * @param fromM where it begins on the axis, m

@@ -5,10 +5,10 @@ import java.math.RoundingMode;
 import org.pendant.models.pose.Pose;
 
 /**
- * How numbers and poses print (manual 16.57, 16.65): as C's {@code %f} does, with six decimals
- * rounded to nearest from the exact binary value, then without trailing zeros and without a bare
- * point. The manual leaves the sign of zero open; here a value that rounds to zero prints as {@code
- * 0}.
+ * Text of numbers: how numbers and poses print (manual 16.57, 16.65): as C's {@code %f} does, with
+ * six decimals rounded to nearest from the exact binary value, then without trailing zeros and
+ * without a bare point. The manual leaves the sign of zero open; here a value that rounds to zero
+ * prints as {@code 0}.
  */
 public final class FloatText {
   private static final int DECIMALS = 6;

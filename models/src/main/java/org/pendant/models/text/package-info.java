@@ -1,5 +1,4 @@
 /**
- * How numbers read in messages and in scripts; begin with {@link
- * org.pendant.models.text.FloatText}.
+ * Text of numbers in messages and in scripts; begin with {@link org.pendant.models.text.FloatText}.
  */
 package org.pendant.models.text;

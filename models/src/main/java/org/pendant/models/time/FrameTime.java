@@ -1,6 +1,6 @@
 package org.pendant.models.time;
 
-/** The controller's step in time. */
+/** Frame time: the controller's step in time. */
 public final class FrameTime {
   /** Length of a frame, s. */
   public static final double FRAME_S = 0.002;
