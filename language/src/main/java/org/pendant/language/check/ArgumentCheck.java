@@ -9,7 +9,7 @@ import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.Argument;
 import org.pendant.language.syntax.Expression.BoolLiteral;
 
-/** Compares the arguments of a call with the head of what is called. */
+/** Argument check: compares the arguments of a call with the head of what is called. */
 final class ArgumentCheck {
   /** Functions with this parameter wait only when it is set. */
   private static final String BLOCKING = "blocking";

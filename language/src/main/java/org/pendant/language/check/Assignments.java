@@ -2,7 +2,7 @@ package org.pendant.language.check;
 
 import org.pendant.language.syntax.Expression;
 
-/** What the left side of an assignment is about. */
+/** Assignment targets: what the left side of an assignment is about. */
 final class Assignments {
   private Assignments() {}
 

@@ -1,6 +1,6 @@
 package org.pendant.language.check;
 
-/** What a variable's name stands for at one place of a program (manual 9). */
+/** Binding: what a variable's name stands for at one place of a program (manual 9). */
 public sealed interface Binding {
 
   String name();

@@ -10,7 +10,7 @@ import java.util.Set;
 import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.Statement.Definition;
 
-/** Who calls whom, and what follows from it for robot time. */
+/** Call graph: which function calls which, and what follows from it for robot time. */
 final class CallGraph {
 
   /** One function, thread or main level. */

@@ -17,7 +17,7 @@ import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.language.syntax.Statement.DefinitionKind;
 
-/** What all functions of one check share. */
+/** Check run: what all functions of one check share. */
 final class CheckRun {
   /** The one built-in that the language itself must know: it opens a running program to lines. */
   private static final String INTERPRETER_MODE = "interpreter_mode";

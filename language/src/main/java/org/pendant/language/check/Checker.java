@@ -10,7 +10,7 @@ import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.language.syntax.Statement.DefinitionKind;
 
 /**
- * Finds what is certainly wrong with a program before it runs.
+ * Checker: finds what is certainly wrong with a program before it runs.
  *
  * <p>Errors are certain: a program without them may still fail, but every error is a statement that
  * fails if it runs. Warnings name what runs but is hardly meant, what fails if it runs but does not

@@ -9,7 +9,7 @@ import org.pendant.language.syntax.Expression.IntLiteral;
 import org.pendant.language.syntax.Expression.Unary;
 import org.pendant.language.syntax.Expression.UnaryOperator;
 
-/** Conditions whose truth the text alone decides. */
+/** Constant conditions, whose truth the text alone decides. */
 final class Constants {
   private Constants() {}
 

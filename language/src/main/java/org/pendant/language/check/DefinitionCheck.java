@@ -6,7 +6,7 @@ import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.ParameterDeclaration;
 import org.pendant.language.syntax.Statement.Definition;
 
-/** Checks definitions: their heads, then their bodies. */
+/** Definition check: checks definitions: their heads, then their bodies. */
 final class DefinitionCheck {
   private final CheckRun run;
 

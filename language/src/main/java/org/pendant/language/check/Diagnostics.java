@@ -7,7 +7,7 @@ import java.util.List;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.SourceRange;
 
-/** The complaints collected so far. */
+/** Diagnostics collected so far. */
 final class Diagnostics {
   private final List<Diagnostic> found = new ArrayList<>();
 

@@ -10,7 +10,9 @@ import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.language.syntax.Statement.DefinitionKind;
 
-/** Checks expressions, innermost first; each answers what its value certainly is. */
+/**
+ * Expression check: checks expressions, innermost first; each answers what its value certainly is.
+ */
 final class ExpressionCheck {
   private final CheckRun run;
   private final FunctionState state;

@@ -14,8 +14,8 @@ import org.pendant.language.syntax.Statement.If;
 import org.pendant.language.syntax.Statement.While;
 
 /**
- * What has happened to a function's variables on the way to the statement being checked: those that
- * may have a value on some path, and the kinds of those assigned on every path.
+ * Data flow: what has happened to a function's variables on the path to the statement being
+ * checked: those that may have a value on some path, and the kinds of those assigned on every path.
  */
 final class Flow {
   private final Set<Binding> mayBeAssigned = new HashSet<>();

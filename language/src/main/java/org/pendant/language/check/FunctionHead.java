@@ -12,7 +12,7 @@ import org.pendant.language.syntax.ParameterDeclaration;
 import org.pendant.language.syntax.Statement.Definition;
 
 /**
- * What a call must look like, for built-in and defined functions alike.
+ * Function head: what a call must look like, for built-in and defined functions alike.
  *
  * @param positions where each parameter stands, by all its names
  * @param text the head for messages

@@ -17,7 +17,7 @@ import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.language.syntax.Statement.Qualifier;
 
 /**
- * The names of one function, thread or main level, and what they stand for.
+ * Function scope: the names of one function, thread or main level, and what they stand for.
  *
  * <p>Variables and functions are separate tables. Nothing here changes after {@link Scopes} is
  * built; interpreter mode gets a new scope for every line through {@link #extendedBy}.

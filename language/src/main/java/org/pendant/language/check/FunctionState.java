@@ -6,7 +6,10 @@ import java.util.Deque;
 import java.util.List;
 import org.pendant.language.source.SourceRange;
 
-/** One function while it is checked: its names, its variables so far, and its open loops. */
+/**
+ * Function state: one function while it is checked: its names, its variables so far, and its open
+ * loops.
+ */
 final class FunctionState {
   private final FunctionScope scope;
   private final CallGraph.Node node;

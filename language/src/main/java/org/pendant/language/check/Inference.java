@@ -5,7 +5,7 @@ import java.util.List;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.language.syntax.Expression;
 
-/** The kind of an expression, without regard to what its variables hold. */
+/** Kind inference: the kind of an expression, without regard to the values of its variables. */
 final class Inference {
   /** The one function of the language itself: its arguments name the members. */
   static final String STRUCT = "struct";

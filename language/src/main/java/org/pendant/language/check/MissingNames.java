@@ -10,8 +10,8 @@ import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
 
 /**
- * Tells a name that is missing once for all its uses, as people read a list of mistakes; where each
- * use is marked in the text, what {@link Checker} says of each is better.
+ * Missing names: tells one once for all its uses, as people read a list of mistakes; where each use
+ * is marked in the text, what {@link Checker} says of each is better.
  */
 public final class MissingNames {
   static final String FUNCTION = "unknown-function";

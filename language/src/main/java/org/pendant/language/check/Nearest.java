@@ -4,7 +4,7 @@ import java.util.Collection;
 import java.util.Optional;
 import java.util.function.Supplier;
 
-/** Finds the name that was probably meant. */
+/** Nearest name: finds the name that was probably meant. */
 public final class Nearest {
   /** Suggestions cost a look at every name; a file with more unknown names has another problem. */
   private static final int LIMIT = 50;

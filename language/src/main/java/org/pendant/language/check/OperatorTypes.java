@@ -3,7 +3,7 @@ package org.pendant.language.check;
 import org.pendant.language.syntax.Expression.BinaryOperator;
 import org.pendant.language.syntax.Expression.UnaryOperator;
 
-/** Which kinds the operators take and give (manual 3 and 5). */
+/** Operator types: which kinds the operators take and give (manual 3 and 5). */
 final class OperatorTypes {
   private OperatorTypes() {}
 

@@ -9,8 +9,8 @@ import org.pendant.language.syntax.Expression.Name;
 import org.pendant.language.syntax.Statement.Assign;
 
 /**
- * {@code digital_out[n] = True}, which client programs send to robots: it sets an output where the
- * program has no variable of that name.
+ * Output assignment: {@code digital_out[n] = True}, which client programs send to robots: it sets
+ * an output where the program has no variable of that name.
  */
 public final class OutputAssignment {
   private static final String NAME = "digital_out";

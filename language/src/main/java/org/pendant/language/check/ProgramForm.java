@@ -20,7 +20,7 @@ import org.pendant.language.syntax.Statement.Evaluate;
 import org.pendant.language.syntax.Statement.Label;
 
 /**
- * Which part of a script runs, and as what.
+ * Program form: which part of a script runs, and as what.
  *
  * @param kind what the script is
  * @param name the program's name: that of {@code entry}, or the file's name without extension

@@ -14,7 +14,10 @@ import org.pendant.language.syntax.Statement.If;
 import org.pendant.language.syntax.Statement.Qualifier;
 import org.pendant.language.syntax.Statement.While;
 
-/** Walks statements once and files every assigned name and every definition in its scope. */
+/**
+ * Scope builder: walks statements once and files every assigned name and every definition in its
+ * scope.
+ */
 final class ScopeBuilder {
   private final boolean growing;
   private final Set<String> globals = new LinkedHashSet<>();

@@ -8,8 +8,8 @@ import org.pendant.language.syntax.ParameterDeclaration;
 import org.pendant.language.syntax.Statement.Definition;
 
 /**
- * What every name of a program stands for (manual 9 and 10.1), decided from the whole text before
- * anything runs.
+ * Scopes: what every name of a program stands for (manual 9 and 10.1), decided from the whole text
+ * before anything runs.
  *
  * <ul>
  *   <li>Global are all names assigned at the main level, with or without a word before them and

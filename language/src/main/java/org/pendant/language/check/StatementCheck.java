@@ -15,7 +15,10 @@ import org.pendant.language.syntax.Statement.If;
 import org.pendant.language.syntax.Statement.Qualifier;
 import org.pendant.language.syntax.Statement.While;
 
-/** Checks the statements of one function, thread or main level in the order of the text. */
+/**
+ * Statement check: checks the statements of one function, thread or main level in the order of the
+ * text.
+ */
 final class StatementCheck {
   private final CheckRun run;
   private final FunctionState state;

@@ -2,7 +2,10 @@ package org.pendant.language.check;
 
 import org.pendant.language.signature.Type;
 
-/** What a value certainly is, as far as the text alone tells; {@link #ANY} where it does not. */
+/**
+ * Static type: what a value certainly is, as far as the text alone tells; {@link #ANY} where it
+ * does not.
+ */
 enum StaticType {
   ANY("a value"),
   BOOL("a bool"),

@@ -16,7 +16,7 @@ import org.pendant.language.syntax.Statement.If;
 import org.pendant.language.syntax.Statement.Label;
 import org.pendant.language.syntax.Statement.While;
 
-/** A first look at all assignments: what each variable holds wherever it is assigned. */
+/** Survey of all assignments: what each variable contains wherever it is assigned. */
 final class Survey {
   private final Inference inference;
   private final Map<String, StaticType> globals = new HashMap<>();

@@ -5,7 +5,9 @@ import org.pendant.language.signature.Type;
 import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Expression.Name;
 
-/** What values are as far as the text tells: the checker's own knowledge, for editors. */
+/**
+ * Value types: what values are as far as the text tells: the checker's own knowledge, for editors.
+ */
 public final class ValueTypes {
   private final Survey survey;
   private final Inference inference;

@@ -10,10 +10,11 @@ import org.antlr.v4.runtime.Token;
 import org.pendant.language.source.Source;
 
 /**
- * Balances blocks: adds the {@code end}s that are missing and drops those that close nothing, each
- * reported once. Indentation has no meaning in URScript, but where the count of {@code end}s is
- * wrong it usually tells which one; it is believed only if it explains the whole difference, first
- * with the slips that most texts have ({@link IndentedRegions}), then to the letter.
+ * Block repair: balances blocks: adds the {@code end}s that are missing and drops those that close
+ * nothing, each reported once. Indentation has no meaning in URScript, but where the count of
+ * {@code end}s is wrong it usually tells which one; it is believed only if it explains the whole
+ * difference, first with the slips that most texts have ({@link IndentedRegions}), then to the
+ * letter.
  */
 final class BlockRepair {
   private final Source source;

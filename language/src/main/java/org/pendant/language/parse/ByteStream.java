@@ -5,8 +5,9 @@ import org.antlr.v4.runtime.misc.Interval;
 import org.pendant.language.source.Source;
 
 /**
- * A source as the lexer sees it. Bytes that are not ASCII all look like {@link #NOT_ASCII}: the
- * grammar treats them alike, and ANTLR's lexer is fast on ASCII only. Token offsets stay true.
+ * Byte stream: a source as the lexer sees it. Bytes that are not ASCII all look like {@link
+ * #NOT_ASCII}: the grammar treats them alike, and ANTLR's lexer is fast on ASCII only. Token
+ * offsets stay true.
  */
 final class ByteStream implements CharStream {
   static final char NOT_ASCII = '\u007F';

@@ -9,7 +9,7 @@ import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
 
-/** The syntax errors of one text, with the controller's wording beside ours. */
+/** Syntax errors of one text, with the controller's wording beside ours. */
 final class Complaints {
   /** More errors than this help nobody; the rest is summed up in one. */
   static final int LIMIT = 50;

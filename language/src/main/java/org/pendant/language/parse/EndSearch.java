@@ -8,9 +8,9 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * Finds the one {@code end} that a part of a text lacks or has too many: at the place where one
- * more or one less leaves the fewest blocks whose {@code end}, {@code else} and inner blocks stand
- * in other columns than they should.
+ * End search: finds the one {@code end} that a part of a text lacks or has too many: at the place
+ * where one more or one less leaves the fewest blocks whose {@code end}, {@code else} and inner
+ * blocks stand in other columns than they should.
  *
  * <p>What is before that place pairs as from the beginning and what is behind it as from the end,
  * so one pass in each direction suffices, and a look at the blocks that are open at each place.

@@ -8,7 +8,7 @@ import java.util.Optional;
 import org.antlr.v4.runtime.Token;
 import org.pendant.language.source.Source;
 
-/** Says what the parser found, what would be right, and what was probably meant. */
+/** Error messages: say what the parser found, what would be right, and what was probably meant. */
 final class ErrorMessages {
   private final Source source;
   private final TokenArray tokens;

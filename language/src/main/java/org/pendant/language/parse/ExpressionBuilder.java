@@ -29,8 +29,9 @@ import org.pendant.language.syntax.Expression.StringLiteral;
 import org.pendant.language.syntax.Expression.Unary;
 
 /**
- * Turns ANTLR's expressions into ours: sorts the flat list of operators by precedence and decides
- * what the grammar leaves open (poses, named arguments, the size of numbers).
+ * Expression builder: turns ANTLR's expressions into ours: sorts the flat list of operators by
+ * precedence and decides what the grammar leaves open (poses, named arguments, the size of
+ * numbers).
  */
 final class ExpressionBuilder {
   /** How deep a tree may be: whoever walks it later does so recursively. */

@@ -3,7 +3,7 @@ package org.pendant.language.parse;
 import java.util.List;
 import org.pendant.language.source.Source;
 
-/** The tokens of a text by the columns of their lines. */
+/** Indented lines: the tokens of a text by the columns of their lines. */
 final class IndentedLines {
   private final Source source;
   private final List<ScriptToken> tokens;

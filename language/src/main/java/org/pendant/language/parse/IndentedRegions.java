@@ -9,9 +9,9 @@ import org.antlr.v4.runtime.Token;
 import org.pendant.language.source.Source;
 
 /**
- * Finds the ends that are missing or too many by the indentation of definitions: from one {@code
- * def} to the next, blocks should open and close as their columns say. Where they do not, {@link
- * EndSearch} looks for the place.
+ * Indented regions: finds the ends that are missing or too many by the indentation of definitions:
+ * from one {@code def} to the next, blocks should open and close as their columns say. Where they
+ * do not, {@link EndSearch} looks for the place.
  */
 final class IndentedRegions {
   private final IndentedLines lines;

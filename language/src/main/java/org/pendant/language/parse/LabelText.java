@@ -7,8 +7,8 @@ import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.Statement;
 
 /**
- * What a program label line says (manual 11): {@code $ 2 "text" "flag"...}. Nothing in it is
- * required, since hand-edited programs lose parts of it and the line has no effect anyway.
+ * Label text: what a program label line says (manual 11): {@code $ 2 "text" "flag"...}. Nothing in
+ * it is required, since hand-edited programs lose parts of it and the line has no effect anyway.
  */
 record LabelText(Optional<Integer> number, String text) {
   private static final Pattern NUMBER = Pattern.compile("\\$\\s*(\\d{1,9})(?=\\s|$)");

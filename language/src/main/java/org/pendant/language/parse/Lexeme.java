@@ -3,7 +3,7 @@ package org.pendant.language.parse;
 import org.pendant.language.source.SourceRange;
 
 /**
- * One word, sign, string, label or comment as it stands in the text.
+ * Lexeme: one word, sign, string, label or comment as it stands in the text.
  *
  * @param kind what it is, as far as it shows on its own
  * @param start offset of its first byte

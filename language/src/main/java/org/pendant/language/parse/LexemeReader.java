@@ -7,8 +7,8 @@ import org.pendant.language.parse.Lexeme.Kind;
 import org.pendant.language.source.Source;
 
 /**
- * Cuts any text, right or wrong, into lexemes by the rules of the grammar. Unlike the parser's
- * tokens they include comments; between two of them stand only blanks and line ends.
+ * Lexeme reader: cuts any text, right or wrong, into lexemes by the rules of the grammar. Unlike
+ * the parser's tokens they include comments; between two of them stand only blanks and line ends.
  */
 public final class LexemeReader {
   private final String text;

@@ -5,7 +5,7 @@ import static org.pendant.language.parse.UrScriptParser.*;
 import org.pendant.language.syntax.Expression.BinaryOperator;
 import org.pendant.language.syntax.Expression.UnaryOperator;
 
-/** What each operator token means and how tightly it binds (manual 3, 5). */
+/** Operator table: what each operator token means and how tightly it binds (manual 3, 5). */
 final class OperatorTable {
   /** {@code not} negates a whole comparison. */
   static final int PRECEDENCE_OF_NOT = 3;

@@ -5,7 +5,7 @@ import org.pendant.language.source.Diagnostic;
 import org.pendant.language.syntax.Script;
 
 /**
- * What a text says, and what is wrong with it.
+ * Parse result: what a text says, and what is wrong with it.
  *
  * @param script the tree; where there are errors it lacks the statements that hold them, so it is
  *     good for outlines but not for checking or running

@@ -9,7 +9,7 @@ import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.Statement;
 
 /**
- * Reads a text that has syntax errors and reports each of them once.
+ * Recovering parser: reads a text that has syntax errors and reports each of them once.
  *
  * <p>Typical mistakes with a clear meaning are reported and mended in the tokens ({@link
  * TokenRepair}), then blocks are balanced ({@link BlockRepair}), so that the parser meets only

@@ -10,7 +10,7 @@ import org.pendant.language.syntax.Script;
 import org.pendant.language.syntax.Statement;
 
 /**
- * Reads URScript text.
+ * Script parser: reads URScript text.
  *
  * <p>The passes: {@link TokenPass} makes tokens and bounds how deeply they nest; ANTLR's parser
  * runs once without recovery, as nearly every text is right; {@link StatementBuilder} makes our

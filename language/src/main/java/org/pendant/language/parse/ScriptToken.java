@@ -9,7 +9,7 @@ import org.antlr.v4.runtime.misc.Pair;
 import org.pendant.language.source.SourceRange;
 
 /**
- * A token that knows how it stands on its line and among brackets. Large programs have millions, so
+ * Token that knows how it stands on its line and among brackets. Large programs have millions, so
  * it keeps less than ANTLR's own class does.
  */
 final class ScriptToken implements Token {

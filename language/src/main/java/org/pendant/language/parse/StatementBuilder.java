@@ -15,8 +15,8 @@ import org.pendant.language.syntax.Statement;
 import org.pendant.language.syntax.Statement.Qualifier;
 
 /**
- * Turns ANTLR's statements into ours. Statements in which the parser met an error are left out; a
- * block whose head is broken stays, with what could be read of it.
+ * Statement builder: turns ANTLR's statements into ours. Statements in which the parser met an
+ * error are left out; a block whose head is broken stays, with what could be read of it.
  */
 final class StatementBuilder {
   private final Source source;

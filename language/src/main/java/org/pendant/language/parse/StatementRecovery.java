@@ -15,9 +15,9 @@ import org.pendant.language.parse.UrScriptParser.ScriptContext;
 import org.pendant.language.parse.UrScriptParser.StatementContext;
 
 /**
- * Goes on after an error: a broken statement is skipped to the line where the next one begins, a
- * broken head to its colon. Errors travel up to the rule that can do so; no token is guessed but a
- * missing colon or {@code end}.
+ * Statement recovery: continues after an error: a broken statement is skipped to the line where the
+ * next one begins, a broken head to its colon. Errors travel up to the rule that can do so; no
+ * token is guessed but a missing colon or {@code end}.
  */
 final class StatementRecovery implements ANTLRErrorStrategy {
   private final TokenArray tokens;

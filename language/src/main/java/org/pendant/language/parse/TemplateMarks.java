@@ -9,9 +9,9 @@ import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
 
 /**
- * Finds the marks of a template, {@code {{name}}}, <code>{% if x %}</code> and <code>${name}</code>
- * , that a driver or another program fills in before it sends the text. Strings and comments are no
- * place for them: there they are text like any other.
+ * Template marks: finds the marks of a template, {@code {{name}}}, <code>{% if x %}</code> and
+ * <code>${name}</code> , that a driver or another program fills in before it sends the text.
+ * Strings and comments are no place for them: there they are text like any other.
  */
 final class TemplateMarks {
   /** A mark is no longer than this, in bytes. */

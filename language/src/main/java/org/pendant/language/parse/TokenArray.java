@@ -7,7 +7,7 @@ import org.antlr.v4.runtime.TokenSource;
 import org.antlr.v4.runtime.TokenStream;
 import org.antlr.v4.runtime.misc.Interval;
 
-/** All tokens of one text, ended by end-of-file, as a stream for ANTLR's parser. */
+/** Token array: all tokens of one text, ended by end-of-file, as a stream for ANTLR's parser. */
 final class TokenArray implements TokenStream {
   private final ScriptToken[] tokens;
   private final TokenSource source;

@@ -2,7 +2,7 @@ package org.pendant.language.parse;
 
 import static org.pendant.language.parse.UrScriptParser.*;
 
-/** Families of token types that more than one pass asks about. */
+/** Token kinds: families of token types that more than one pass asks about. */
 final class TokenKinds {
   private TokenKinds() {}
 

@@ -9,9 +9,9 @@ import org.antlr.v4.runtime.Token;
 import org.pendant.language.source.Source;
 
 /**
- * Reads the tokens of a source and gives those where a line end matters their own type (see the
- * head of the grammar). It also measures how deeply the text nests, so that the recursive passes
- * after it never meet a text that would exhaust the stack.
+ * Token pass: reads the tokens of a source and gives those where a line end matters their own type
+ * (see the head of the grammar). It also measures how deeply the text nests, so that the recursive
+ * passes after it never meet a text that would exhaust the stack.
  */
 final class TokenPass {
   /** Brackets open at once; generated programs stay below ten. */

@@ -13,8 +13,8 @@ import org.antlr.v4.runtime.Token;
 import org.pendant.language.source.Source;
 
 /**
- * Reports mistakes whose meaning is plain from the tokens alone, habits of other languages mostly,
- * and puts what was meant in their place, so that they cause no further errors.
+ * Token repair: reports mistakes whose meaning is plain from the tokens alone, habits of other
+ * languages mostly, and puts what was meant in their place, so that they cause no further errors.
  */
 final class TokenRepair {
   /** Words of other languages that begin a line inside a block of theirs. */

@@ -4,7 +4,7 @@ import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.Expression;
 
-/** How messages show pieces of a script. */
+/** Wording of messages: how they show pieces of a script. */
 final class Wording {
   private static final int LONGEST = 24;
 

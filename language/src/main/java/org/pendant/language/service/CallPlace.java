@@ -7,8 +7,8 @@ import org.pendant.language.parse.Lexeme;
 import org.pendant.language.parse.Lexeme.Kind;
 
 /**
- * The bracket around an offset and where in it the offset stands, from the lexemes alone: a call is
- * seldom complete while its arguments are typed.
+ * Call location: the bracket around an offset and where in it the offset stands, from the lexemes
+ * alone: a call is seldom complete while its arguments are typed.
  *
  * @param opener the index of the opening bracket
  * @param position how many commas of this bracket stand before the offset

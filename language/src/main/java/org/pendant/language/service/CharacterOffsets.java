@@ -3,7 +3,7 @@ package org.pendant.language.service;
 import java.util.Arrays;
 
 /**
- * Converts between the characters of an editor's text and the bytes of a {@link
+ * Character offsets: converts between the characters of an editor's text and the bytes of a {@link
  * org.pendant.language.source.Source} made from it. An offset inside a character means its start.
  */
 public final class CharacterOffsets {

@@ -14,7 +14,7 @@ import org.pendant.language.signature.Unit;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.language.syntax.Statement.DefinitionKind;
 
-/** Collects, filters and orders what may be typed at one place. */
+/** Completer: collects, filters and orders what may be typed at one place. */
 final class Completer {
   private final ScriptAnalysis analysis;
   private final Lexemes lexemes;

@@ -3,7 +3,7 @@ package org.pendant.language.service;
 import org.pendant.language.source.SourceRange;
 
 /**
- * One thing that may be typed at the caret.
+ * Completion: one item that may be typed at the caret.
  *
  * @param label the name as the list shows it
  * @param detail what stands beside it, e.g. a head with units; may be empty

@@ -6,7 +6,7 @@ import org.pendant.language.parse.Lexeme.Kind;
 import org.pendant.language.source.SourceRange;
 
 /**
- * Where the caret stands, as far as it decides what may be typed there.
+ * Completion location: where the caret stands, as far as it decides what may be typed there.
  *
  * @param role what may stand here
  * @param prefix what is typed of the word so far

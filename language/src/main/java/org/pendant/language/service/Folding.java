@@ -9,7 +9,9 @@ import org.pendant.language.parse.Lexeme;
 import org.pendant.language.parse.Lexeme.Kind;
 import org.pendant.language.source.Source;
 
-/** Finds what can be folded, from the lexemes alone: a broken statement unfolds nothing. */
+/**
+ * Folding: finds what can be folded, from the lexemes alone: a broken statement unfolds nothing.
+ */
 final class Folding {
   private final Source source;
   private final List<FoldingRange> ranges = new ArrayList<>();

@@ -1,7 +1,7 @@
 package org.pendant.language.service;
 
 /**
- * Lines that can be folded away behind the first of them.
+ * Folding range: lines that can be folded away after the first of them.
  *
  * @param startLine the line that stays, 1-based
  * @param endLine the last line that goes, after {@code startLine}

@@ -1,7 +1,7 @@
 package org.pendant.language.service;
 
 /**
- * How {@link ScriptAnalysis#format} lays a text out.
+ * Format options: how {@link ScriptAnalysis#format} lays a text out.
  *
  * @param indentation blanks for each block, 1 to 16
  */

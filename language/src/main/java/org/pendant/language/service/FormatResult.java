@@ -2,7 +2,7 @@ package org.pendant.language.service;
 
 import java.util.List;
 
-/** What a request to format came to. */
+/** Format result: what a request to format came to. */
 public sealed interface FormatResult {
 
   /** Edits of blanks and line ends only; none when the text is laid out already. */

@@ -6,9 +6,9 @@ import org.pendant.language.parse.Lexeme;
 import org.pendant.language.parse.Lexeme.Kind;
 
 /**
- * Lays out a text without syntax errors by rewriting what lies between its lexemes. Words, strings,
- * labels and comments are not touched and no line is broken or joined, so the text cannot come to
- * mean something else.
+ * Formatter: lays out a text without syntax errors by rewriting what lies between its lexemes.
+ * Words, strings, labels and comments are not touched and no line is broken or joined, so the text
+ * cannot come to mean something else.
  */
 final class Formatter {
   /** Two blank lines in a row, no more. */

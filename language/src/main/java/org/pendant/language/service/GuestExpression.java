@@ -11,8 +11,9 @@ import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
 
 /**
- * An expression that is not in a text, such as the condition of a breakpoint, read as if it stood
- * before one of its lines: names mean what they mean there. Immutable; any thread may make it.
+ * Guest expression: one that is not in a text, such as the condition of a breakpoint, read as if it
+ * stood before one of its lines: names mean what they mean there. Immutable; any thread may make
+ * it.
  */
 public final class GuestExpression {
   private static final String BEFORE = "if (";

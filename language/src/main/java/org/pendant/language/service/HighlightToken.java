@@ -1,7 +1,8 @@
 package org.pendant.language.service;
 
 /**
- * A stretch of text and how it is coloured; what lies between two of them is plain.
+ * Highlight token: a stretch of text and how it is coloured; what lies between two of them is
+ * plain.
  *
  * @param start offset of its first byte
  * @param end offset just past its last byte

@@ -16,7 +16,7 @@ import org.pendant.language.signature.Catalogue;
 import org.pendant.language.source.Source;
 
 /**
- * Colours a text, right or wrong, fast enough to be asked at every keystroke.
+ * Highlighting: colours a text, right or wrong, fast enough to be asked at every keystroke.
  *
  * <p>It reads lexemes, not the tree: names are sorted by the definitions and assignments that are
  * written anywhere in the text, and by the parameters of the heads around them.

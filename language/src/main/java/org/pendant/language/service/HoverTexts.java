@@ -12,7 +12,7 @@ import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.language.syntax.Statement.Definition;
 
-/** Writes what a hover shows about each kind of symbol. */
+/** Hover texts: what a hover shows about each kind of symbol. */
 final class HoverTexts {
   private final ScriptAnalysis analysis;
 

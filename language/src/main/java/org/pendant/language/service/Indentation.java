@@ -6,8 +6,8 @@ import org.pendant.language.parse.Lexeme;
 import org.pendant.language.parse.Lexeme.Kind;
 
 /**
- * Where each line begins: a step further in for each line that opened a block, two steps for what
- * goes on with a statement of the line before. The lexemes are passed in order.
+ * Indentation: where each line begins: a step further in for each line that opened a block, two
+ * steps for what continues a statement of the line before. The lexemes are passed in order.
  */
 final class Indentation {
   private final Lexemes lexemes;

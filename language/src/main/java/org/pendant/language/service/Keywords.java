@@ -6,7 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import org.pendant.language.parse.Lexeme.Kind;
 
-/** The words and patterns of the language that fit a place. */
+/** Keywords and patterns of the language that fit a place. */
 final class Keywords {
   /** Marks the caret in a pattern. */
   static final char CARET = '|';

@@ -2,7 +2,7 @@ package org.pendant.language.service;
 
 import java.util.Locale;
 
-/** How well a name fits what is typed of it. */
+/** Matching: how well a name fits what is typed of it. */
 enum Matching {
   /** The name begins with exactly that. */
   PREFIX,

@@ -2,7 +2,7 @@ package org.pendant.language.service;
 
 import org.pendant.language.source.SourceRange;
 
-/** One place where a name stands, what it means there, and what happens to it. */
+/** Occurrence: one place where a name stands, what it means there, and what happens to it. */
 public record Occurrence(Symbol symbol, SourceRange range, Role role) {
 
   /** What a program does with a name. */

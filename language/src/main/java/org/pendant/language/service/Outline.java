@@ -9,7 +9,7 @@ import org.pendant.language.service.Occurrence.Role;
 import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.Statement.Definition;
 
-/** Builds the outline: definitions inside each other, and globals where they are first assigned. */
+/** Outline builder: definitions inside each other, and globals where they are first assigned. */
 final class Outline {
   private final Signatures signatures;
   private final List<Definition> definitions;

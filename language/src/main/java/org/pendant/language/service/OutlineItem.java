@@ -4,7 +4,7 @@ import java.util.List;
 import org.pendant.language.source.SourceRange;
 
 /**
- * One line of the outline.
+ * Outline item: one line of the outline.
  *
  * @param detail the parameters of a function as in its head, e.g. {@code (place, height=0.1)}
  * @param range the whole definition; for a variable its name

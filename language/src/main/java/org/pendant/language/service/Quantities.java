@@ -10,8 +10,8 @@ import org.pendant.language.signature.Unit;
 import org.pendant.language.source.SourceRange;
 
 /**
- * Finds the unit of a number that stands alone as an argument, as a part of a pose, or as one of
- * the joint positions that a call takes.
+ * Quantity search: finds the unit of a number that stands alone as an argument, as a part of a
+ * pose, or as one of the joint positions that a call takes.
  */
 final class Quantities {
   private static final List<String> POSE_PARTS = List.of("x", "y", "z", "rx", "ry", "rz");

@@ -4,7 +4,7 @@ import org.pendant.language.signature.Unit;
 import org.pendant.language.source.SourceRange;
 
 /**
- * A number in the text whose unit is known from where it stands.
+ * Quantity: a number in the text whose unit is known from where it stands.
  *
  * @param range the number, with its sign
  * @param value as it is written, in {@code unit}

@@ -3,7 +3,7 @@ package org.pendant.language.service;
 import java.util.List;
 
 /**
- * A way to put a diagnostic right.
+ * Quick fix: a way to put a diagnostic right.
  *
  * @param title what it does, for a menu, e.g. {@code Replace by movej}
  * @param edits what to change; all of them together

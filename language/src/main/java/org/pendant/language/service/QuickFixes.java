@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.pendant.language.source.Diagnostic;
 
-/** Proposes fixes for one diagnostic and keeps those that work. */
+/** Quick fixes: proposes fixes for one diagnostic and keeps those that work. */
 final class QuickFixes {
   private final ScriptAnalysis analysis;
   private final Diagnostic diagnostic;

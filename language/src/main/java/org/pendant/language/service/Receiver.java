@@ -10,7 +10,7 @@ import org.pendant.language.signature.Signature;
 import org.pendant.language.signature.Type;
 
 /**
- * What is known about the value in front of a dot.
+ * Receiver: what is known about the value in front of a dot.
  *
  * @param type its type; ANY when not known
  * @param members the members of the struct that it holds, if the text shows them

@@ -2,7 +2,7 @@ package org.pendant.language.service;
 
 import java.util.List;
 
-/** What a request to rename came to. */
+/** Rename result: what a request to rename came to. */
 public sealed interface RenameResult {
 
   /** One edit for every occurrence. */

@@ -9,7 +9,7 @@ import org.pendant.language.service.Occurrence.Role;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.language.syntax.Script;
 
-/** Every name of one program, by place and by meaning. */
+/** Symbol index: every name of one program, by place and by meaning. */
 final class SymbolIndex {
   private final List<Occurrence> occurrences;
   private final Map<Symbol, Set<String>> members;

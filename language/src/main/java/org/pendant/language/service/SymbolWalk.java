@@ -21,7 +21,7 @@ import org.pendant.language.syntax.ParameterDeclaration;
 import org.pendant.language.syntax.Statement;
 import org.pendant.language.syntax.Statement.Definition;
 
-/** Visits every name of a program and notes what it stands for. */
+/** Symbol walk: visits every name of a program and notes what it stands for. */
 final class SymbolWalk {
   /** The one function that belongs to the language itself. */
   static final String STRUCT = "struct";

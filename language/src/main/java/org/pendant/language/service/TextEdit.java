@@ -7,7 +7,7 @@ import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
 
 /**
- * One change of a text.
+ * Text edit: one change of a text.
  *
  * @param range the bytes to replace; empty to insert
  * @param text the new bytes, one {@code char} a byte as in {@link Source}

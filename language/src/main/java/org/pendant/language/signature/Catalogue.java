@@ -3,7 +3,7 @@ package org.pendant.language.signature;
 import java.util.Collection;
 import java.util.Optional;
 
-/** Every function and method a program may call without defining it. */
+/** Catalogue of every function and method that a program may call without defining it. */
 public interface Catalogue {
 
   /** The function called {@code name}. */

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * One built-in function or method as a caller sees it.
+ * Signature: one built-in function or method as a caller sees it.
  *
  * @param module the manual's module: motion, internals, urmath, interfaces, ... or core
  * @param receiver for a method, the kind of value it is called on; empty for a function

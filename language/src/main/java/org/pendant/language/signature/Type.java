@@ -1,6 +1,6 @@
 package org.pendant.language.signature;
 
-/** What a parameter accepts or a function returns, as far as it is known before running. */
+/** Type: what a parameter accepts or a function returns, as far as it is known before running. */
 public enum Type {
   /** Anything, or not known. */
   ANY("any"),

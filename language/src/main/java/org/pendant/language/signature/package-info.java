@@ -1,5 +1,5 @@
 /**
- * The shape of a function declaration, without its code: open {@link
+ * Signatures: the shape of a function declaration, without its code: open {@link
  * org.pendant.language.signature.Signature} first. The language knows no function by name; it is
  * handed a {@link org.pendant.language.signature.Catalogue}.
  */

@@ -3,8 +3,8 @@ package org.pendant.language.source;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The two kinds of text that meet in a message. Scripts are bytes (manual 3), held one {@code char}
- * a byte; our own words are ordinary text.
+ * Byte text: the two kinds of text that meet in a message. Scripts are bytes (manual 3), held one
+ * {@code char} a byte; our own words are ordinary text.
  */
 public final class ByteText {
   private ByteText() {}

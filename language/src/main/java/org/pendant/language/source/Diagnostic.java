@@ -1,7 +1,7 @@
 package org.pendant.language.source;
 
 /**
- * One complaint about a program, in terms a programmer can act on.
+ * Diagnostic: one complaint about a program, in terms a programmer can act on.
  *
  * @param code stable identifier in kebab-case, e.g. {@code unknown-function}
  * @param severity whether the program may still run

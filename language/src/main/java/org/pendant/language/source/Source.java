@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * The text of one script file or one line sent to the controller, with its line table.
+ * Source: the text of one script file or one line sent to the controller, with its line table.
  *
  * <p>URScript text is bytes (manual 3), so the text is held as Latin-1: one {@code char} a byte,
  * offsets are byte offsets, and {@link #bytes()} gives back exactly what was read.

@@ -1,7 +1,8 @@
 package org.pendant.language.source;
 
 /**
- * A stretch of a {@link Source}, as byte offsets: {@code start} inclusive, {@code end} exclusive.
+ * Source range: a stretch of a {@link Source}, as byte offsets: {@code start} inclusive, {@code
+ * end} exclusive.
  *
  * @param start first offset, at least 0
  * @param end offset just past the last byte, at least {@code start}

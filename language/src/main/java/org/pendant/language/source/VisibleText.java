@@ -1,8 +1,8 @@
 package org.pendant.language.source;
 
 /**
- * Text from others (clients, files, programs) in a form that a terminal only shows: a control
- * character could move its cursor, rewrite its lines, fill its clipboard.
+ * Visible text: text from others (clients, files, programs) in a form that a terminal only shows: a
+ * control character could move its cursor, rewrite its lines, fill its clipboard.
  */
 public final class VisibleText {
   private static final String CONTINUED = "\n    ";

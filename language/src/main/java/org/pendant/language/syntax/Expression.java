@@ -3,7 +3,7 @@ package org.pendant.language.syntax;
 import java.util.List;
 import org.pendant.language.source.SourceRange;
 
-/** Anything that has a value. */
+/** Expression: a piece of syntax that has a value. */
 public sealed interface Expression extends Node {
 
   /** Operators before an operand. */

@@ -2,7 +2,7 @@ package org.pendant.language.syntax;
 
 import org.pendant.language.source.SourceRange;
 
-/** Anything that stands in the text of a script. */
+/** Node: a piece of syntax that stands in the text of a script. */
 public sealed interface Node
     permits Script, Statement, Statement.Branch, Expression, Argument, ParameterDeclaration {
   SourceRange range();

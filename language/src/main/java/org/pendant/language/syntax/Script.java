@@ -5,7 +5,7 @@ import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
 
 /**
- * One parsed text: the top-level statements in order, definitions among them.
+ * Script: one parsed text: the top-level statements in order, definitions among them.
  *
  * @param source the text that the ranges of every node below point into
  */
