@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Form of a value: how it stands in a file. Both directions are written by hand: whoever changes a
- * recorded type meets an error of the compiler here, and raises the version of the file.
+ * Form of a value: how it stands in a file. Both directions are written by hand: a developer who
+ * changes a recorded type meets an error of the compiler here, and raises the version of the file.
  */
 abstract class Form<T> {
   /** Appends a value. */

@@ -102,7 +102,7 @@ public final class Recording {
   }
 
   /**
-   * What the controller published in a frame: the last of it, where a debugger held the frame or
+   * What the controller published in a frame: the last of it, where a debugger paused the frame or
    * commands came into force after it while robot time stood.
    */
   public ControllerState atFrame(long frame) {

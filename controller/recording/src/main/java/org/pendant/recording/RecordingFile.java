@@ -58,7 +58,7 @@ public final class RecordingFile {
    */
   public record Opened(Recording recording, Optional<String> warning) {}
 
-  /** What is in a block, before anybody has looked at it. */
+  /** What is in a block, before it has been looked at. */
   private record Block(int kind, int inflated, int deflated, int checksum, long place) {}
 
   private final class InFile implements SegmentRef {

@@ -9,7 +9,7 @@ import org.pendant.language.source.Source;
 /**
  * Recording ring: the last stretch of robot time of one controller, within a bound of memory: the
  * oldest frames are dropped. The thread that drives the controller writes, with {@link #take} after
- * each frame; every thread may read, with {@link #recording}. Nobody waits for anybody.
+ * each frame; every thread may read, with {@link #recording}. No thread waits for another.
  *
  * <p>Frames are kept at 500 Hz with every bit. A frame that changed nothing takes nothing; while
  * nothing else changes, temperatures, energies and execution times are kept once a second only.
@@ -69,7 +69,9 @@ public final class RecordingRing {
     texts = texts.with(text);
   }
 
-  /** What is kept now; it stays as it is while the ring goes on. Any thread, at next to no cost. */
+  /**
+   * What is kept now; it stays as it is while the ring continues. Any thread, at next to no cost.
+   */
   public Recording recording() {
     // in this order: what is read later may be newer, and then holds more than was asked for
     long last = lastFrame;

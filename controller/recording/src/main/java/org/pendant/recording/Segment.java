@@ -9,7 +9,7 @@ import java.util.Arrays;
  *
  * <p>An entry has the number of its frame, a mask of {@link NumberGroup}s and one of {@link
  * SnapshotPart}s, whose values follow each other in the two pools in the order of their bits.
- * Snapshots of a frame that a debugger held have entries with the same frame.
+ * Snapshots of a frame that a debugger paused in have entries with the same frame.
  */
 final class Segment implements SegmentRef {
   /** Entries of a segment. */

@@ -4,7 +4,7 @@
  * {@link org.pendant.recording.Recording} is what can be read of it, or of a file.
  *
  * <p>In memory and in files ({@code docs/recording.md}) a recording is a row of segments. Each
- * begins with a whole snapshot and goes on with what each frame has changed: numbers in {@link
+ * begins with a whole snapshot and continues with what each frame has changed: numbers in {@link
  * org.pendant.recording.NumberGroup}s, which tend to change in every frame, and {@link
  * org.pendant.recording.SnapshotPart}s, which rarely do.
  *

@@ -110,7 +110,7 @@ final class RecordingFileTest {
         RecordingFile.Opened found = RecordingFile.open(cut);
         opened++;
         assertTrue(found.warning().orElseThrow().startsWith("some.rec is cut off: it ends at"));
-        // the last frame itself may go on in the next block, where a debugger held it
+        // the last frame itself may continue in the next block, where a debugger held it
         long last = found.recording().lastFrame() - 1;
         SameState.assertSame(wanted.atFrame(last), found.recording().atFrame(last));
       } catch (RecordingException e) {

@@ -37,7 +37,7 @@ public final class Journal {
    *
    * @param frame that had begun
    * @param turn as in {@link CommandJournal#note}
-   * @param held whether a debugger held the frame then
+   * @param held whether a debugger paused the frame then
    * @param before fingerprint of the last snapshot before it
    */
   record Entry(long frame, long turn, boolean held, Command command, long before) {}
@@ -104,7 +104,7 @@ public final class Journal {
             turn > 0 && controller.state().debug().held(),
             kept.get().command(),
             Fingerprint.of(controller.state()));
-    // last, so that whoever sees the number sees the command
+    // last, so that a reader that sees the number sees the command
     size = count + 1;
   }
 
@@ -159,7 +159,7 @@ public final class Journal {
 
   /**
    * Those who have taken signals by the commands up to here and have not given them back. After a
-   * rerun nobody is behind these names: who goes on may want to release them.
+   * rerun no client stands for these names: a client that continues may want to release them.
    */
   public Set<String> owners() {
     Set<String> owners = new LinkedHashSet<>();

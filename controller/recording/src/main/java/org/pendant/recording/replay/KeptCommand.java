@@ -15,8 +15,8 @@ import org.pendant.script.vm.Program;
 
 /**
  * Kept command: a command as a journal keeps it, as data that can be given to another controller.
- * All kinds are immutable but for those whose answer goes to somebody; that part is left out. Those
- * that carry more than a few numbers are named here with what they take.
+ * All kinds are immutable but for those whose answer is given to a client; that part is left out.
+ * Those that carry more than a few numbers are named here with what they take.
  *
  * @param bytes about what it takes in memory
  */

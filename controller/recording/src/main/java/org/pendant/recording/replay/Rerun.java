@@ -14,9 +14,9 @@ import org.pendant.models.time.FrameTime;
 /**
  * Rerun: brings a fresh controller to the end of a frame of another one's run, as fast as the
  * processor allows, and compares the two at every command and in the end. The other controller is
- * not touched and may go on meanwhile.
+ * not touched and may continue meanwhile.
  *
- * <p>A frame that a debugger still holds is repeated up to where it is held. The end of a frame
+ * <p>A frame that a debugger still pauses is repeated up to where it is paused. The end of a frame
  * after which robot time stood is with the commands that came into force meanwhile.
  *
  * <p>One thread runs it, once; any thread may ask how far it is, or cancel it.
@@ -43,7 +43,7 @@ public final class Rerun {
   }
 
   /**
-   * A rerun up to the end of a frame, or up to where that is held.
+   * A rerun up to the end of a frame, or up to where that is paused.
    *
    * @param frame 0 for a controller that was just switched on
    * @throws RerunRefused if there is no such frame, or it cannot be repeated

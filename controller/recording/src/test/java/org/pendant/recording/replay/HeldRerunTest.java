@@ -99,7 +99,7 @@ final class HeldRerunTest {
       case 2 -> ask(debugger -> evaluate(debugger, "q[0] + i"));
       case 3 -> ask(debugger -> assign(debugger, "nothing", "1"));
       default -> {
-        // goes on as it is
+        // continues as it is
       }
     }
     if (random.nextBoolean()) {

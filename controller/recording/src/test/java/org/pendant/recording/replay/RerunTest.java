@@ -44,7 +44,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
 
-/** A rerun stands where the old run stood, bit for bit, and goes on as that did. */
+/** A rerun stands where the old run stood, bit for bit, and continues as that did. */
 @Tag("slow")
 final class RerunTest {
   private static final int BRANCHES = 20;

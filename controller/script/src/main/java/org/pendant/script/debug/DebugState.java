@@ -7,11 +7,11 @@ import org.pendant.script.vm.ThreadSnapshot;
 /**
  * Debug state: whether a program is paused, and where its threads stand then.
  *
- * @param stop empty while nothing is held
- * @param threads the main thread first; empty while nothing is held
+ * @param stop empty while nothing is paused
+ * @param threads the main thread first; empty while nothing is paused
  */
 public record DebugState(Optional<Stop> stop, List<ThreadSnapshot> threads) {
-  /** Nothing is held. */
+  /** Nothing is paused. */
   public static final DebugState FREE = new DebugState(Optional.empty(), List.of());
 
   public DebugState {
@@ -27,7 +27,7 @@ public record DebugState(Optional<Stop> stop, List<ThreadSnapshot> threads) {
    */
   public record Stop(long number, PauseReason reason, int thread, int line) {}
 
-  /** Whether scripts and time are held. */
+  /** Whether scripts and time are paused. */
   public boolean held() {
     return stop.isPresent();
   }

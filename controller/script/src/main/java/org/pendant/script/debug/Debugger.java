@@ -12,10 +12,10 @@ import org.pendant.script.vm.ThreadSnapshot;
 
 /**
  * Debugger: pauses the primary program of one machine at breakpoints, after steps, on request and
- * before it fails. While it is held no thread runs and no time passes, so the program does what it
- * would have done without.
+ * before it fails. While it is paused no thread runs and no time passes, so the program does what
+ * it would have done without.
  *
- * <p>Only the thread that drives the frames may call this, between two frames or at their begin.
+ * <p>Only the thread that drives the frames may call this, between two frames or at their start.
  * What cannot be done is refused with an {@link IllegalArgumentException}. Calls of functions are
  * named by their thread and their depth, 1 for the outermost; {@link #MAIN} and {@link #OUTERMOST}
  * name the one where all global variables can be seen.
@@ -74,13 +74,13 @@ public final class Debugger {
     return breakpoints.states();
   }
 
-  /** Whether a program that fails is held before it ends; not so at first. */
+  /** Whether a program that fails is paused before it ends; not so at first. */
   public void stopOnErrors(boolean wanted) {
     journal.accept(new DebugRequest.StopOnErrors(wanted));
     stops.onErrors(wanted);
   }
 
-  // --- holding and going on
+  // --- holding and continuing
 
   /** Holds the running program before anything of the next frame has run. */
   public void pause() {
@@ -93,7 +93,7 @@ public final class Debugger {
     stops.stop(new PauseReason.PauseRequested(), MAIN);
   }
 
-  /** Lets the program go on; one that has failed ends now. */
+  /** Lets the program continue; one that has failed ends now. */
   public void resume() {
     journal.accept(new DebugRequest.Resume());
     refuseUnlessHeld();
@@ -107,7 +107,7 @@ public final class Debugger {
     }
   }
 
-  /** Lets the program go on until {@code thread} comes to its next statement in any function. */
+  /** Lets the program continue until {@code thread} comes to its next statement in any function. */
   public void stepInto(int thread) {
     journal.accept(new DebugRequest.StepInto(thread));
     refuseUnlessSteppable();
@@ -117,8 +117,8 @@ public final class Debugger {
   }
 
   /**
-   * Lets the program go on until {@code thread} comes to its next statement in the function that it
-   * is in, or in the caller if that returns.
+   * Lets the program continue until {@code thread} comes to its next statement in the function that
+   * it is in, or in the caller if that returns.
    */
   public void stepOver(int thread) {
     journal.accept(new DebugRequest.StepOver(thread));
@@ -128,7 +128,7 @@ public final class Debugger {
   }
 
   /**
-   * Lets the program go on until {@code thread} has left its function and comes to the next
+   * Lets the program continue until {@code thread} has left its function and comes to the next
    * statement of a caller.
    */
   public void stepOut(int thread) {
@@ -139,8 +139,8 @@ public final class Debugger {
   }
 
   /**
-   * Lets the program go on until {@code thread} comes to the statement that a breakpoint on {@code
-   * line} would mean.
+   * Lets the program continue until {@code thread} comes to the statement that a breakpoint on
+   * {@code line} would mean.
    */
   public void runTo(int thread, int line) {
     journal.accept(new DebugRequest.RunTo(thread, line));
@@ -160,7 +160,7 @@ public final class Debugger {
     return probe.program().orElseThrow(() -> new IllegalArgumentException("no program is running"));
   }
 
-  /** Ends a thread of a held program, and those that it started. */
+  /** Ends a thread of a paused program, and those that it started. */
   public void kill(int thread) {
     journal.accept(new DebugRequest.Kill(thread));
     refuseUnlessSteppable();
@@ -194,12 +194,12 @@ public final class Debugger {
 
   // --- looking
 
-  /** Whether the program is held, and where; the same object while nothing changes. */
+  /** Whether the program is paused, and where; the same object while nothing changes. */
   public DebugState state() {
     return stops.state();
   }
 
-  /** Where the threads of the program are now, also while it is not held. */
+  /** Where the threads of the program are now, also while it is not paused. */
   public List<ThreadSnapshot> threads() {
     return probe.threads();
   }
@@ -246,7 +246,7 @@ public final class Debugger {
 
   /**
    * Changes a variable, or an element or member of one, by the rules of an assignment in the call.
-   * A program that is not held goes on with the new value: to it, nothing happens between two
+   * A program that is not paused continues with the new value: to it, nothing happens between two
    * frames.
    *
    * @param expression a literal or any other expression

@@ -36,14 +36,14 @@ final class Stops implements DebugHook {
     onErrors = wanted;
   }
 
-  /** The program goes on, to stop again after {@code step}. */
+  /** The program continues, to stop again after {@code step}. */
   void go(Optional<StepRequest> step) {
     this.step = step;
     setTraps();
     state = DebugState.FREE;
   }
 
-  /** A thread of the held program has gone, perhaps the one that stopped it. */
+  /** A thread of the paused program has gone, perhaps the one that stopped it. */
   void threadKilled() {
     DebugState.Stop stop = state.stop().orElseThrow();
     List<ThreadSnapshot> threads = probe.threads();

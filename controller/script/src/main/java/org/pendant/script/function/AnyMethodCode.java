@@ -9,7 +9,7 @@ public interface AnyMethodCode<H extends Host> {
    * Runs a method.
    *
    * @param method its name
-   * @param count how many arguments there are behind the receiver
+   * @param count how many arguments there are after the receiver
    */
   Outcome run(Call<H> call, String method, int count) throws ScriptError;
 }

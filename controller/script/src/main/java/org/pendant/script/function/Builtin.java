@@ -25,7 +25,7 @@ public record Builtin<H extends Host>(
     defaults = List.copyOf(defaults);
   }
 
-  /** The same function as a call sees it that leaves out the arguments behind the first ones. */
+  /** The same function as a call sees it that leaves out the arguments after the first ones. */
   public Builtin<H> withFirst(int count) {
     Signature shorter =
         new Signature(

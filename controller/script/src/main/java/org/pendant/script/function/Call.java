@@ -69,7 +69,7 @@ public final class Call<H extends Host> {
     return (BuiltinCode<H>) called.code();
   }
 
-  /** For the machine: goes on with a call whose {@link Outcome.Begun operation} is done. */
+  /** For the machine: continues with a call whose {@link Outcome.Begun operation} is done. */
   public Outcome resume(Builtin<?> builtin, int firstArgument, int resultSlot, Value result)
       throws ScriptError {
     prepared = Optional.of(result);
@@ -86,7 +86,7 @@ public final class Call<H extends Host> {
   }
 
   /**
-   * Answers what {@code use} does with the texts of arguments, one behind the other. Long ones take
+   * Answers what {@code use} does with the texts of arguments, one after the other. Long ones take
    * several frames; of more than {@link #MAX_TEXT} bytes only the beginning is made, a little
    * longer than that.
    */

@@ -12,7 +12,7 @@ public interface Host {
   /** Says something that is worth a look, but stops nothing. */
   void warn(String message);
 
-  /** Reports a mistake of ours that a program went on after. */
+  /** Reports a mistake of ours that a program continued after. */
   void internalError(Throwable fault);
 
   /** Has whatever the host says from now on carry the place that {@code place} answers. */
@@ -24,12 +24,12 @@ public interface Host {
   /** What was begun comes to rest: the program's time will stand still. */
   void pauseMotion();
 
-  /** What {@link #pauseMotion} has stopped goes on. */
+  /** What {@link #pauseMotion} has stopped continues. */
   void resumeMotion();
 
   /**
-   * Whether a motion goes on to its end though no thread waits for it any more: the program is not
-   * over before it is.
+   * Whether a motion continues to its end though no thread waits for it any more: the program is
+   * not over before it is.
    */
   boolean arriving();
 

@@ -17,7 +17,7 @@ abstract sealed class Container permits NumberList, ObjectList, MatrixValue, Str
 
   private boolean shared;
 
-  /** Whether {@link #owner} tells more than that this is nobody's part. */
+  /** Whether {@link #owner} tells more than that this is no container's part. */
   private boolean owned;
 
   /** The array of {@link #parent} that this is a part of; compared, never read. */
@@ -55,7 +55,7 @@ abstract sealed class Container permits NumberList, ObjectList, MatrixValue, Str
     }
   }
 
-  /** Notes that {@code part}, which nobody else holds, now stands in the array of this. */
+  /** Notes that {@code part}, which no other container has, now stands in the array of this. */
   final void adopt(Value part) {
     if (part instanceof Container container) {
       container.owner = array();

@@ -2,8 +2,8 @@ package org.pendant.script.value;
 
 /**
  * Long operation: computed piece by piece, each of which takes a fraction of a frame, so that large
- * values delay no other thread. Values it works on must not change until it is done: whoever stops
- * between two pieces calls {@link #keep} first.
+ * values delay no other thread. Values it works on must not change until it is done: code that
+ * stops between two pieces calls {@link #keep} first.
  */
 public interface LongOperation {
   /** How many elements, or products of two, a piece has at most. */

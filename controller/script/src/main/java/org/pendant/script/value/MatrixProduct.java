@@ -63,7 +63,7 @@ final class MatrixProduct implements LongOperation {
    *
    * @param target where that row begins
    * @param source where the row of the right matrix begins that element {@code from} goes with
-   * @param to behind the last element of the left matrix
+   * @param to after the last element of the left matrix
    */
   private void addProducts(int target, int source, int from, int to) {
     double[] sums = result;

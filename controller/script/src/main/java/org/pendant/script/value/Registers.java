@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * Registers: values in bulk, unboxed: number, tag and object of slot {@code i} stand at index
  * {@code i} of three arrays. Scalars live in {@code numbers} (booleans as 0 and 1), everything else
- * in {@code objects}. The arrays are replaced when they {@link #grow}; whoever keeps one across a
+ * in {@code objects}. The arrays are replaced when they {@link #grow}; code that keeps one across a
  * call fetches it again.
  */
 public final class Registers {

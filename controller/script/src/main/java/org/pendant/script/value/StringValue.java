@@ -61,7 +61,7 @@ public final class StringValue implements Value {
   /** This string followed by {@code tail}. */
   StringValue followedBy(StringValue tail) {
     int joined = length + tail.length;
-    // what stands behind this part of the text belongs to another string
+    // what stands after this part of the text belongs to another string
     if (shared.isPresent() && shared.get().length() == length) {
       append(shared.get(), tail.bytes());
       return new StringValue(shared, joined);
@@ -91,7 +91,7 @@ public final class StringValue implements Value {
     return HEADER_BYTES + (long) length;
   }
 
-  /** How many bytes were copied to make this of {@code head} and another string behind it. */
+  /** How many bytes were copied to make this of {@code head} and another string after it. */
   @SuppressWarnings("ReferenceEquality") // whether it is the same text is the question
   public int copiedFor(StringValue head) {
     boolean continued =

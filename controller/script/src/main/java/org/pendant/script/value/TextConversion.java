@@ -30,7 +30,7 @@ final class TextConversion implements LongOperation {
   private int leftNs;
 
   /**
-   * The texts of {@code values}, one behind the other, up to a number of characters; only as many
+   * The texts of {@code values}, one after the other, up to a number of characters; only as many
    * more are made as follow from each other.
    */
   TextConversion(int limit, Value... values) {

@@ -2,7 +2,7 @@ package org.pendant.script.value;
 
 /**
  * Script value. Lists, matrices and structs are mutable and owned by the one variable that holds
- * them: whoever stores one elsewhere stores a {@link #copy()} (manual 4.2.1, 7: everything is
+ * them: code that stores one elsewhere stores a {@link #copy()} (manual 4.2.1, 7: everything is
  * passed by value). All others are immutable.
  */
 public sealed interface Value

@@ -46,7 +46,7 @@ public final class ValueText {
   }
 
   /**
-   * Begins the texts of {@code values}, one behind the other; the result is a string.
+   * Begins the texts of {@code values}, one after the other; the result is a string.
    *
    * @param limit how many characters are enough; there may be a few more
    */

@@ -10,7 +10,7 @@ import java.util.Map;
  * object as long as nothing changes.
  */
 public final class TracedVariables {
-  /** Nobody wants any. */
+  /** None are wanted. */
   public static final TracedVariables NONE =
       new TracedVariables(new Names(List.of()), new double[0]);
 

@@ -31,7 +31,7 @@ public final class VariableSample {
   /**
    * A sample.
    *
-   * @param value nobody else may change it; empty for a variable without a value
+   * @param value no other code may change it; empty for a variable without a value
    * @param length how many elements or members the variable has, of which {@code value} may have
    *     fewer
    */

@@ -57,7 +57,7 @@ final class BreakpointPatches {
         if (form(original) != original) {
           thread.functions[i] = form(original);
         } else {
-          // a translation could not go on from where a trap has stopped it
+          // a translation could not continue from where a trap has stopped it
           unsettled |= thread.functions[i] != original;
         }
       }
@@ -79,7 +79,7 @@ final class BreakpointPatches {
     return plan.lines() ? trapped(line, statement -> true) : line;
   }
 
-  /** Lets functions under way go on as they were compiled if they have no traps any more. */
+  /** Lets functions under way continue as they were compiled if they have no traps any more. */
   void settle(List<ScriptThread> threads) {
     if (!unsettled) {
       return;

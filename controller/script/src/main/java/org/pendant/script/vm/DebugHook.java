@@ -11,7 +11,7 @@ public interface DebugHook {
   /**
    * Thread {@code thread} stands before a statement that has a trap.
    *
-   * @return whether everything is held here
+   * @return whether everything is paused here
    */
   default boolean stopsAt(int thread) {
     return false;
@@ -20,7 +20,7 @@ public interface DebugHook {
   /**
    * Thread {@code thread} failed, which ends the program.
    *
-   * @return whether everything is held before that
+   * @return whether everything is paused before that
    */
   default boolean stopsAtFailure(int thread, ScriptFailure failure) {
     return false;

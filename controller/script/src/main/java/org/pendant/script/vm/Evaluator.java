@@ -43,7 +43,7 @@ final class Evaluator {
    * The value of an expression.
    *
    * @param frame index of the call in {@code thread}, 0 for the outermost
-   * @return a value that nobody else holds
+   * @return a value that no other code uses
    */
   Value value(ProgramRun run, ScriptThread thread, int frame, String text) throws ScriptError {
     SideCode code = compiled(run, place(thread, frame, text));

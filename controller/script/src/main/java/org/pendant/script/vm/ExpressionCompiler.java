@@ -79,7 +79,7 @@ final class ExpressionCompiler {
     return Instruction.local(target);
   }
 
-  /** As {@link #operand}, in a slot that nobody else holds: a container is copied if it must. */
+  /** As {@link #operand}, in a slot that no other code uses: a container is copied if it must. */
   int owned(Expression expression) {
     int operand = operand(expression);
     if (fresh(expression)) {

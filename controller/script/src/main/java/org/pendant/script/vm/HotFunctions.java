@@ -20,7 +20,7 @@ final class HotFunctions {
   private final Program.Tables tables;
   private final Translating translator;
 
-  /** A fault of the translator that nobody was told of. */
+  /** A fault of the translator that was not reported. */
   private final AtomicReference<Throwable> fault = new AtomicReference<>();
 
   HotFunctions(Translation when, Program.Tables tables) {

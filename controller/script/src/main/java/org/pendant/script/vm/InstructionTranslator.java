@@ -134,7 +134,7 @@ final class InstructionTranslator {
     return rare(() -> registers.slow(pc), label(pc + 1), target);
   }
 
-  /** The place where {@code call} executes an instruction, before {@code next} goes on. */
+  /** The place where {@code call} executes an instruction, before {@code next} continues. */
   private Label rare(Runnable call, Label next, int... target) {
     Label label = code.newLabel();
     tail.add(

@@ -7,7 +7,7 @@ import org.pendant.language.source.Source;
 
 /**
  * Interpreted line: a line for interpreter mode, read but not yet checked against a program.
- * Reading is the larger part of the work, so whoever has a line does it in a thread of its own.
+ * Reading is the larger part of the work, so the sender of a line does it in a thread of its own.
  *
  * @param text its bytes, one {@code char} each, without the line end
  * @param parsed what it says

@@ -322,7 +322,7 @@ public final class Interpreter {
     /**
      * Lets a copy of the main thread, run in {@code side}, execute the next line that waits.
      *
-     * @return false if there is none, or it may change what is known of those behind it
+     * @return false if there is none, or it may change what is known of those after it
      */
     boolean next(ProgramRun side, ScriptThread main);
   }

@@ -68,7 +68,7 @@ final class JvmCode {
   private final ScriptFunction function;
   private final Program.Tables tables;
 
-  /** The variable that keeps the number of each local slot, its tag behind it; 0 for none. */
+  /** The variable that keeps the number of each local slot, its tag after it; 0 for none. */
   private final int[] kept;
 
   /** Whether the function itself counts what it costs. */
@@ -341,7 +341,7 @@ final class JvmCode {
     code.iload(BUDGET).loadConstant(costNs).isub().dup().istore(BUDGET).iflt(exhausted);
   }
 
-  /** Returns from the method: the turn goes on with instruction {@code pc} in the next frame. */
+  /** Returns from the method: the turn continues with instruction {@code pc} in the next frame. */
   void exhausted(int pc) {
     writeBudgetBack();
     code.aload(THE_THREAD)

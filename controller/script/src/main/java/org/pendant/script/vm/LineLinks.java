@@ -20,7 +20,7 @@ final class LineLinks {
   private FunctionScope scope;
   private Program.Tables tables;
 
-  /** The variables of the lines in the order of their slots, which come behind the function's. */
+  /** The variables of the lines in the order of their slots, which come after the function's. */
   private List<String> variables;
 
   /** How many of them have their slots; the others' values are not in registers. */

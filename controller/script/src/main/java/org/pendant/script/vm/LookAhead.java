@@ -28,7 +28,7 @@ final class LookAhead {
   /** How much is foreseen at most. */
   private static final int MAX_FORESEEN = 24;
 
-  /** Interpreted lines that are looked at, which wait behind the one under way. */
+  /** Interpreted lines that are looked at, which wait after the one under way. */
   private static final int MAX_LINES = 12;
 
   /** Registers of a program that is too large to copy for each blend. */

@@ -33,7 +33,7 @@ public final class Machine {
   /** A pause has been asked for, and the motion needs to know where it leads on before. */
   private boolean pausing;
 
-  /** The program has run past its last statement, and its last move goes on to its waypoint. */
+  /** The program has run past its last statement, and its last move continues to its waypoint. */
   private boolean arriving;
 
   private Optional<Ending> ending = Optional.empty();
@@ -41,7 +41,7 @@ public final class Machine {
   private DebugHook debugHook = DebugHook.NONE;
   private boolean held;
 
-  /** A fault of ours that the program went on after is in the log. */
+  /** A fault of ours that the program continued after is in the log. */
   private boolean faultTold;
 
   private Optional<ScriptFailure> failure = Optional.empty();
@@ -106,7 +106,7 @@ public final class Machine {
   /**
    * Runs a secondary program to its end, within the frame (manual 12).
    *
-   * @return why it failed, empty when it did not; the primary program goes on in any case
+   * @return why it failed, empty when it did not; the primary program continues in any case
    */
   public Optional<ScriptFailure> runSecondary(Program program) {
     Optional<ScriptFailure> why = runBeside(program);
@@ -149,7 +149,7 @@ public final class Machine {
    * Runs all script threads for one frame; nothing while stopped or paused.
    *
    * @return whether a debugger holds the program: the frame is not over then, time must not pass,
-   *     and the next call goes on with this frame
+   *     and the next call continues with this frame
    */
   public boolean advance() {
     if (held || state != ProgramState.RUNNING) {
@@ -185,7 +185,7 @@ public final class Machine {
     return held;
   }
 
-  /** A blend radius means nothing behind the last move: the arm still goes to its waypoint. */
+  /** A blend radius means nothing after the last move: the arm still goes to its waypoint. */
   private void finish(ProgramRun running) {
     running.endAll();
     arriving = host.arriving();
@@ -240,7 +240,7 @@ public final class Machine {
     return taken;
   }
 
-  /** Whether a debugger holds the program: neither scripts nor time go on. */
+  /** Whether a debugger holds the program: neither scripts nor time continue. */
   public boolean held() {
     return held;
   }
@@ -271,15 +271,15 @@ public final class Machine {
     return state == ProgramState.STOPPED ? Optional.empty() : run;
   }
 
-  /** Why the program that is held will end. */
+  /** Why the program that is paused will end. */
   Optional<ScriptFailure> failure() {
     return failure;
   }
 
   /**
-   * Stops script time where it stands, and the motion. When the arm only comes to rest behind the
-   * point where its move is handed over, threads go on until the next move is known: the path would
-   * be another one if that were said too late.
+   * Stops script time where it stands, and the motion. When the arm only comes to rest after the
+   * point where its move is handed over, threads continue until the next move is known: the path
+   * would be another one if that were said too late.
    */
   public void pause() {
     if (state == ProgramState.RUNNING) {
@@ -348,7 +348,7 @@ public final class Machine {
     }
   }
 
-  /** Whether the program would end at once if it went on: its last statement is done. */
+  /** Whether the program would end at once if it continued: its last statement is done. */
   public boolean nothingLeft() {
     return state != ProgramState.STOPPED && run.orElseThrow().main().nothingLeft();
   }

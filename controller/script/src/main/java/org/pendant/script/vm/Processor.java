@@ -9,7 +9,7 @@ import org.pendant.script.value.ScriptError;
  * by their own {@link TranslatedCode}, all others in the {@link InstructionLoop}.
  */
 final class Processor {
-  /** Why code returned to whoever ran it; the first three never leave {@link #execute}. */
+  /** Why code returned to the code that ran it; the first three never leave {@link #execute}. */
   enum Stop {
     /** Nothing has stopped; only single instructions answer this. */
     GOES_ON,
@@ -90,7 +90,7 @@ final class Processor {
   /**
    * Counts a call and pushes its frame.
    *
-   * @param pc behind the call
+   * @param pc after the call
    * @param offset of the callee's first slot from {@code base}
    * @return the callee's code, to be run at once; null when the caller has to return {@link
    *     #refusal}

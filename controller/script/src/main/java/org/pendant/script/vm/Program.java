@@ -100,7 +100,7 @@ public final class Program {
 
   /**
    * The first offset of the statement that a breakpoint on {@code line} means: the first that
-   * begins there, or on the nearest line after it where one does; empty behind the last.
+   * begins there, or on the nearest line after it where one does; empty after the last.
    *
    * @param line 1-based
    */

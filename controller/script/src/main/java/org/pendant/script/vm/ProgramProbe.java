@@ -27,7 +27,7 @@ public final class ProgramProbe {
 
   // --- holding
 
-  /** Whether scripts and time are held. */
+  /** Whether scripts and time are paused. */
   public boolean held() {
     return machine.held();
   }
@@ -42,7 +42,7 @@ public final class ProgramProbe {
     machine.release();
   }
 
-  /** The failure that will end the program that is held. */
+  /** The failure that will end the program that is paused. */
   public Optional<ScriptFailure> failure() {
     return machine.failure();
   }
@@ -221,8 +221,8 @@ public final class ProgramProbe {
 
   /**
    * The value of an expression in the scope of a call. It is computed on copies, so the program
-   * goes on as if nothing had happened, whether it succeeds or fails; only built-in functions have
-   * the effects that they always have.
+   * continues as if nothing had happened, whether it succeeds or fails; only built-in functions
+   * have the effects that they always have.
    *
    * @throws ScriptError when it is no expression, fails, or would take robot time
    */

@@ -442,7 +442,7 @@ final class ProgramRun {
     return scheduler.held();
   }
 
-  /** Runs all threads for one frame, or goes on with the one that was held. */
+  /** Runs all threads for one frame, or continues with the one that was paused. */
   Scheduler.FrameResult advance() throws ThreadFailure {
     if (!scheduler.held()) {
       breakpointPatches.settle(threads);

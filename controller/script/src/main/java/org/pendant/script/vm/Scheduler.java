@@ -10,12 +10,10 @@ import org.pendant.script.value.Value;
 
 /**
  * Scheduler: gives each runnable thread of a program its share of a frame (manual 10.2). A debugger
- * may hold it within a frame; it goes on then exactly where it was.
+ * may hold it within a frame; it continues then exactly where it was.
  */
 final class Scheduler {
-  /**
-   * What a thread may use beyond its slice before the threads behind it wait for the next frame.
-   */
+  /** What a thread may use beyond its slice before the threads after it wait for the next frame. */
   private static final int OVERDRAFT_NS = 200_000;
 
   /** How a frame left the program. */
@@ -91,14 +89,14 @@ final class Scheduler {
     return executing ? Optional.of(running) : Optional.empty();
   }
 
-  /** Whether it is held within a frame. */
+  /** Whether it is paused within a frame. */
   boolean held() {
     return held;
   }
 
   /**
    * Runs every runnable thread until it waits, ends or has used its slice. Goes on with the frame
-   * that it was held in.
+   * that it was paused in.
    */
   FrameResult advance() throws ThreadFailure {
     if (!held) {
@@ -136,7 +134,7 @@ final class Scheduler {
     progress = false;
   }
 
-  /** Whoever owes {@code shareNs} or more has no turn in this frame. */
+  /** A thread that owes {@code shareNs} or more has no turn in this frame. */
   private void payDebts(int shareNs) {
     for (int i = 0; i < order.size(); i++) {
       ScriptThread thread = order.get(i);
@@ -178,7 +176,7 @@ final class Scheduler {
     }
   }
 
-  /** Out of its slice inside a critical section: nobody runs until it goes on. */
+  /** Out of its slice inside a critical section: no other thread runs until it continues. */
   private static boolean keepsOthersOut(ScriptThread thread) {
     return thread.critical && thread.state == ScriptThread.State.RUNNABLE;
   }
@@ -190,7 +188,7 @@ final class Scheduler {
       wakingLeftNs -= before - thread.budget;
     }
     FrameResult result = followed(thread, stop);
-    // what is held goes on as if nothing had been
+    // what is paused continues as if nothing had been
     if (thread.budget < 0 && result != FrameResult.HELD) {
       usedUp |= thread.budget < -OVERDRAFT_NS;
       thread.debtNs = -thread.budget;
@@ -243,7 +241,7 @@ final class Scheduler {
     thread.budget = Math.min(0, thread.budget);
   }
 
-  /** Runs {@code thread} on, over the traps that nobody wants to stop at. */
+  /** Runs {@code thread} on, over the traps that need no stop. */
   private Processor.Stop execute(ScriptThread thread) throws ThreadFailure {
     running = thread;
     executing = true;

@@ -45,7 +45,7 @@ final class ScriptThread {
 
   /**
    * Stopped before an instruction that is not a place to stop otherwise: only the instruction loop
-   * goes on from there.
+   * continues from there.
    */
   boolean interrupted;
 
@@ -141,7 +141,7 @@ final class ScriptThread {
     return state == State.WAITING && wait.abort();
   }
 
-  /** Whether the instruction pointer stands before what comes next, and not behind what was. */
+  /** Whether the instruction pointer stands before what comes next, and not after what was. */
   boolean before() {
     return trapped || interrupted;
   }

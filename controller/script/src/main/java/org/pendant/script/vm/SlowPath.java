@@ -44,7 +44,7 @@ final class SlowPath {
    * @param base the function's first slot
    * @return {@link Stop#GOES_ON}; {@link Stop#EXHAUSTED} when the thread has stopped before the
    *     instruction, since its slice is used up or the instruction takes longer than a slice; or
-   *     why it stops behind the instruction
+   *     why it stops after the instruction
    */
   Stop run(ScriptThread thread, int base, int pc) throws ScriptError {
     int top = thread.depth - 1;

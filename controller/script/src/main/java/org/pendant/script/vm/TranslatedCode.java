@@ -19,9 +19,9 @@ abstract class TranslatedCode {
    * Runs the innermost frame of {@code thread}, and the frames it calls, until it returns or stops.
    *
    * @param base the first slot of the frame
-   * @param pc the instruction to go on with: the first, the target of a loop, a call, or the one
-   *     behind an instruction that stopped the thread or called a function
-   * @return {@link Processor.Stop#RETURNED} when this frame is gone and the caller's goes on
+   * @param pc the instruction to continue with: the first, the target of a loop, a call, or the one
+   *     after an instruction that stopped the thread or called a function
+   * @return {@link Processor.Stop#RETURNED} when this frame is gone and the caller's continues
    */
   abstract Processor.Stop run(Processor processor, ScriptThread thread, int base, int pc)
       throws ScriptError;

@@ -35,7 +35,7 @@ class LongOperationTest {
     return StructValue.owning(List.of("a", "b").subList(0, members.length), members);
   }
 
-  /** Begins, has something changed that was not looked at yet, and goes on to the end. */
+  /** Begins, has something changed that was not looked at yet, and continues to the end. */
   private static Value interrupted(LongOperation operation, Change change) throws ScriptError {
     operation.advance();
     assertFalse(operation.done(), "it was over before anything could change");
