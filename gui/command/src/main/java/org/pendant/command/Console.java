@@ -26,7 +26,7 @@ final class Console {
 
   Console(OutputStream output, OutputStream errors) {
     this.output = new BufferedOutputStream(output, BUFFER_BYTES);
-    // A PrintStream forgives: complaints that nobody can read change nothing about the work.
+    // A PrintStream forgives: complaints that cannot be read change nothing about the work.
     this.errors = new PrintStream(errors, false, StandardCharsets.UTF_8);
   }
 
@@ -59,8 +59,8 @@ final class Console {
   }
 
   /**
-   * Writes one message and a line end to standard error, whoever its text comes from: it cannot act
-   * on a terminal and cannot look like two messages. Pending output goes first, so that both
+   * Writes one message and a line end to standard error, whatever its text comes from: it cannot
+   * act on a terminal and cannot look like two messages. Pending output goes first, so that both
    * streams on one terminal read in the order of writing.
    */
   synchronized void complain(String text) {

@@ -132,7 +132,7 @@ final class HeadlessRun {
     }
   }
 
-  /** Nobody is here to end a safety stop: the program ends with it. */
+  /** No operator is here to end a safety stop: the program ends with it. */
   private void goOnOrStop() {
     if (safetyStop().isEmpty()) {
       resume();
@@ -166,7 +166,7 @@ final class HeadlessRun {
     return reply.join();
   }
 
-  /** As fast as possible: nobody wants to wait for a run that is over. */
+  /** As fast as possible: no user wants to wait for a run that is over. */
   private void comeToRest() {
     clock = new VirtualClock();
     for (int i = 0; i < MAX_FRAMES_TO_REST && robot.state().arm().moving(); i++) {

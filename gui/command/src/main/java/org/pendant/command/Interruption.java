@@ -48,12 +48,12 @@ final class Interruption implements AutoCloseable {
     held = false;
   }
 
-  /** Whether somebody wants the run to end. */
+  /** Whether the user wants the run to end. */
   boolean requested() {
     return wanted.getCount() == 0;
   }
 
-  /** Waits until somebody does, or for {@code timeMs}; answers whether somebody does. */
+  /** Waits until the user does, or for {@code timeMs}; answers whether the user does. */
   boolean awaitRequest(long timeMs) {
     try {
       return wanted.await(timeMs, TimeUnit.MILLISECONDS);

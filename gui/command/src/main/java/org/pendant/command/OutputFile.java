@@ -10,8 +10,8 @@ import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.disk.WritePlace;
 
 /**
- * Output file that a command line wants written. It is looked at before anything runs: nobody wants
- * to wait for a refusal.
+ * Output file that a command line wants written. It is looked at before anything runs: no user
+ * wants to wait for a refusal.
  *
  * @param name as people call it, with the option if there is one, for messages
  * @param path where it is

@@ -188,7 +188,7 @@ record RunOptions(
             .withOperator(Operator.headless(answers(arguments)));
     Optional<Double> speedFactor = speedFactor(arguments);
     if (speedFactor.isPresent()) {
-      // Nobody expects the same result twice from a run on the wall clock, but the right date.
+      // No user expects the same result twice from a run on the wall clock, but the right date.
       controller = controller.withSystemTime(InstantSource.system());
     }
     return new RunOptions(

@@ -20,7 +20,7 @@ import org.pendant.recording.RecordingWriter;
  *
  * <p>It has its name from the start and grows by whole blocks, so that it can be read whenever the
  * process is killed. One that replaces another grows beside that and takes its place in the end.
- * When it cannot be written any more it complains once, and the run goes on.
+ * When it cannot be written any more it complains once, and the run continues.
  */
 final class RunRecord implements FrameWatcher, AutoCloseable {
   private static final String RECORDING = ".rec";

@@ -163,7 +163,7 @@ record ServeOptions(
   }
 
   /**
-   * The folder, which somebody has chosen: that it cannot be is said now, not when it is needed.
+   * The folder, which the user has chosen: that it cannot be is said now, not when it is needed.
    */
   private static Path made(Path folder) throws UsageException {
     try {

@@ -149,7 +149,7 @@ final class ServedRobot implements AutoCloseable {
     return robot.state().safety().shutDown() || loop.failure().isPresent();
   }
 
-  /** What ended it although nobody wanted that. */
+  /** What ended it although it was not asked to end. */
   Optional<Throwable> failure() {
     return loop.failure();
   }

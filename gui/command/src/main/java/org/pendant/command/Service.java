@@ -31,7 +31,7 @@ final class Service {
     this.console = console;
   }
 
-  /** Serves until somebody ends it. */
+  /** Serves until it is told to end. */
   ExitCode run() {
     try {
       return serve();
@@ -59,7 +59,7 @@ final class Service {
     return failures().findFirst().map(this::failed).orElse(ExitCode.DONE);
   }
 
-  /** Until somebody wants it, all are shut down or one has failed. */
+  /** Until it is told to, all are shut down or one has failed. */
   private void awaitEnd() {
     while (!interruption.awaitRequest(LOOK_MS)
         && !robots.stream().allMatch(ServedRobot::over)

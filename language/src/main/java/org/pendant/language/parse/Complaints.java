@@ -11,7 +11,7 @@ import org.pendant.language.source.SourceRange;
 
 /** Syntax errors of one text, with the controller's wording beside ours. */
 final class Complaints {
-  /** More errors than this help nobody; the rest is summed up in one. */
+  /** More errors than this are no help; the rest is summed up in one. */
   static final int LIMIT = 50;
 
   /** A longer line is cut in the controller's wording: it has to fit into a message. */

@@ -12,9 +12,9 @@ import java.util.stream.Collectors;
  * where one more or one less leaves the fewest blocks whose {@code end}, {@code else} and inner
  * blocks stand in other columns than they should.
  *
- * <p>What is before that place pairs as from the beginning and what is behind it as from the end,
- * so one pass in each direction suffices, and a look at the blocks that are open at each place.
- * Where several places are as good, the last one counts, as it does for who only counts.
+ * <p>What is before that place pairs as from the beginning and what is after it as from the end, so
+ * one pass in each direction suffices, and a look at the blocks that are open at each place. Where
+ * several places are as good, the last one counts, as it does for who only counts.
  */
 final class EndSearch {
   /** So many words are looked at; programs of people have fewer, and a search costs memory. */
@@ -38,13 +38,13 @@ final class EndSearch {
   /** Whether columns tell anything. */
   private final boolean indented;
 
-  /** The blocks that are closed behind each word of the region and its end, as from the end. */
+  /** The blocks that are closed after each word of the region and its end, as from the end. */
   private final Open[] behind;
 
-  /** What the blocks cost that stand wholly behind each of them. */
+  /** What the blocks cost that stand wholly after each of them. */
   private final int[] costBehind;
 
-  /** No place before this one is a choice: too little is closed behind it. */
+  /** No place before this one is a choice: too little is closed after it. */
   private int firstPlace;
 
   /**
@@ -305,7 +305,7 @@ final class EndSearch {
     return costBehind[place - region.from()];
   }
 
-  /** What the blocks cost that are open before a place and closed behind it. */
+  /** What the blocks cost that are open before a place and closed after it. */
   private int across(Open before, Open after) {
     int cost = 0;
     Open first = before;

@@ -36,7 +36,7 @@ final class ErrorMessages {
     return unexpected(found, start);
   }
 
-  /** {@code found} breaks the head of a definition, behind its first word. */
+  /** {@code found} breaks the head of a definition, after its first word. */
   String inHead(ScriptToken found, ScriptToken start) {
     if (found == start) {
       return "unexpected " + shown(found) + ": expected the name of the definition";
@@ -49,7 +49,7 @@ final class ErrorMessages {
         .orElseGet(() -> "unexpected " + shown(found) + ": expected a parameter name");
   }
 
-  /** {@code found} stands behind a complete head, on the same line, where its colon should be. */
+  /** {@code found} stands after a complete head, on the same line, where its colon should be. */
   String behindHead(ScriptToken found) {
     if (found.is(ASSIGN)) {
       return "`=` assigns and cannot stand in a condition: compare with `==`";

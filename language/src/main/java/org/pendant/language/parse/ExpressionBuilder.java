@@ -34,7 +34,7 @@ import org.pendant.language.syntax.Expression.Unary;
  * numbers).
  */
 final class ExpressionBuilder {
-  /** How deep a tree may be: whoever walks it later does so recursively. */
+  /** How deep a tree may be: code that walks it later does so recursively. */
   static final int MAX_DEPTH = 1000;
 
   private static final int NO_OPERATOR = 0;

@@ -27,7 +27,7 @@ final class IndentedLines {
    * The token in front of which a block lacks its {@code end}.
    *
    * @param opener the first word of the block
-   * @param from a word of the block, behind which it is missing
+   * @param from a word of the block, after which it is missing
    * @param to the next word that cannot be part of it
    * @return the first line between the two that stands no further in than the block; {@code to} if
    *     none does or the block is not indented

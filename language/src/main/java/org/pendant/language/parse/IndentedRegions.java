@@ -28,9 +28,9 @@ final class IndentedRegions {
    * Where blocks do not open and close as they should.
    *
    * @param from index of its first word
-   * @param to index behind its last word
+   * @param to index after its last word
    * @param around the definitions that it stands in
-   * @param left how many of these are open behind it
+   * @param left how many of these are open after it
    * @param missing how many ends are missing; negative if there are too many
    */
   record Region(int from, int to, List<ScriptToken> around, int left, int missing) {}

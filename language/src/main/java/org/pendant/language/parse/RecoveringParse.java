@@ -13,7 +13,7 @@ import org.pendant.language.syntax.Statement;
  *
  * <p>Typical mistakes with a clear meaning are reported and mended in the tokens ({@link
  * TokenRepair}), then blocks are balanced ({@link BlockRepair}), so that the parser meets only
- * errors inside one statement or head, from which {@link StatementRecovery} goes on.
+ * errors inside one statement or head, from which {@link StatementRecovery} continues.
  */
 final class RecoveringParse {
   private final Source source;
@@ -24,7 +24,7 @@ final class RecoveringParse {
     this.complaints = complaints;
   }
 
-  /** What could be read; nothing when there are too many errors to go on. */
+  /** What could be read; nothing when there are too many errors to continue. */
   List<Statement> parse(List<ScriptToken> broken, TokenSource tokenSource) {
     Optional<SourceRange> mark = TemplateMarks.first(source, broken);
     if (mark.isEmpty()) {

@@ -24,7 +24,7 @@ final class StatementRecovery implements ANTLRErrorStrategy {
   private final Complaints complaints;
   private final ErrorMessages messages;
 
-  // Set between a broken head and the colon behind it, which is then not asked for again.
+  // Set between a broken head and the colon after it, which is then not asked for again.
   private boolean headBroken;
 
   StatementRecovery(TokenArray tokens, Complaints complaints, ErrorMessages messages) {
@@ -152,7 +152,7 @@ final class StatementRecovery implements ANTLRErrorStrategy {
     }
   }
 
-  /** Every rule that is left halfway counts as broken: nobody may build a statement of it. */
+  /** Every rule that is left halfway counts as broken: no code may build a statement of it. */
   private static void giveUp(Parser recognizer) {
     InputMismatchException reason = new InputMismatchException(recognizer);
     for (ParserRuleContext rule = recognizer.getContext(); rule != null; rule = rule.getParent()) {

@@ -64,7 +64,7 @@ final class TokenRepair {
     return token.depth() == 0 && (token.firstOnLine() || tokens.get(at - 1).is(COLON));
   }
 
-  /** Mends one token that is not a word at the start of a statement; the index behind it. */
+  /** Mends one token that is not a word at the start of a statement; the index after it. */
   private int sign(int at) {
     ScriptToken token = tokens.get(at);
     switch (token.getType()) {
@@ -136,7 +136,7 @@ final class TokenRepair {
     return at + 1;
   }
 
-  /** Mends a name that begins a statement but was meant as a word; the index behind it. */
+  /** Mends a name that begins a statement but was meant as a word; the index after it. */
   private int word(int at) {
     ScriptToken token = tokens.get(at);
     String word = text(token);

@@ -111,7 +111,7 @@ final class BlockFixes {
         : QuickFix.replace(title, start, end, "");
   }
 
-  /** The offset behind the last byte of a line, before its line end. */
+  /** The offset after the last byte of a line, before its line end. */
   private int endOf(int line) {
     int at = start;
     for (int i = analysis.source().line(start); i < line; i++) {

@@ -58,7 +58,7 @@ public final class CharacterOffsets {
     return character + (before == 0 ? 0 : extraBytes[before - 1]);
   }
 
-  /** The character that holds the byte at {@code offset}; the text's length behind the last. */
+  /** The character that holds the byte at {@code offset}; the text's length after the last. */
   public int toCharacter(int offset) {
     int low = 0;
     int high = starts.length;

@@ -22,7 +22,7 @@ record CompletionPlace(
     NOTHING,
     STATEMENT,
     VALUE,
-    /** Behind a complete value: only an operator goes on. */
+    /** Behind a complete value: only an operator continues. */
     OPERATOR,
     /** Behind a dot. */
     MEMBER,
@@ -60,7 +60,7 @@ record CompletionPlace(
         role, prefix, word, previous, bracket.filter(place -> argument && place.isCall(lexemes)));
   }
 
-  /** Whether nothing can be completed in or directly behind this. */
+  /** Whether nothing can be completed in or directly after this. */
   private static boolean isClosedTo(Lexeme lexeme, int offset) {
     return switch (lexeme.kind()) {
       case COMMENT, LABEL, NUMBER, FOREIGN -> true;

@@ -95,7 +95,7 @@ public final class GuestExpression {
   }
 
   /**
-   * What a fault behind the last character of an expression is called: the bracket that was found
+   * What a fault after the last character of an expression is called: the bracket that was found
    * there is none of those that were typed.
    */
   public static String atEnd(String message) {

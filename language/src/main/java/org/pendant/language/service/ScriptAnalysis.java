@@ -202,7 +202,7 @@ public final class ScriptAnalysis {
     return found;
   }
 
-  /** A block whose {@code end} is still missing goes on where its range ends. */
+  /** A block whose {@code end} is still missing continues where its range ends. */
   private boolean reaches(SourceRange range, int offset) {
     boolean closed = source.text().startsWith("end", Math.max(0, range.end() - 3));
     return offset < range.end() || (!closed && offset == range.end());

@@ -36,7 +36,7 @@ public sealed interface Symbol {
   /** The name in {@code name = value} in a call of a built-in function. */
   record NamedArgument(String function, String name) implements Symbol {}
 
-  /** A method behind a dot; receivers are not told apart. */
+  /** A method after a dot; receivers are not told apart. */
   record Method(String name) implements Symbol {}
 
   /** A member of some struct; structs are not told apart. */

@@ -21,7 +21,7 @@ final class SymbolIndex {
 
   static SymbolIndex of(Script script, Scopes scopes, Catalogue catalogue) {
     SymbolWalk walk = new SymbolWalk(scopes, catalogue);
-    // Not the program's form: that leaves out a call behind the program.
+    // Not the program's form: that leaves out a call after the program.
     walk.statements(script.statements(), scopes.mainScope());
     return new SymbolIndex(walk);
   }

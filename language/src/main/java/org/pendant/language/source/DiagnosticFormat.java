@@ -14,7 +14,7 @@ public final class DiagnosticFormat {
   private DiagnosticFormat() {}
 
   /**
-   * Three lines for a terminal, without a line end behind the last one. Source bytes are shown as
+   * Three lines for a terminal, without a line end after the last one. Source bytes are shown as
    * UTF-8; the column counts bytes from 1, as the controller's own messages do.
    */
   public static String format(Source source, Diagnostic diagnostic) {

@@ -106,7 +106,7 @@ public final class ArmDynamics {
   /**
    * The mass matrix (manual 16.21).
    *
-   * @param withRotors whether the rotors behind the gears count
+   * @param withRotors whether the rotors before the gears count
    * @param mass six by six, overwritten, kg m²
    */
   public void mass(double[] q, boolean withRotors, DMatrixRMaj mass) {

@@ -24,7 +24,7 @@ final class CompositeBodies {
   private final double[] cos = new double[N];
   private final double[] sin = new double[N];
 
-  /** The composite body behind each joint, in the frame before it: m, m c (3), inertia (6). */
+  /** The composite body after each joint, in the frame before it: m, m c (3), inertia (6). */
   private final double[][] behind = new double[N][10];
 
   CompositeBodies(DhLengths dh, RigidBody[] bodies) {
@@ -112,7 +112,7 @@ final class CompositeBodies {
     momentum[2] = z;
   }
 
-  /** Each joint turns the mass behind it, gathered from the last link on, about its axis. */
+  /** Each joint turns the mass after it, gathered from the last link on, about its axis. */
   void linearMomentum(double[][] frames, double[] qd, double[] momentum) {
     double m = 0;
     double hx = 0;

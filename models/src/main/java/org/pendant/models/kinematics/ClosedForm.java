@@ -146,7 +146,7 @@ final class ClosedForm {
     turnWithinReach();
   }
 
-  /** The wrist turned the other way: half a turn more before and behind joint 5. */
+  /** The wrist turned the other way: half a turn more before and after joint 5. */
   void otherWrist() {
     q5 = -q5;
     s5 = -s5;

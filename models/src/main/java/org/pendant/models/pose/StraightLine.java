@@ -67,7 +67,7 @@ public final class StraightLine {
     return new Pose(to.x() - from.x(), to.y() - from.y(), to.z() - from.z(), turnX, turnY, turnZ);
   }
 
-  /** The pose at a fraction of the way; outside 0 to 1 the line goes on. */
+  /** The pose at a fraction of the way; outside 0 to 1 the line continues. */
   public Pose at(double fraction) {
     if (fraction == 0) {
       return from;

@@ -11,7 +11,7 @@ public record Cylinder(double radiusM, double fromM, double toM) {
   /**
    * Checks the numbers.
    *
-   * @throws IllegalArgumentException if the radius is not above 0, or the end not above the begin
+   * @throws IllegalArgumentException if the radius is not above 0, or the end not above the start
    */
   public Cylinder {
     if (!(radiusM > 0)) {

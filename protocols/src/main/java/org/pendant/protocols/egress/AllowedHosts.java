@@ -97,8 +97,8 @@ public final class AllowedHosts {
   }
 
   /**
-   * Whether anybody may be asked for the addresses of a name. A question tells the name to others,
-   * so only names that the user has written are asked for; networks allow addresses.
+   * Whether a name server may be asked for the addresses of a name. A question tells the name to
+   * others, so only names that the user has written are asked for; networks allow addresses.
    */
   boolean mayAskFor(String name) {
     return any

@@ -77,7 +77,7 @@ final class AssemblyHandler {
         instance == AssemblyPair.BUILT_IN_FROM_PLC
             ? new RtdeCommand.WriteInputs(owner, ControlAssembly.decode(data))
             : new AssemblyCommand.ReceiveAssembly(instance, AssemblyData.of(data));
-    // nobody waits: data that find no place among the commands of a frame are followed by others
+    // no caller waits: data that find no place among the commands of a frame are followed by others
     newest.compute(
         owner,
         (_, before) -> {
@@ -88,7 +88,7 @@ final class AssemblyHandler {
         });
   }
 
-  /** Takes what an assembly writes; answers whether nobody else has some of it. */
+  /** Takes what an assembly writes; answers whether no other client has some of it. */
   boolean claim(String owner, int instance) throws InterruptedException {
     if (instance != AssemblyPair.BUILT_IN_FROM_PLC) {
       return true;

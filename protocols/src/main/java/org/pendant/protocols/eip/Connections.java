@@ -229,7 +229,7 @@ final class Connections implements AutoCloseable {
             });
   }
 
-  /** The connections for messages of a session end with it; cyclic data go on. */
+  /** The connections for messages of a session end with it; cyclic data continue. */
   void sessionEnded(int session) {
     lock.lock();
     try {

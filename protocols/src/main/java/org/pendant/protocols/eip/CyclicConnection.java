@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Cyclic connection: cyclic data in both directions. Whoever uses it holds the lock of the
+ * Cyclic connection: cyclic data in both directions. A thread that uses it holds the lock of the
  * connections.
  */
 final class CyclicConnection {
@@ -98,7 +98,7 @@ final class CyclicConnection {
    * A packet of the scanner has come.
    *
    * @return the assembly in it, when the scanner runs; also one that has not changed, which shows
-   *     that the scanner goes on
+   *     that the scanner continues
    */
   Optional<ByteBuffer> take(IoPacket packet, long nowNs) {
     ByteBuffer data = packet.data();

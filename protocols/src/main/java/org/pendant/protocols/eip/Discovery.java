@@ -15,9 +15,9 @@ import java.util.function.Supplier;
  * Discovery: answers datagrams of clients that only ask which devices there are; sessions are for
  * TCP.
  *
- * <p>Anybody can write a foreign address on a datagram, and answers are longer than questions. So
- * an answer never begets another one: questions carry no data, answers always do. And there are few
- * of them for one address, and for all. Used by one thread.
+ * <p>Any sender can write a foreign address on a datagram, and answers are longer than questions.
+ * So an answer never begets another one: questions carry no data, answers always do. And there are
+ * few of them for one address, and for all. Used by one thread.
  */
 final class Discovery {
   /** Most answers to one address in a second; who looks for devices asks once in some seconds. */

@@ -28,8 +28,8 @@ public record Drivers(HostPolicy hostPolicy, Optional<ControlHost> chosen) {
   }
 
   /**
-   * A request for a script, for whoever may have to {@link ScriptRequest#cancel cancel} it before
-   * it begins.
+   * A request for a script, for a caller that may have to {@link ScriptRequest#cancel cancel} it
+   * before it begins.
    *
    * @param nodes how often {@link ControlScript#loop} will stand in the program, at least 1
    */

@@ -4,7 +4,7 @@ package org.pendant.protocols.externalcontrol;
  * Time limits of drivers: how long one may take.
  *
  * @param connectMs until it has taken the connection, for each address of its host, ms
- * @param answerMs until it begins to answer, or goes on with a line, ms
+ * @param answerMs until it begins to answer, or continues with a line, ms
  * @param quietMs after which a text that ends with a line end is taken to be whole, ms
  * @param longestMs for everything together, ms
  */

@@ -48,8 +48,8 @@ public final class ScriptRequest {
   }
 
   /**
-   * Begins to ask, once; does not wait, and answers this request. Nobody is asked after {@link
-   * #cancel}: whoever may be told to stop makes the request known first.
+   * Begins to ask, once; does not wait, and answers this request. No driver is asked after {@link
+   * #cancel}: a caller that may be told to stop makes the request known first.
    */
   public ScriptRequest begin() {
     Thread.ofVirtual().name("script of " + host.text()).start(task);
@@ -66,7 +66,10 @@ public final class ScriptRequest {
     return host;
   }
 
-  /** Asks no longer; whoever waits is told so. Nothing happens when the script has come already. */
+  /**
+   * Asks no longer; the thread that waits is told so. Nothing happens when the script has come
+   * already.
+   */
   public void cancel() {
     var _ = task.cancel(true);
   }
@@ -75,7 +78,8 @@ public final class ScriptRequest {
    * Waits for the script, not much longer than 10 s.
    *
    * @throws NoScript if there is none, and why
-   * @throws InterruptedException if the waiting thread is interrupted; nobody is asked any longer
+   * @throws InterruptedException if the waiting thread is interrupted; no driver is asked any
+   *     longer
    */
   public ControlScript await() throws NoScript, InterruptedException {
     try {

@@ -74,7 +74,7 @@ public final class FormData {
     return at + 1 < body.length && body[at] == '\r' && body[at + 1] == '\n';
   }
 
-  /** Behind the rest of a delimiter's line, which is blank; -1 behind the last delimiter. */
+  /** After the rest of a delimiter's line, which is blank; -1 after the last delimiter. */
   private int afterLine(int at) {
     int end = at;
     while (end < body.length && (body[end] == ' ' || body[end] == '\t')) {

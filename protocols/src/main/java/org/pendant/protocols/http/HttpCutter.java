@@ -26,7 +26,7 @@ final class HttpCutter {
   /** How much of the body has not come yet. */
   private int missing;
 
-  /** Whether the peer holds the body back until it is told to go on. */
+  /** Whether the peer holds the body back until it is told to continue. */
   private boolean heldBack;
 
   /** Where the body has taken a place. */

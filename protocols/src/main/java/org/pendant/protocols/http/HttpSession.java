@@ -49,7 +49,7 @@ public final class HttpSession implements Session {
     cutter.forget();
   }
 
-  /** Nothing counts behind the last request that a client has announced. */
+  /** Nothing counts after the last request that a client has announced. */
   private Optional<HttpCall> next(ByteBuffer bytes) throws ProtocolException {
     return ended ? Optional.empty() : cutter.next(bytes);
   }

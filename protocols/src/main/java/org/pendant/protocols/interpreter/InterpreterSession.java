@@ -19,7 +19,7 @@ import org.pendant.script.vm.InterpreterStatus;
 
 /**
  * Interpreter session: one client of interpreter mode. Lines are answered when the controller has
- * dealt with them; control lines are not held up by statements that wait.
+ * dealt with them; control lines are not delayed by statements that wait.
  */
 final class InterpreterSession implements Session {
   private static final int MAX_LINE = 1 << 16;

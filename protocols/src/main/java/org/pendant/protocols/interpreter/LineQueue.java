@@ -72,7 +72,7 @@ final class LineQueue {
     lock.lock();
     try {
       underWay--;
-      // a reply that was there at once came in the middle of pump, which goes on by itself
+      // a reply that was there at once came in the middle of pump, which continues by itself
       if (!pumping) {
         pump();
       }

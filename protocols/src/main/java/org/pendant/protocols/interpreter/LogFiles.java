@@ -16,7 +16,7 @@ import org.pendant.script.vm.InterpreterEvent;
  * what programs keep.
  */
 final class LogFiles {
-  /** What programs keep is begun anew beyond this: nobody can fill the disk. */
+  /** What programs keep is begun anew beyond this: no program can fill the disk. */
   private static final long MAX_BYTES = 16 << 20;
 
   private final Path folder;

@@ -26,7 +26,7 @@ final class Conversation {
   /** How long a device may take for an answer. */
   static final long ANSWER_NS = TimeUnit.SECONDS.toNanos(1);
 
-  /** So many questions without an answer, one after the other, and nobody is there. */
+  /** So many questions without an answer, one after the other, and the device counts as gone. */
   private static final int MAX_MISSED = 3;
 
   /**
@@ -109,7 +109,7 @@ final class Conversation {
     for (byte[] frame = answers.poll(); frame != null; frame = answers.poll()) {
       heardNs = System.nanoTime();
       missed = 0;
-      // an answer that comes too late is to nobody's question
+      // an answer that comes too late belongs to no question
       Waiting waiting = unanswered.remove(ResponseFrame.transaction(frame));
       if (waiting != null) {
         waiting.asker().answered(waiting.question().answer(frame));

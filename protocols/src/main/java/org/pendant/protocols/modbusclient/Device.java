@@ -222,7 +222,7 @@ final class Device {
       command.failed(error);
     }
     if (closing) {
-      // nobody is there who could be told
+      // no program is there that could be told
       points.clear();
     } else {
       LockSupport.parkNanos(this, RETRY_NS);

@@ -103,7 +103,7 @@ public final class Connection implements Occupant {
         : new Silence(Silence.Kind.NEVER_SPOKEN, nowNs - heardNs);
   }
 
-  /** Why this cannot go on; empty if it can. */
+  /** Why this cannot continue; empty if it can. */
   Optional<String> overdue(IdleLimits limits, long nowNs) {
     Silence silence = silence(nowNs);
     Duration most = ending ? ENDING_NOT_READING : NOT_READING;

@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 
 /**
  * Connection slots: the places of one port. When all are taken, a newcomer gets the place of
- * whoever is silent for longest, so that peers that only hold their places shut nobody out; peers
+ * whoever is silent for longest, so that peers that only hold their places shut no other out; peers
  * of the address that holds most places go first. Some places are kept for this computer itself.
  * Any thread.
  */

@@ -9,7 +9,7 @@ import java.nio.ByteBuffer;
 public interface Session {
   /**
    * Bytes have come, cut anywhere. What is left unread in the buffer is lost: a session keeps the
-   * begin of an unfinished message itself.
+   * start of an unfinished message itself.
    *
    * @throws ProtocolException if the connection has to end for what came; it is logged
    */

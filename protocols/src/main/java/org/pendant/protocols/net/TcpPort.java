@@ -194,7 +194,7 @@ public final class TcpPort implements AutoCloseable {
     awaitAcceptor();
   }
 
-  /** The system keeps the port until whoever waits for connections has let go of it. */
+  /** The system keeps the port until the thread that waits for connections has let go of it. */
   private void awaitAcceptor() {
     // it may wait for the system to give more
     acceptor.interrupt();

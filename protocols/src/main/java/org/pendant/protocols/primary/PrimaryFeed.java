@@ -16,7 +16,7 @@ import org.pendant.script.vm.ProgramLabel;
 /**
  * Primary feed: sends the same to all clients of a kind: the state every 50 frames and when a mode
  * changes, messages in the frame in which something happens. One at a time changes who listens or
- * sends, so that a new client gets its greeting first and misses nothing behind it.
+ * sends, so that a new client gets its greeting first and misses nothing after it.
  */
 final class PrimaryFeed {
   /** Frames from one state to the next: ten a second. */
@@ -91,7 +91,7 @@ final class PrimaryFeed {
     List<LogEntry> entries = entries(state);
     last = state;
     if (modesDiffer(before, state)) {
-      // first, so that whoever acts on a message finds the state that belongs to it
+      // first, so that a client that acts on a message finds the state that belongs to it
       sendState(state);
     }
     if (!primary.isEmpty()) {

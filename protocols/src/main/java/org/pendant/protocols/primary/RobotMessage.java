@@ -9,7 +9,7 @@ sealed interface RobotMessage {
   /** The first message on a new connection: which software this is. */
   record Version() implements RobotMessage {}
 
-  /** The second message on a new connection; nobody outside knows what it means. */
+  /** The second message on a new connection; its meaning is not published. */
   record Second() implements RobotMessage {}
 
   /** A line that a program writes with {@code textmsg}. */
@@ -26,7 +26,7 @@ sealed interface RobotMessage {
    * A coded message such as C153A2.
    *
    * @param code behind the C
-   * @param argument behind the A
+   * @param argument after the A
    * @param text our words for it
    */
   record ErrorCode(long timeUs, int code, int argument, Level level, String text)

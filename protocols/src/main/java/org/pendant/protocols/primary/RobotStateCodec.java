@@ -64,7 +64,7 @@ final class RobotStateCodec {
     addRobotMode(packet);
     addJoints(packet);
     begin(packet, 101, 4).put(FLOAT64, "actual_tcp", "tcp_offset").bytes(kinematics);
-    // calibration data, which nobody outside knows
+    // calibration data, which is not published
     begin(packet, 53, 9).skip(48);
     addMasterboard(packet);
     addTool(packet);

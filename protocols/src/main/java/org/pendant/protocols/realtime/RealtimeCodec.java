@@ -54,7 +54,7 @@ final class RealtimeCodec {
     packet.put(WireType.FLOAT64, quantities);
   }
 
-  /** Doubles of which nobody outside knows what is meant. */
+  /** Doubles whose meaning is not published. */
   private static void reserved(PacketLayout.Builder packet, int count) {
     packet.skip(count * Double.BYTES);
   }

@@ -12,7 +12,7 @@ import org.pendant.controller.state.ControllerState;
 final class DataFlow {
   private final Consumer<byte[]> sending;
 
-  /** Held while a package is encoded, so that none comes behind the answer to a pause. */
+  /** Held while a package is encoded, so that none comes after the answer to a pause. */
   private final ReentrantLock lock = new ReentrantLock();
 
   private Optional<OutputRecipe> recipe = Optional.empty();

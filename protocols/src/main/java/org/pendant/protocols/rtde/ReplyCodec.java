@@ -12,7 +12,7 @@ final class ReplyCodec {
 
   private ReplyCodec() {}
 
-  /** An empty package; what follows is to be put behind its header. */
+  /** An empty package; what follows is to be put after its header. */
   static ByteBuffer packet(int type, int payloadBytes) {
     int size = Packet.HEADER_BYTES + payloadBytes;
     return ByteBuffer.allocate(size).putShort((short) size).put((byte) type);

@@ -99,7 +99,7 @@ final class RequestCodec {
         : request.with(names);
   }
 
-  /** The names between commas; some clients write a comma behind the last one as well. */
+  /** The names between commas; some clients write a comma after the last one as well. */
   private static List<String> split(String text) {
     List<String> names = new ArrayList<>();
     int from = 0;

@@ -9,7 +9,7 @@ import java.nio.channels.SocketChannel;
 
 /** Test of a port: whether this process may not use it, or another process does. */
 public final class PrivilegedPort {
-  /** From here on everybody may use a port. */
+  /** From here on every user may use a port. */
   private static final int FIRST_FREE = 1024;
 
   private PrivilegedPort() {}

@@ -4,8 +4,9 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
- * Remote control: whether clients may control the robot. Without the feature everybody may always,
- * and the robot says that it is not in remote control; with it only in remote control. Any thread.
+ * Remote control: whether clients may control the robot. Without the feature all clients may
+ * always, and the robot says that it is not in remote control; with it only in remote control. Any
+ * thread.
  */
 public final class RemoteControl {
   private final boolean enabled;

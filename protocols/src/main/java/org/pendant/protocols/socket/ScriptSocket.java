@@ -111,7 +111,7 @@ final class ScriptSocket implements ExternalSocket {
     try {
       InputStream in = socket.getInputStream();
       for (int count = in.read(bytes); count >= 0; count = in.read(bytes)) {
-        // what nobody wants is read nevertheless, or the peer would lose our last bytes
+        // what is not wanted is read nevertheless, or the peer would lose our last bytes
         wanted = wanted && received.append(bytes, count);
       }
     } catch (IOException e) {

@@ -36,7 +36,7 @@ final class ProgramRepository {
   private static final long MAX_BYTES = 32 << 20;
   private static final String SCRIPT = ".script";
 
-  /** Programs that are listed: more are of no use to anybody. */
+  /** Programs that are listed: more are of no use. */
   static final int MAX_LISTED = 1000;
 
   private final ProgramsFolder folder;

@@ -59,7 +59,7 @@ public final class RemotePendant {
   /** A start and a stop one after the other, so that the stop is never before what it stops. */
   private final ReentrantLock beginning = new ReentrantLock();
 
-  /** Somebody has asked for a stop since {@link #play} began. */
+  /** A client has asked for a stop since {@link #play} began. */
   private volatile boolean stopped;
 
   private volatile Optional<LoadedProgram> loaded = Optional.empty();
@@ -231,8 +231,8 @@ public final class RemotePendant {
   }
 
   /**
-   * Starts the loaded program, or goes on with one that is paused. One with External Control nodes
-   * waits for the driver, for 10 s at most.
+   * Starts the loaded program, or continues with one that is paused. One with External Control
+   * nodes waits for the driver, for 10 s at most.
    */
   public Reply play() {
     changing.lock();
@@ -263,7 +263,7 @@ public final class RemotePendant {
     return ready.program().isPresent() ? begin(ready.program().get()) : startWithDriver(ready);
   }
 
-  /** Starts a program, unless somebody has asked for a stop meanwhile. */
+  /** Starts a program, unless a client has asked for a stop meanwhile. */
   private Reply begin(Program program) {
     beginning.lock();
     try {
@@ -282,7 +282,7 @@ public final class RemotePendant {
   private Reply startWithDriver(LoadedProgram program) {
     TreeFile tree = program.tree().orElseThrow();
     ScriptRequest request = setup.drivers().request(tree.installation(), tree.waitingNodes());
-    // known before anybody is asked: a stop may come at once
+    // known before a driver is asked: a stop may come at once
     asked = Optional.of(request);
     try {
       if (stopped) {
@@ -359,7 +359,9 @@ public final class RemotePendant {
     return mode;
   }
 
-  /** Chooses an operational mode; NONE leaves the choice to nobody, as AUTOMATIC for the robot. */
+  /**
+   * Chooses an operational mode; NONE leaves the choice to no client, as AUTOMATIC for the robot.
+   */
   public void setOperationalMode(OperationalMode chosen) {
     mode = chosen;
     var _ = ask(new SafetyCommand.SetManualMode(chosen == OperationalMode.MANUAL));
@@ -375,7 +377,7 @@ public final class RemotePendant {
     return ask(new MessageCommand.ShowPopup(POPUP_TITLE, text));
   }
 
-  /** Closes the newest popup, whoever has shown it; a program that waits for it goes on. */
+  /** Closes the newest popup, whatever has shown it; a program that waits for it continues. */
   public Reply closePopup() {
     List<Popup> open = state().openPopups();
     return open.isEmpty()

@@ -32,7 +32,7 @@ import org.pendant.language.source.VisibleText;
 public final class Reports {
   private static final DateTimeFormatter STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss-SSS");
 
-  /** Nobody can fill the disk by asking for reports: the oldest ones go. */
+  /** No client can fill the disk by asking for reports: the oldest ones go. */
   private static final int MAX_REPORTS = 20;
 
   private static final String FLIGHT = "flightreport-";

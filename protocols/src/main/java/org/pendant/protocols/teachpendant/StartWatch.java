@@ -15,7 +15,7 @@ public final class StartWatch {
   private final RemotePendant remotePendant;
   private final StartEdge edge = new StartEdge();
 
-  /** Edges that nobody has answered to yet. */
+  /** Edges that have not been answered yet. */
   private final AtomicInteger asked = new AtomicInteger();
 
   /**

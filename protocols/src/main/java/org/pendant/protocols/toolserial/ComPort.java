@@ -21,7 +21,7 @@ final class ComPort implements SerialDevice {
   }
 
   /**
-   * Opens a device; nobody else can open it then.
+   * Opens a device; no other program can open it then.
    *
    * @param name such as {@code /dev/ttyUSB0} or {@code COM3}
    * @throws IOException when that cannot be; the message names the device and says why

@@ -10,7 +10,7 @@ import org.pendant.controller.external.ToolCommunication;
  * silence.
  */
 final class Hearing {
-  /** A message that is longer goes on in pieces. */
+  /** A message that is longer continues in pieces. */
   private static final int LONGEST = 4096;
 
   private static final double NS_PER_S = 1e9;

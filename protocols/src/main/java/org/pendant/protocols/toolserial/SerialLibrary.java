@@ -8,7 +8,7 @@ import org.pendant.protocols.natives.NativeFolder;
  * Serial library: loads jSerialComm from a folder that only this user can write.
  *
  * <p>While its class is initialised, that library empties a folder of a known name among the
- * temporary files, following links, then loads what it finds or unpacks there, open to everybody.
+ * temporary files, following links, then loads what it finds or unpacks there, open to all users.
  * The only way to another place is what it takes for the folder of temporary files and for the
  * home.
  */

@@ -189,7 +189,7 @@ final class Dialect {
     return header > 0;
   }
 
-  /** What a port answers, if only by going on to send. */
+  /** What a port answers, if only by continuing to send. */
   byte[] question() {
     return question.clone();
   }

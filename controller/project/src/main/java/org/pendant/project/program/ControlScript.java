@@ -34,7 +34,7 @@ public record ControlScript(ControlHost from, List<Line> header, List<Line> loop
 
   /**
    * Takes a text apart at its marks, as the URCap does: what is between {@code # HEADER_BEGIN} and
-   * {@code # HEADER_END} is header, what comes behind is for the nodes, and what comes before is
+   * {@code # HEADER_END} is header, what comes after is for the nodes, and what comes before is
    * left out. A text without both marks is for the nodes as a whole.
    */
   public static ControlScript of(ControlHost from, String text) {

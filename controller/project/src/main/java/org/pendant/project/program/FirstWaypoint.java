@@ -37,7 +37,7 @@ public final class FirstWaypoint {
    */
   public record Target(String name, WaypointPosition position) {}
 
-  /** The search has come to a move; without a place it goes somewhere that nobody taught. */
+  /** The search has come to a move; without a place it goes somewhere that was not taught. */
   private record Found(Optional<Target> place) {}
 
   private Optional<Found> among(List<ProgramNode> nodes) {

@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
  * Field of a node that holds a number. Its check, its form and new nodes all read it here; {@link
  * NodeFields} has all of them. A range is the same for every arm, as a program runs on several.
  *
- * @param name the component of the step's record, and behind points what is within it, such as
+ * @param name the component of the step's record, and after points what is within it, such as
  *     {@code speed} or {@code rule.distanceM}
  * @param words what messages call it
  * @param unit in which people read and type it

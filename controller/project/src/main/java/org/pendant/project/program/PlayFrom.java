@@ -10,7 +10,7 @@ import java.util.Optional;
  * too; initial values, threads and events are as always.
  *
  * <p>The branches and loops around the node count as entered: their conditions are not asked, and a
- * loop goes on with whole turns of its own, a counting one from 0.
+ * loop continues with whole turns of its own, a counting one from 0.
  */
 public final class PlayFrom {
   private PlayFrom() {}

@@ -5,7 +5,7 @@ package org.pendant.project.program;
  * angles in rad, forces in N, times in s.
  *
  * <p>Texts that are expressions hold URScript as it was typed. An empty text, name or list stands
- * for what nobody has filled in yet: a tree may be unfinished at any time, and is checked as a
+ * for what has not been filled in yet: a tree may be unfinished at any time, and is checked as a
  * whole before it runs.
  */
 public sealed interface Step

@@ -20,7 +20,8 @@ public sealed interface UntilRule {
   /**
    * The tool touches something.
    *
-   * @param retractM how far it goes back from where it touched; 0 to stay there, negative to go on
+   * @param retractM how far it goes back from where it touched; 0 to stay there, negative to
+   *     continue
    * @param stopDecelerationMPerS2 of the stop
    */
   record Contact(double retractM, double stopDecelerationMPerS2) implements UntilRule {}

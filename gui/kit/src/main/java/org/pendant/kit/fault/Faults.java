@@ -17,13 +17,13 @@ public final class Faults {
         (thread, fault) -> file.add(thread.getName(), fault).ifPresent(tell));
   }
 
-  /** Hands a fault to whoever looks after those of this thread; the thread goes on. */
+  /** Hands a fault to the handler of those of this thread; the thread continues. */
   public static void report(Throwable fault) {
     Thread thread = Thread.currentThread();
     thread.getUncaughtExceptionHandler().uncaughtException(thread, fault);
   }
 
-  /** Runs a part of something, which goes on whatever becomes of the part. */
+  /** Runs a part of something, which continues whatever becomes of the part. */
   public static void guard(Runnable part) {
     try {
       part.run();

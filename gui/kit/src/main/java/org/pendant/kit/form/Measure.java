@@ -64,7 +64,7 @@ public enum Measure {
   }
 
   /**
-   * Reads what somebody typed: a number with a point or a comma, and the unit if they like.
+   * Reads what the user typed: a number with a point or a comma, and the unit if they like.
    *
    * @return the number in SI
    * @throws IllegalArgumentException with a sentence for people if it is none

@@ -51,7 +51,7 @@ public final class SvgIcon extends FlatSVGIcon {
     return new SvgIcon(this, lit, Optional.of(only));
   }
 
-  /** The same for what shows a state, and goes on to show it while it is disabled. */
+  /** The same for what shows a state, and continues to show it while it is disabled. */
   public SvgIcon lit() {
     return new SvgIcon(this, true, color);
   }

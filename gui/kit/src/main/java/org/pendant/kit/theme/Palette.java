@@ -61,7 +61,7 @@ public final class Palette {
     return OK;
   }
 
-  /** Somebody should look. */
+  /** An operator should look. */
   public static Color warning() {
     return WARNING;
   }

@@ -39,7 +39,7 @@ final class LineFields {
     return new WrongText(column, line.word() + ": " + message);
   }
 
-  /** Refuses fields that nobody has asked for. */
+  /** Refuses fields that were not asked for. */
   void requireAllKnown() throws WrongText {
     for (var each : line.fields().entrySet()) {
       if (!asked.contains(each.getKey())) {

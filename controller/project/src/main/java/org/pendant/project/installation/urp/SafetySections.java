@@ -179,7 +179,7 @@ final class SafetySections {
     return sections.containsKey(name);
   }
 
-  /** Tells of all that nobody has asked for. */
+  /** Tells of all that were not asked for. */
   void tellUnread() {
     for (Section each : sections.values()) {
       String unread = each.unread();

@@ -34,7 +34,7 @@ final class WiringReader {
   }
 
   Wiring read() {
-    // the tool's two inputs stand behind those of the box
+    // the tool's two inputs stand after those of the box
     List<AnalogDomain> in = domains("analogInputRange", 4);
     List<AnalogDomain> out = domains("analogOutputDomain", 2);
     List<AnalogDomain> toolIn = in.isEmpty() ? USUAL.toolAnalogIn() : in.subList(2, 4);

@@ -13,7 +13,7 @@ import javax.xml.stream.XMLStreamReader;
 
 /**
  * XML element of such a file. It notes which of its attributes and children have been asked for, so
- * that one can tell afterwards what nobody has understood. Not for several threads.
+ * that one can tell afterwards what has not been understood. Not for several threads.
  */
 public final class XmlElement {
   private static final String REFERENCE = "reference";
@@ -272,7 +272,7 @@ public final class XmlElement {
     children.forEach(each -> each.forEach(action));
   }
 
-  /** The attributes and elements in it that nobody has asked for. */
+  /** The attributes and elements in it that were not asked for. */
   public List<String> unread() {
     List<String> unread = new ArrayList<>();
     for (int i = 0; i < attributes.length; i += 2) {

@@ -40,7 +40,7 @@ public final class TreeFile {
   /** Endings of such files that can be written as well. */
   public static final List<String> ENDINGS = List.of(ProgramText.ENDING, UrpPrograms.ENDING);
 
-  /** Ending that the generated script gets behind the name of the file. */
+  /** Ending that the generated script gets after the name of the file. */
   public static final String SCRIPT = ".script";
 
   private final String name;
@@ -240,7 +240,7 @@ public final class TreeFile {
     return remarks.stream().map(each -> name + ": note: " + each).toList();
   }
 
-  /** Whether there are nodes that do nothing because nobody knows what they should do. */
+  /** Whether there are nodes that do nothing because it is not said what they should do. */
   public boolean hasGaps() {
     boolean[] gaps = {false};
     tree.sections().forEach(each -> gaps[0] |= gap(each));

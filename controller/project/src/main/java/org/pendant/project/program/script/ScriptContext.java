@@ -68,7 +68,7 @@ final class ScriptContext {
     return installation;
   }
 
-  /** What External Control nodes do; empty while nobody has been asked. */
+  /** What External Control nodes do; empty while no driver has been asked. */
   Optional<ControlScript> control() {
     return control;
   }
@@ -101,7 +101,7 @@ final class ScriptContext {
         timer, name -> names.unique(names.variable(name) + "_is_counting", "is_counting"));
   }
 
-  /** The variable in which a loop counts that nobody has named. */
+  /** The variable in which a loop counts that has no name. */
   String counter(ProgramNode loop) {
     return loops.computeIfAbsent(loop.key(), _ -> names.numbered("Loop"));
   }

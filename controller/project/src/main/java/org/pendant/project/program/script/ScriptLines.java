@@ -19,10 +19,10 @@ import org.pendant.project.program.StepNames;
  * node may be written several times; it has its first number then.
  */
 final class ScriptLines {
-  /** The label of a node at which a program cannot be held. */
+  /** The label of a node at which a program cannot be paused. */
   static final String NO_BREAK = "noBreak";
 
-  /** The label of a node at which a program is held when it is done with it. */
+  /** The label of a node at which a program is paused when it is done with it. */
   static final String BREAK_AFTER = "breakAfter";
 
   /** A loop without end; it tests nothing, so no breakpoint stops there. */
@@ -115,7 +115,7 @@ final class ScriptLines {
     }
   }
 
-  /** A line that belongs behind what people put into a block, unless nothing leads there. */
+  /** A line that belongs after what people put into a block, unless nothing leads there. */
   void last(String code) {
     if (leftDepth != depth) {
       line(code);

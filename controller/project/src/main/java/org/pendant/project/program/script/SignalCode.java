@@ -42,7 +42,7 @@ final class SignalCode {
   }
 
   /**
-   * A statement that sets it; empty if nobody can.
+   * A statement that sets it; empty if no program can.
    *
    * @param value an expression for a level, V or A, or the value of a register
    */

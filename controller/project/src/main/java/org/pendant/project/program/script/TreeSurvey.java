@@ -90,7 +90,7 @@ final class TreeSurvey {
     return timers;
   }
 
-  /** Loops that count their turns in a variable that nobody has named. */
+  /** Loops that count their turns in a variable that has no name. */
   List<ProgramNode> unnamedLoops() {
     return unnamedLoops;
   }

@@ -83,7 +83,7 @@ final class WatchedMove {
     lines.line("join " + handle);
   }
 
-  /** Goes on behind the loop. */
+  /** Continues after the loop. */
   void leave() {
     lines.last("break");
     lines.close();
