@@ -18,10 +18,10 @@ import org.pendant.language.source.Source;
  * elsewhere.
  */
 public final class ConditionCheck {
-  /** How long nobody may type before a condition is read. */
+  /** How long typing must rest before a condition is read. */
   private static final int PAUSE_MS = 150;
 
-  /** Texts up to this length are read while somebody waits: a few dozen milliseconds. */
+  /** Texts up to this length are read while the user waits: a few dozen milliseconds. */
   private static final int SHORT = 300_000;
 
   private final WorkQueue background;

@@ -51,7 +51,7 @@ final class DebugPanel extends JPanel {
     return text;
   }
 
-  /** Has the titles of columns stand over the begin of what is in them. */
+  /** Has the titles of columns stand over the start of what is in them. */
   static void alignTitles(JTable table) {
     if (table.getTableHeader().getDefaultRenderer() instanceof JLabel title) {
       title.setHorizontalAlignment(SwingConstants.LEADING);

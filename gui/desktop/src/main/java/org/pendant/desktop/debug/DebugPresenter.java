@@ -18,7 +18,9 @@ import org.pendant.script.vm.ThreadSnapshot;
  * continues. It has no Swing; one thread uses it, the dispatch thread.
  */
 public final class DebugPresenter {
-  /** Frames for which values stay in sight after a program went on: a step is mostly over then. */
+  /**
+   * Frames for which values stay in sight after a program continued: a step is mostly over then.
+   */
   private static final long LINGER_FRAMES = 100;
 
   private final Workbench workbench;
@@ -128,30 +130,30 @@ public final class DebugPresenter {
     watchTree.clear(watches.idle());
   }
 
-  /** Whether a program is held. */
+  /** Whether a program is paused. */
   public boolean held() {
     return held.held();
   }
 
-  /** Whether there are values to show: also for a moment after a program went on. */
+  /** Whether there are values to show: also for a moment after a program continued. */
   public boolean showsValues() {
     return held() || lingering;
   }
 
-  /** Why the program is held; empty while it is not. */
+  /** Why the program is paused; empty while it is not. */
   public String stopText() {
     return held.stopText();
   }
 
   /**
-   * The threads of a program that is held, the main thread first; of one that runs where they were
-   * when {@link #lookAtThreads} was called last.
+   * The threads of a program that is paused, the main thread first; of one that runs where they
+   * were when {@link #lookAtThreads} was called last.
    */
   public List<ThreadSnapshot> threads() {
     return held() ? held.threads() : running.threads();
   }
 
-  /** Whether a program runs and is not held. */
+  /** Whether a program runs and is not paused. */
   boolean runsFree() {
     return program != ProgramState.STOPPED && !held();
   }
@@ -171,7 +173,7 @@ public final class DebugPresenter {
     return held.execution(state);
   }
 
-  /** Shows the line where the program is held, in whichever program that is. */
+  /** Shows the line where the program is paused, in whichever program that is. */
   public void showHeld() {
     breakpoints.started().ifPresent(programs::select);
     if (executionLine() > 0) {
@@ -199,13 +201,13 @@ public final class DebugPresenter {
 
   /**
    * The line of the program's text where the call that is looked at stands; 0 while nothing is
-   * held, and for lines of interpreter mode and of programs that are not open.
+   * paused, and for lines of interpreter mode and of programs that are not open.
    */
   public int executionLine() {
     return held.line();
   }
 
-  /** How the program is held and goes on. */
+  /** How the program is paused and continues. */
   public Stepping steps() {
     return steps;
   }
@@ -255,7 +257,7 @@ public final class DebugPresenter {
     watchTree.reload();
   }
 
-  /** Tells {@code listener} when a program was held, went on, or another call is looked at. */
+  /** Tells {@code listener} when a program was paused, continued, or another call is looked at. */
   public void addListener(Runnable listener) {
     listeners.add(listener);
   }

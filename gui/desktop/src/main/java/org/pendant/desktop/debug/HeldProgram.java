@@ -42,7 +42,7 @@ final class HeldProgram {
     return debug.threads();
   }
 
-  /** Why it is held; empty while it is not. */
+  /** Why it is paused; empty while it is not. */
   String stopText() {
     return debug.stop().map(stop -> StopText.of(stop, started::toNow)).orElse("");
   }
@@ -106,7 +106,7 @@ final class HeldProgram {
 
   // --- what stands beside the text
 
-  /** Where the program is, held or not. */
+  /** Where the program is, paused or not. */
   Execution execution(ControllerState state) {
     Optional<DebugState.Stop> stop = debug.stop().filter(each -> state.debug().held());
     if (stop.isEmpty()) {

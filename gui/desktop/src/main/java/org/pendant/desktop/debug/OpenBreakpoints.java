@@ -25,7 +25,7 @@ public final class OpenBreakpoints {
   private final Programs programs;
   private final Consumer<String> tell;
 
-  /** Closed programs keep theirs for as long as somebody may open them again. */
+  /** Closed programs keep theirs for as long as the user may open them again. */
   private final Map<ProgramDocument, BreakpointList> lists = new WeakHashMap<>();
 
   private final List<Runnable> listeners = new ArrayList<>();
@@ -140,12 +140,12 @@ public final class OpenBreakpoints {
     all().forEach(each -> toggle(each.line()));
   }
 
-  /** Whether programs that fail are held before they end. */
+  /** Whether programs that fail are paused before they end. */
   public boolean onErrors() {
     return onErrors;
   }
 
-  /** Has programs that fail held before they end, or not. */
+  /** Has programs that fail paused before they end, or not. */
   public void setOnErrors(boolean wanted) {
     onErrors = wanted;
     link.ask(

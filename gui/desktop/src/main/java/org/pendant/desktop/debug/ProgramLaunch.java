@@ -17,7 +17,7 @@ public record ProgramLaunch(
     Installation installation,
     Function<Optional<ControlScript>, RunScript> script) {
 
-  /** A text that waits for nobody. */
+  /** A text that waits for no driver. */
   public static ProgramLaunch of(RunScript text) {
     return new ProgramLaunch(0, Installation.NONE, _ -> text);
   }

@@ -6,8 +6,8 @@ import org.pendant.language.source.Source;
  * Run script: a text that is started, and what it has to do with the one that people see.
  *
  * @param lines of both
- * @param turnLine a line that the main program comes to once in each of its turns, and on which
- *     nobody sets a breakpoint; 0 if there is none
+ * @param turnLine a line that the main program comes to once in each of its turns, and on which no
+ *     breakpoint is set; 0 if there is none
  * @param turnsBefore how many turns begin before it comes there first
  */
 public record RunScript(Source source, RunLines lines, int turnLine, int turnsBefore) {

@@ -45,7 +45,7 @@ public final class Stepping {
     thread = scope.map(Scope::thread).orElse(Debugger.MAIN);
   }
 
-  /** Whether a held program can go on by steps; one that has failed can only end. */
+  /** Whether a paused program can continue by steps; one that has failed can only end. */
   public boolean canStep() {
     return debug.stop().filter(stop -> !(stop.reason() instanceof PauseReason.Failed)).isPresent();
   }
@@ -55,7 +55,7 @@ public final class Stepping {
     return program == ProgramState.RUNNING && !debug.held();
   }
 
-  /** Lets the program go on; one that has failed ends. */
+  /** Lets the program continue; one that has failed ends. */
   public void resume() {
     send(Debugger::resume);
   }
@@ -100,7 +100,7 @@ public final class Stepping {
     return debug.stop().map(DebugState.Stop::line).orElse(0);
   }
 
-  /** Ends a thread of a held program, and those that it started. */
+  /** Ends a thread of a paused program, and those that it started. */
   public void kill(int killed) {
     send(debugger -> debugger.kill(killed));
   }

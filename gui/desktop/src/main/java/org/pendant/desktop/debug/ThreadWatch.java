@@ -34,12 +34,12 @@ final class ThreadWatch {
     askedMs = clockMs.getAsLong() - PERIOD_MS;
   }
 
-  /** Where the threads were a moment ago; none while a program is held or none runs. */
+  /** Where the threads were a moment ago; none while a program is paused or none runs. */
   List<ThreadSnapshot> threads() {
     return threads;
   }
 
-  /** Looks if it is time to; called whenever somebody can see the threads. */
+  /** Looks if it is time to; called whenever the user can see the threads. */
   void refresh(ProgramState program, boolean held) {
     if (held || program == ProgramState.STOPPED) {
       show(List.of());

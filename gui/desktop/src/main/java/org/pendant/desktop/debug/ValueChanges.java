@@ -19,7 +19,7 @@ final class ValueChanges {
   /** What was seen last, and when it became so; at first it has not changed. */
   private record Seen(String text, long sinceMs) {}
 
-  /** The program is held anew: what is different from now has changed. */
+  /** The program is paused anew: what is different from now has changed. */
   void stopped() {
     before = now;
     now = new HashMap<>();
@@ -31,7 +31,7 @@ final class ValueChanges {
     newestMs = Long.MIN_VALUE / 2;
   }
 
-  /** A value of a program that is held. */
+  /** A value of a program that is paused. */
   ValueRow.Change held(ValueKey key, String text) {
     now.put(key, text);
     String old = before.get(key);

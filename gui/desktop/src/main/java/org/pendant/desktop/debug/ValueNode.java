@@ -22,7 +22,7 @@ record ValueNode(Variable variable, List<ValueNode> parts, String failure) {
     return new ValueNode(variable, List.of(), failure);
   }
 
-  /** The same under the name that somebody has typed. */
+  /** The same under the name that the user has typed. */
   ValueNode called(String expression) {
     Variable named =
         new Variable(expression, expression, variable.kind(), variable.text(), variable.children());

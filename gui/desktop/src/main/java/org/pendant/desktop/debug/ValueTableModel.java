@@ -40,7 +40,9 @@ final class ValueTableModel extends AbstractTableModel {
     fireTableDataChanged();
   }
 
-  /** Shows other values in the same lines; whoever edits or has selected one is not disturbed. */
+  /**
+   * Shows other values in the same lines; a user who edits or has selected one is not disturbed.
+   */
   void update(List<ValueRow> wanted) {
     List<ValueRow> before = rows;
     rows = wanted;

@@ -74,7 +74,7 @@ final class ValueTree {
     listeners.add(listener);
   }
 
-  /** The program is held anew: what is different from now is marked. */
+  /** The program is paused anew: what is different from now is marked. */
   void stopped() {
     changes.stopped();
     refusals.clear();
@@ -108,7 +108,7 @@ final class ValueTree {
         refused -> {});
   }
 
-  /** Shows {@code idle} while nothing is held. */
+  /** Shows {@code idle} while nothing is paused. */
   void clear(List<ValueNode.Group> idle) {
     scope = Optional.empty();
     live = Optional.empty();
@@ -117,7 +117,7 @@ final class ValueTree {
   }
 
   /**
-   * Shows values of a program that is not held.
+   * Shows values of a program that is not paused.
    *
    * @param nowMs time of any clock
    * @param changeable whether global variables can be changed
@@ -228,7 +228,7 @@ final class ValueTree {
     reload();
   }
 
-  /** Whether a value can be changed now: a local one only while its call is held. */
+  /** Whether a value can be changed now: a local one only while its call is paused. */
   boolean canAssign(ValueRow.Value row) {
     return scope.isPresent()
         || (live.filter(Live::changeable).isPresent() && row.key().scope().equals(Scope.GLOBAL));

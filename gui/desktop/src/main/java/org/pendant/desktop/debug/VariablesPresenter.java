@@ -19,7 +19,7 @@ final class VariablesPresenter {
   /**
    * Nothing yet.
    *
-   * @param tree shows the values; a debugger fills it while a program is held
+   * @param tree shows the values; a debugger fills it while a program is paused
    * @param clockMs any clock that goes on, ms
    */
   VariablesPresenter(ValueTree tree, Favourites favourites, LongSupplier clockMs) {

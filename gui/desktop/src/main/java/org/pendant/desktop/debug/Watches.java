@@ -65,7 +65,7 @@ final class Watches {
     settings.put(SETTING, String.join("\n", expressions));
   }
 
-  /** Without values, while nothing is held. */
+  /** Without values, while nothing is paused. */
   List<ValueNode.Group> idle() {
     return List.of(
         new ValueNode.Group(

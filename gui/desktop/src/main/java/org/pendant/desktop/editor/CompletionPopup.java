@@ -100,7 +100,7 @@ final class CompletionPopup {
   /**
    * Offers what there is.
    *
-   * @param asked whether somebody asked for it; otherwise nothing is offered for a word that is
+   * @param asked whether the user asked for it; otherwise nothing is offered for a word that is
    *     complete
    */
   void request(boolean asked) {

@@ -112,7 +112,7 @@ final class EditorActions {
     add("usual-size", "Usual text size", "control 0", each -> each.zoom(0));
   }
 
-  /** Something that changes the text, which nobody can where a tree generates it. */
+  /** Something that changes the text, which is not possible where a tree generates it. */
   private void write(String id, String title, String keys, Consumer<ProgramEditor> run) {
     actions.add(
         new Action(

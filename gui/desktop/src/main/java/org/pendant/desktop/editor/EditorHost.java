@@ -25,6 +25,6 @@ interface EditorHost {
   /** Breakpoints have moved with the text: where each line with one is now. */
   void breakpointsMoved(ProgramEditor editor, SortedMap<Integer, Integer> moves);
 
-  /** Somebody is about to jump away from the caret's place. */
+  /** The user is about to jump away from the caret's place. */
   void leaving(ProgramEditor editor);
 }

@@ -32,7 +32,7 @@ final class EditorStatus extends JPanel {
   /**
    * Nothing yet.
    *
-   * @param showProblems asked when somebody wants to see the problems
+   * @param showProblems asked when the user wants to see the problems
    */
   EditorStatus(Runnable showProblems) {
     super(new MigLayout("insets 1 8 1 12, gap 16, fillx", "[][grow, right][right]", "[center]"));

@@ -29,7 +29,7 @@ final class EditorTabs extends JTabbedPane {
    * Tabs that follow {@code programs}.
    *
    * @param editors makes an editor
-   * @param closing asked when somebody wants to close a tab
+   * @param closing asked when the user wants to close a tab
    * @param shown told when another tab is in front
    */
   EditorTabs(

@@ -4,7 +4,7 @@ package org.pendant.desktop.editor;
  * Execution point: where a program is.
  *
  * @param line from 1; 0 for nowhere
- * @param note what stands behind the line, such as why the program is held; empty for nothing
+ * @param note what stands after the line, such as why the program is paused; empty for nothing
  */
 public record Execution(int line, State state, String note) {
   /** No line of this program runs. */

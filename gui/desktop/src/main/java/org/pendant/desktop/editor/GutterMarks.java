@@ -36,7 +36,7 @@ final class GutterMarks {
   private Execution state = Execution.NONE;
   private int bulb;
 
-  /** A breakpoint: where it is, where it was when somebody was told last, and how it looks. */
+  /** A breakpoint: where it is, where it was when the user was told last, and how it looks. */
   private static final class Mark {
     private final Position at;
     private int toldLine;
@@ -57,8 +57,8 @@ final class GutterMarks {
   /**
    * The marks beside {@code area}.
    *
-   * @param clicked told of the line where somebody clicks into the margin
-   * @param bulbClicked told when somebody clicks on the light bulb
+   * @param clicked told of the line where the user clicks into the margin
+   * @param bulbClicked told when the user clicks on the light bulb
    */
   GutterMarks(ScriptArea area, Gutter gutter, IntConsumer clicked, Runnable bulbClicked) {
     this.area = area;

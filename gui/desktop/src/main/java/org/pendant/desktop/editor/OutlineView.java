@@ -110,7 +110,7 @@ public final class OutlineView implements View {
             });
   }
 
-  /** Whether only places have changed: the usual case while somebody types. */
+  /** Whether only places have changed: the usual case while the user types. */
   private static boolean sameShape(List<OutlineItem> some, List<OutlineItem> others) {
     if (some.size() != others.size()) {
       return false;

@@ -131,7 +131,7 @@ public final class PlacesView implements View {
         .orElse(System.getProperty("user.home"));
   }
 
-  /** Shows places that somebody else has found. */
+  /** Shows places that another view has found. */
   private void list(String title, List<Place> places) {
     cancel();
     summary.setForeground(Palette.quiet());

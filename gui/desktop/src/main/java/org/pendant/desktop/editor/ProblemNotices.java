@@ -12,7 +12,7 @@ import org.pendant.kit.theme.Palette;
 
 /** Problem notices: hands problems that were found already to the text component and its stripe. */
 final class ProblemNotices extends AbstractParser {
-  /** Underlining thousands helps nobody and slows painting down. */
+  /** Underlining thousands is no help and slows painting down. */
   private static final int MOST = 500;
 
   private List<Problem> problems = List.of();

@@ -118,7 +118,7 @@ final class ProgramEditor extends JPanel {
     return head;
   }
 
-  /** The tree moves the caret while nobody sees the text. */
+  /** The tree moves the caret while the text is not shown. */
   private void shown(HierarchyEvent event) {
     boolean shown = (event.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0;
     if (shown && area.isShowing() && generated()) {
@@ -127,7 +127,7 @@ final class ProgramEditor extends JPanel {
     }
   }
 
-  /** Whether the text comes from a tree, so that nobody can change it here. */
+  /** Whether the text comes from a tree, so that it cannot be changed here. */
   boolean generated() {
     return program.isTree();
   }
@@ -279,7 +279,7 @@ final class ProgramEditor extends JPanel {
     }
     boolean early = analysed().isEmpty();
     if (early) {
-      // At once, for whoever runs the program with the next key; it moves when the text is read.
+      // At once, for a user who runs the program with the next key; it moves when the text is read.
       marks.addBreakpoint(line);
       editorHost.breakpointsChanged(this);
     }

@@ -141,7 +141,7 @@ final class QuickPick {
     nothing.setVisible(true);
   }
 
-  /** Whether somebody still looks; any thread may ask. */
+  /** Whether the user still looks; any thread may ask. */
   boolean open() {
     return open;
   }

@@ -93,7 +93,7 @@ final class ScriptTyping {
     }
   }
 
-  /** Whoever writes an {@code end} over one that came by itself means the same one. */
+  /** A user who writes an {@code end} over one that came by itself means the same one. */
   private void forgetEndBelow(String before, String behind) {
     int below = area.lineAt(area.getSelectionEnd()) + 1;
     if (!before.strip().equals("end") || !behind.isEmpty() || below > area.getLineCount()) {

@@ -99,7 +99,7 @@ final class EntryField extends JTextField {
     take.accept(text);
   }
 
-  /** Shows a value; what somebody is typing in place of the same one stays. */
+  /** Shows a value; what the user is typing in place of the same one stays. */
   void follow(String value) {
     boolean typing = !getText().equals(shown);
     if (!Objects.equals(value, shown) || (!typing && !getText().equals(value))) {
@@ -107,7 +107,7 @@ final class EntryField extends JTextField {
     }
   }
 
-  /** Shows a value, whatever somebody has typed. */
+  /** Shows a value, whatever the user has typed. */
   void show(String value) {
     shown = value;
     if (!getText().equals(value)) {

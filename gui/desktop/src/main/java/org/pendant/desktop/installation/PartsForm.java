@@ -53,7 +53,7 @@ final class PartsForm<T> {
     void show(T value);
   }
 
-  /** Another value with what somebody typed; refuses by an IllegalArgumentException. */
+  /** Another value with what the user typed; refuses by an IllegalArgumentException. */
   interface Change<T> {
     T with(T before, String text);
   }
@@ -106,7 +106,7 @@ final class PartsForm<T> {
     value.ifPresent(before -> take.accept(change.with(before, text)));
   }
 
-  /** A field that somebody else places. */
+  /** A field that another component places. */
   EntryField entry(String name, String tip, Function<T, String> text, Change<T> change) {
     EntryField field =
         TitledCard.named(

@@ -16,7 +16,7 @@ final class SafetyDraft {
   private final List<Runnable> listeners = new ArrayList<>();
   private Optional<SafetyConfiguration> draft = Optional.empty();
 
-  /** What held when somebody began to change it. */
+  /** What held when the user began to change it. */
   private Optional<SafetyConfiguration> begun = Optional.empty();
 
   SafetyDraft(Editing editing) {

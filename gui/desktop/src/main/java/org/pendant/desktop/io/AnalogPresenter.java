@@ -71,7 +71,7 @@ final class AnalogPresenter {
     return !programRuns;
   }
 
-  /** Whether somebody has set this input away from rest. */
+  /** Whether the user has set this input away from rest. */
   boolean forced() {
     return forcing.forced(name());
   }
@@ -82,7 +82,7 @@ final class AnalogPresenter {
   }
 
   /**
-   * Sets the level to what somebody typed.
+   * Sets the level to what the user typed.
    *
    * @throws IllegalArgumentException with a sentence for people if it is no level
    */

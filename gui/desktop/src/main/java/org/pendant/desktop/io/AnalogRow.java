@@ -30,7 +30,7 @@ final class AnalogRow {
   private final JLabel problem = new JLabel();
   private final JPanel below = new JPanel(new CardLayout());
 
-  /** Whether the controls are made to show something, which is no wish of anybody. */
+  /** Whether the controls are made to show something, which is no wish of the user. */
   private boolean showing;
 
   AnalogRow(TitledCard card, AnalogBank bank, int index, Forcing forcing, SignalLabels labels) {
@@ -55,7 +55,7 @@ final class AnalogRow {
     listen();
     card.add(brief);
     card.add(NameField.of(labels, id, name), "span, growx, wmin 60");
-    // in one place, so that nothing moves away below somebody who types
+    // in one place, so that nothing moves away below the user who types
     below.setOpaque(false);
     below.add(slider, SLIDER);
     below.add(problem, PROBLEM);

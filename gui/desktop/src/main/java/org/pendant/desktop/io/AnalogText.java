@@ -32,7 +32,7 @@ final class AnalogText {
   }
 
   /**
-   * Reads what somebody typed, with the unit or without.
+   * Reads what the user typed, with the unit or without.
    *
    * @return A or V as the domain says, within its range
    * @throws IllegalArgumentException with a sentence for people if it is not such a value

@@ -91,7 +91,7 @@ final class Forcing {
     }
   }
 
-  /** What an input that nobody forces has; none for what is no input. */
+  /** What an input that is not forced has; none for what is no input. */
   private static List<SignalWrite> rest(SignalWrite write) {
     if (!write.input()) {
       return List.of();

@@ -73,7 +73,7 @@ final class MemoryCard {
     problem.setText(text);
     problem.setToolTipText(text.isEmpty() ? null : text);
     problem.setForeground(Palette.error());
-    // in place of the titles, so that nothing moves away below somebody who types
+    // in place of the titles, so that nothing moves away below the user who types
     problem.setPreferredSize(new Dimension(0, table.getTableHeader().getPreferredSize().height));
     boolean wrong = !text.isEmpty();
     if (wrong != problemShown && scroll.getColumnHeader() != null) {

@@ -126,7 +126,7 @@ final class MemoryList {
         : new BigDecimal(value).round(BRIEF).stripTrailingZeros().toString();
   }
 
-  /** Whether somebody has set this input away from rest. */
+  /** Whether the user has set this input away from rest. */
   boolean forced(int index) {
     return forcing.forced(memory.name(index));
   }
@@ -142,7 +142,7 @@ final class MemoryList {
   }
 
   /**
-   * Sets a place to what somebody typed.
+   * Sets a place to what the user typed.
    *
    * @throws IllegalArgumentException with a sentence for people if it does not take it
    */
@@ -151,7 +151,7 @@ final class MemoryList {
   }
 
   /**
-   * Checks what somebody typed.
+   * Checks what the user typed.
    *
    * @throws IllegalArgumentException as {@link #set}
    */

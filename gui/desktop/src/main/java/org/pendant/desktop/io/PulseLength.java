@@ -21,7 +21,7 @@ record PulseLength(double seconds) {
   }
 
   /**
-   * Reads what somebody typed.
+   * Reads what the user typed.
    *
    * @throws IllegalArgumentException with a sentence for people if it is not a length
    */

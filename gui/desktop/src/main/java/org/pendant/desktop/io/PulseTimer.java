@@ -37,7 +37,7 @@ final class PulseTimer implements FrameListener {
    * Begins a pulse; the time counts from the frame that sets the input.
    *
    * @param level during the pulse
-   * @return the reply to the begin
+   * @return the reply to the start
    */
   CompletableFuture<Reply> begin(Signal input, boolean level, PulseLength length) {
     running.put(input, new Pulse(level, length.seconds(), Double.NaN));

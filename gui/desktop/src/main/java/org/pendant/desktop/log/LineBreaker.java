@@ -6,7 +6,7 @@ import java.util.function.ToIntFunction;
 
 /** Line breaker: breaks a text into lines that fit a width, at blanks where there are any. */
 final class LineBreaker {
-  /** More lines than anybody reads in a table; the whole text is below it. */
+  /** More lines than a user reads in a table; the whole text is below it. */
   static final int MAX_LINES = 100;
 
   /** No line on any screen has more characters; to measure more would take long. */

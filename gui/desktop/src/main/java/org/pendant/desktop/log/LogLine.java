@@ -33,7 +33,7 @@ record LogLine(
   /** The name of the text that interpreter mode is fed with: no line of a file. */
   private static final String INTERPRETER = "interpreter";
 
-  /** For messages of which nobody knows when they arrived: those of a recording. */
+  /** For messages without a known time of arrival: those of a recording. */
   static final Instant NO_WALL = Instant.MIN;
 
   private static final DateTimeFormatter CLOCK =
@@ -57,7 +57,7 @@ record LogLine(
     return end < 0 ? text : text.substring(0, end).stripTrailing() + " \u2026";
   }
 
-  /** The text without the code at its begin, for where that stands beside it. */
+  /** The text without the code at its start, for where that stands beside it. */
   String withoutCode() {
     return !shortCode().isEmpty() && text.startsWith(code + " ")
         ? text.substring(code.length() + 1)
@@ -93,12 +93,12 @@ record LogLine(
     return String.format(Locale.ROOT, "%.3f", timeS);
   }
 
-  /** Time of day when it arrived; empty if nobody knows. */
+  /** Time of day when it arrived; empty if that is not known. */
   String wallText() {
     return wall.equals(NO_WALL) ? "" : CLOCK.format(wall);
   }
 
-  /** When it arrived, by ISO 8601; empty if nobody knows. */
+  /** When it arrived, by ISO 8601; empty if that is not known. */
   String isoText() {
     return wall.equals(NO_WALL) ? "" : wall.toString();
   }

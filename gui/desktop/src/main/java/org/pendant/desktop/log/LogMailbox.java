@@ -27,7 +27,7 @@ final class LogMailbox implements FrameListener {
   private long lastFrame;
   private long lastNumber;
 
-  /** A message as it came; it becomes text for people when somebody asks for it. */
+  /** A message as it came; it becomes text for people when the user asks for it. */
   private record Mail(long number, Instant wall, LogSource source, LogEntry entry) {}
 
   /**

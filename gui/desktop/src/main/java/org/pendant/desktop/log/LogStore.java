@@ -55,7 +55,7 @@ final class LogStore {
     return ring[slot(position)];
   }
 
-  /** Forgets all; positions go on. */
+  /** Forgets all; positions continue. */
   void clear() {
     Arrays.fill(ring, null);
     bytes = 0;

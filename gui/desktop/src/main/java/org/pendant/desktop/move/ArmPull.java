@@ -15,7 +15,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Vector3;
 
 /**
- * Arm pull: the hand that pulls the arm in a picture of it. While freedrive is on, whoever has
+ * Arm pull: the hand that pulls the arm in a picture of it. While freedrive is on, the user who has
  * switched it on, the arm follows; otherwise this one switches it on for the drag, if that is
  * wanted. One thread uses it.
  */

@@ -72,7 +72,7 @@ enum DisplayUnit {
   }
 
   /**
-   * Reads what somebody typed: a number, a point or a comma before its decimals, and if they like a
+   * Reads what the user typed: a number, a point or a comma before its decimals, and if they like a
    * unit of the same kind; without one it is in this unit.
    *
    * @return the number in m, rad or kg

@@ -6,10 +6,10 @@ import java.util.Optional;
 
 /**
  * Draft: numbers that show what the robot has, until the user types over one: then all of them stay
- * as they are, for a goal to be made of. A number that nobody typed keeps its full precision.
+ * as they are, for a goal to be made of. A number that was not typed keeps its full precision.
  */
 final class Draft {
-  /** Said of numbers that somebody has typed. */
+  /** Said of numbers that the user has typed. */
   static final String GOAL = "A goal, not where the arm is: hold the button to go there.";
 
   /** What else must be true of a number. */
@@ -41,7 +41,7 @@ final class Draft {
     return values.length;
   }
 
-  /** Shows what the robot has, in m, rad and kg; not while somebody's numbers are shown. */
+  /** Shows what the robot has, in m, rad and kg; not while the user's numbers are shown. */
   void follow(double[] present) {
     if (!edited && !Arrays.equals(present, values)) {
       System.arraycopy(present, 0, values, 0, values.length);
@@ -49,12 +49,12 @@ final class Draft {
     }
   }
 
-  /** Has {@code action} follow whenever somebody types. */
+  /** Has {@code action} follow whenever the user types. */
   void whenTyped(Runnable action) {
     typed = action;
   }
 
-  /** Shows numbers, in m, rad and kg, as if somebody had typed them. */
+  /** Shows numbers, in m, rad and kg, as if the user had typed them. */
   void put(double[] numbers) {
     edited = true;
     System.arraycopy(numbers, 0, values, 0, values.length);
@@ -63,7 +63,7 @@ final class Draft {
     typed.run();
   }
 
-  /** Somebody types. */
+  /** The user types. */
   void type(int index, String text) {
     edited = true;
     typed.run();
@@ -111,7 +111,7 @@ final class Draft {
     }
   }
 
-  /** Whether somebody has typed since the last {@link #reset}. */
+  /** Whether the user has typed since the last {@link #reset}. */
   boolean edited() {
     return edited;
   }

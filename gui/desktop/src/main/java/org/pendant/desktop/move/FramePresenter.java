@@ -46,7 +46,7 @@ final class FramePresenter {
     show();
   }
 
-  /** It is where somebody has typed. */
+  /** It is where the user has typed. */
   void setTyped() {
     if (draft.edited() && draft.valid()) {
       set(form.pose(draft.values()));

@@ -113,14 +113,14 @@ final class GoalPresenter {
     return pose;
   }
 
-  /** The joint positions that somebody has typed, if they may be gone to. */
+  /** The joint positions that the user has typed, if they may be gone to. */
   Optional<Joints> typedJoints() {
     return joints.edited() && joints.valid()
         ? Optional.of(Joints.of(joints.values()))
         : Optional.empty();
   }
 
-  /** The pose that somebody has typed, in the base, if the arm reaches it. */
+  /** The pose that the user has typed, in the base, if the arm reaches it. */
   Optional<Pose> typedPoseInBase() {
     return poseReachable() ? Optional.of(goalInBase()) : Optional.empty();
   }

@@ -76,7 +76,7 @@ final class HomePresenter {
     listener = next;
   }
 
-  /** Home is what somebody has typed. */
+  /** Home is what the user has typed. */
   void setTyped() {
     if (draft.edited() && draft.valid()) {
       set(Joints.of(draft.values()));

@@ -20,7 +20,7 @@ record JointRange(double minRad, double maxRad, boolean unlimited) {
         : new JointRange(min, max, false);
   }
 
-  /** Where a position is in the range: 0 at its begin, 1 at its end; never outside. */
+  /** Where a position is in the range: 0 at its start, 1 at its end; never outside. */
   double share(double positionRad) {
     double shown = unlimited ? Math.IEEEremainder(positionRad, 2 * maxRad) : positionRad;
     return Math.max(0, Math.min(1, (shown - minRad) / (maxRad - minRad)));

@@ -56,7 +56,7 @@ public final class MoveView implements View {
   /**
    * A screen; {@link #refresh} brings the arm.
    *
-   * @param ghost shows the goal that somebody types
+   * @param ghost shows the goal that the user types
    * @param insertWaypoint puts a line of URScript into the program that is edited
    */
   public MoveView(Workbench workbench, GhostArm ghost, Consumer<String> insertWaypoint) {
@@ -187,7 +187,7 @@ public final class MoveView implements View {
     return stack;
   }
 
-  /** Nobody holds what they do not see. */
+  /** A button that is not shown cannot be held. */
   private void hidden(HierarchyEvent event) {
     if ((event.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0 && !content.isShowing()) {
       presenter.jog().release();

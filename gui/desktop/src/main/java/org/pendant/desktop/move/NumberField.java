@@ -34,7 +34,7 @@ final class NumberField extends JTextField {
     }
   }
 
-  /** Shows the number as it is now, except where somebody has selected text to type over. */
+  /** Shows the number as it is now, except where the user has selected text to type over. */
   void refresh() {
     if (!getText().equals(draft.text(index)) && (!isFocusOwner() || !selected())) {
       showing = true;

@@ -50,7 +50,7 @@ final class RangeBar extends JComponent {
   }
 
   /**
-   * Shows a position, and the goal that somebody typed.
+   * Shows a position, and the goal that the user typed.
    *
    * @param unit in which the ends are written
    */

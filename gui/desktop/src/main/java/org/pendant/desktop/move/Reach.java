@@ -20,7 +20,7 @@ public record Reach(Optional<Joints> q, String text) {
   /** Nearer than this to a singularity, straight moves become slow or impossible. */
   private static final double CLOSE = 0.03;
 
-  /** A finer error than anybody types. */
+  /** A finer error than a user types. */
   private static final double ERROR = 1e-9;
 
   /** Looks for joint positions near {@code near} that put the TCP at {@code tcpInBase}. */

@@ -36,7 +36,7 @@ final class TeachBar extends JPanel {
     setVisible(false);
   }
 
-  /** Begins; whoever asked before is left. */
+  /** Begins; an earlier request is left. */
   void ask(String what, Runnable whenAccepted, Runnable whenLeft) {
     accepted = whenAccepted;
     left = whenLeft;

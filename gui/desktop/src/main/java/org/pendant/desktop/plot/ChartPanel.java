@@ -197,7 +197,7 @@ final class ChartPanel extends JPanel {
       changed.run();
     }
 
-    /** A mere click chooses nothing, and charts that moved go on. */
+    /** A mere click chooses nothing, and charts that moved continue. */
     private void choose(TimeSpan drawn) {
       if (Math.abs(x(drawn.fromS(), area()) - x(drawn.toS(), area())) >= NEAR) {
         presenter.setWindow(presenter.window().between(drawn.fromS(), drawn.toS()));

@@ -53,7 +53,7 @@ final class History {
       return false;
     }
     if (names.isEmpty()) {
-      // nobody looks at them
+      // they are not shown
       frames.startAt(newest);
       return false;
     }
@@ -81,7 +81,7 @@ final class History {
       return;
     }
     if (quantity.variable()) {
-      // nobody had asked the controller for it
+      // the controller had not been asked for it
       names.put(quantity, quantity.id().substring(ScriptVariables.PREFIX.length()));
       frames.add(quantity);
       return;

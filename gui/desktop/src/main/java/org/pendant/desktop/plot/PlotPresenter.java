@@ -42,7 +42,7 @@ final class PlotPresenter {
       double seconds = Double.parseDouble(text);
       window = Double.isNaN(seconds) ? window : window.withWidth(seconds);
     } catch (NumberFormatException e) {
-      // somebody has edited the settings: the width stays what it is at first
+      // the user has edited the settings: the width stays what it is at first
       settings.put(WIDTH, Double.toString(window.widthS()));
     }
   }
@@ -176,7 +176,7 @@ final class PlotPresenter {
     return !window.live();
   }
 
-  /** Stands still, or goes on with the newest sample; samples are kept meanwhile. */
+  /** Stands still, or continues with the newest sample; samples are kept meanwhile. */
   void pause(boolean wanted) {
     setWindow(window.withLive(!wanted));
   }

@@ -84,7 +84,7 @@ final class QuantityTransfer extends TransferHandler {
         quantities.find(id).ifPresent(found::add);
       }
     } catch (UnsupportedFlavorException | IOException e) {
-      // whoever offered a text has none any more: nothing was dropped
+      // the source that offered a text has none any more: nothing was dropped
       return List.of();
     }
     return found;

@@ -32,7 +32,7 @@ import org.pendant.kit.layout.Typed;
 
 /** Quantity tree: the list of what can be drawn, with a search above it. */
 final class QuantityTree {
-  /** Groups whose parts are in sight before anybody opens one; all would be a hundred rows. */
+  /** Groups whose parts are in sight before one is opened; all would be a hundred rows. */
   private static final Set<String> OPEN_AT_FIRST = Set.of(ScriptVariables.GROUP, "Joints", "TCP");
 
   private final ChartQuantities quantities;

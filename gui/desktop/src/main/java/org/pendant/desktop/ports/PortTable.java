@@ -25,7 +25,7 @@ final class PortTable extends AbstractTableModel {
     }
   }
 
-  /** Who is connected there; empty for nobody. */
+  /** Who is connected there; empty for no client. */
   String who(int row) {
     return rows.get(row).who();
   }

@@ -175,7 +175,7 @@ final class PortsPresenter {
     };
   }
 
-  /** What somebody should know before others come; empty for nothing. */
+  /** What the user should know before others come; empty for nothing. */
   String warning() {
     return ports.state() instanceof PortsState.Open open
         ? Stream.concat(exposure(open), missing(open)).collect(Collectors.joining("\n"))

@@ -17,7 +17,7 @@ sealed interface PortsState {
    */
   record Trouble(PortField field, String text) {}
 
-  /** Nobody listens. */
+  /** No server listens. */
   record Closed(Optional<Trouble> trouble) implements PortsState {}
 
   /** They are being opened. */

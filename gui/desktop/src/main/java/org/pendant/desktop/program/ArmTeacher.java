@@ -4,7 +4,7 @@ package org.pendant.desktop.program;
 public interface ArmTeacher {
 
   /**
-   * Has somebody move the arm.
+   * Lets the user move the arm.
    *
    * @param what is taught, such as {@code Waypoint_1}
    * @param accepted runs when the arm is there

@@ -9,8 +9,8 @@ import org.pendant.project.program.urp.ShownNodes;
 
 /**
  * Foreign tree: a program of PolyScope X as people see it. In the file its nodes are suppressed
- * folders, as the script beside them runs; here they are nodes of somebody else, with the lines
- * that do their work.
+ * folders, as the script beside them runs; here they are foreign nodes, with the lines that do
+ * their work.
  */
 final class ForeignTree {
   private ForeignTree() {}

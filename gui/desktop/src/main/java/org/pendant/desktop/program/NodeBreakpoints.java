@@ -13,11 +13,11 @@ import org.pendant.project.program.script.GeneratedScript.NodeLines;
 
 /**
  * Node breakpoints: which nodes of a program the breakpoints in its script stand beside. A node and
- * the first one below it often begin with the same line, so what somebody chose in the tree is kept
+ * the first one below it often begin with the same line, so what the user chose in the tree is kept
  * by node; a breakpoint that was set in the script stands at the innermost node of its line.
  */
 final class NodeBreakpoints {
-  /** The line of each node at which somebody has set a breakpoint in the tree, by key. */
+  /** The line of each node at which the user has set a breakpoint in the tree, by key. */
   private final Map<Long, Integer> chosen = new HashMap<>();
 
   /** The breakpoints of a script. */

@@ -154,7 +154,7 @@ final class ProgramHost implements FormHost {
     hold.release();
   }
 
-  /** Time goes by: what is held goes on. */
+  /** Time goes by: what is held continues. */
   void repeat() {
     hold.repeat();
   }

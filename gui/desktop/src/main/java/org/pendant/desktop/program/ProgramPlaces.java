@@ -20,9 +20,7 @@ import org.pendant.project.program.WaypointTarget;
 
 /** Program places: the places of a program as they are shown in 3D. */
 final class ProgramPlaces {
-  /**
-   * More frames than this are slow to draw without a graphics card, and nobody tells them apart.
-   */
+  /** More frames than this are slow to draw without a graphics card, and cannot be told apart. */
   private static final int MOST = 200;
 
   private final ProgramTree tree;

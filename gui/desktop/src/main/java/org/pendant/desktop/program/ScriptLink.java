@@ -175,7 +175,7 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
     return key(program.script(), line);
   }
 
-  /** The node where somebody has put the caret of the script since the last call. */
+  /** The node where the user has put the caret of the script since the last call. */
   OptionalLong caretMoved(TreeProgram program) {
     boolean other = !seenIn.equals(Optional.of(program.document()));
     boolean moved = editor.caretLine() != seenCaret;

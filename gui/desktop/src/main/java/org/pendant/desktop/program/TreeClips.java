@@ -61,7 +61,7 @@ final class TreeClips {
     return tree.withWaypoints(places).insert(spot.parent(), spot.index(), nodes);
   }
 
-  /** A name like {@code name} that nobody has; taken from now on. */
+  /** A name like {@code name} that is not used; taken from now on. */
   private static String free(String name, Set<String> taken) {
     String start = name.replaceFirst("_\\d+$", "");
     int number = 1;

@@ -165,7 +165,7 @@ final class TreeCommands {
     }
   }
 
-  /** Puts nodes where somebody has dropped them. */
+  /** Puts nodes where the user has dropped them. */
   void drop(TreeDrag.Cargo cargo, Spot spot) {
     if (refused()) {
       return;

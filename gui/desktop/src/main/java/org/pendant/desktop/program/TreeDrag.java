@@ -51,7 +51,7 @@ final class TreeDrag {
   /**
    * A drag over a tree.
    *
-   * @param drop puts nodes where somebody has let them go
+   * @param drop puts nodes where the user has let them go
    */
   TreeDrag(TreeList list, BiConsumer<Cargo, Spot> drop) {
     this.list = list;

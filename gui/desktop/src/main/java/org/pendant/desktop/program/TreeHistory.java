@@ -11,7 +11,7 @@ import org.pendant.project.program.ProgramTree;
  * again.
  */
 final class TreeHistory {
-  /** Changes of one field follow each other within this time while somebody types. */
+  /** Changes of one field follow each other within this time while the user types. */
   private static final long MERGE_MS = 1500;
 
   private static final int MOST = 500;

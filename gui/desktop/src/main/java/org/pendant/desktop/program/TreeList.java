@@ -93,7 +93,7 @@ final class TreeList extends JList<TreeRow> {
     return mouse;
   }
 
-  /** Tells why nodes cannot go where somebody has dropped them. */
+  /** Tells why nodes cannot go where the user has dropped them. */
   void onRefusal(Consumer<String> listener) {
     refusals = listener;
   }

@@ -41,7 +41,7 @@ final class TreeMouse {
     breakpoint = listener;
   }
 
-  /** Tells when somebody wants to change the selected node. */
+  /** Tells when the user wants to change the selected node. */
   void onOpen(Runnable listener) {
     opened = listener;
   }

@@ -185,7 +185,7 @@ final class TreePane extends JPanel {
   }
 
   /**
-   * Has somebody write another name over a node.
+   * Lets the user write another name over a node.
    *
    * @param done takes the name
    */

@@ -60,7 +60,7 @@ public final class TreeRuns {
         : whyNot(program.get().document(), selected);
   }
 
-  /** Where a run would have the arm go first; empty for scripts, and where nobody can tell. */
+  /** Where a run would have the arm go first; empty for scripts, and where that is not known. */
   public Optional<FirstWaypoint.Target> first(ProgramDocument document, long from) {
     return trees
         .of(document)

@@ -23,7 +23,7 @@ public record WaypointMarkers(List<Mark> marks, List<List<Integer>> ways) {
    * A place.
    *
    * @param inBase pose of the TCP there
-   * @param chosen whether somebody looks at it just now
+   * @param chosen whether the user looks at it just now
    */
   public record Mark(String name, Pose inBase, boolean chosen) {}
 

@@ -30,7 +30,7 @@ public final class ActiveInstallation {
     document.addListener(follower);
   }
 
-  /** Hears what the document is told by others, such as whoever watches the disk. */
+  /** Hears what the document is told by others, such as the watch of the disk. */
   private final class Follower implements ProgramDocument.Listener {
     @Override
     public void textChanged(int offset, int removed, String added) {

@@ -21,7 +21,7 @@ public final class Branching {
     /** Nothing has changed; the reason is for people. */
     record Refused(String reason) implements Outcome {}
 
-    /** Nothing has changed, as somebody wished. */
+    /** Nothing has changed, as the user wished. */
     record Cancelled() implements Outcome {}
   }
 

@@ -11,7 +11,7 @@ import org.pendant.script.vm.ProgramState;
  * thing may be done.
  *
  * @param state of the program
- * @param whyNoRun why it cannot be started or go on
+ * @param whyNoRun why it cannot be started or continued
  * @param whyNoPause why it cannot be paused
  * @param whyNoStop why it cannot be stopped
  * @param whyNoStep why it cannot be held or run to its next line
@@ -54,7 +54,7 @@ public record ProgramControls(
     return whyNoRun.isEmpty() && state == ProgramState.STOPPED;
   }
 
-  /** Whether Run goes on with a held or paused program. */
+  /** Whether Run continues with a paused program. */
   public boolean canResume() {
     return whyNoRun.isEmpty() && state != ProgramState.STOPPED;
   }

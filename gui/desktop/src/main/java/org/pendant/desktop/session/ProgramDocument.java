@@ -104,7 +104,7 @@ public final class ProgramDocument {
 
   /**
    * The program as a script: itself, or for a tree a document with what the tree generates, which
-   * whoever knows the tree keeps up to date.
+   * the owner of the tree keeps up to date.
    */
   public ProgramDocument script() {
     if (!isTree()) {

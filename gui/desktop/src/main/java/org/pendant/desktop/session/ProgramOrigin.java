@@ -29,7 +29,7 @@ final class ProgramOrigin implements FrameListener {
    */
   private final List<CompletableFuture<Reply>> asked = new ArrayList<>();
 
-  /** The newest starts, for going back; used by whoever drives the frames. */
+  /** The newest starts, for going back; used by the thread that drives the frames. */
   private final Deque<Start> starts = new ArrayDeque<>();
 
   private final AtomicLong strangers = new AtomicLong();
@@ -88,7 +88,7 @@ final class ProgramOrigin implements FrameListener {
 
   /**
    * Another controller takes the place of the present one and stands where that was in a frame; 0
-   * for one that was just switched on. Nobody may drive either.
+   * for one that was just switched on. No thread may drive either.
    */
   void goBack(long frame) {
     while (!starts.isEmpty() && starts.getLast().frame() > frame) {

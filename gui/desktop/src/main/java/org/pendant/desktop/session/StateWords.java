@@ -28,7 +28,7 @@ public final class StateWords {
     return word.name().replace('_', ' ').toLowerCase(Locale.ROOT);
   }
 
-  /** With a capital letter at its begin. */
+  /** With a capital letter at its start. */
   public static String capital(String words) {
     return words.isEmpty()
         ? words

@@ -107,7 +107,7 @@ final class CloseDialog {
   /** One after the other: each may ask where. What is not saved keeps the window open. */
   private void saveNext(Iterator<ProgramDocument> left) {
     if (!left.hasNext()) {
-      // Somebody may have gone on writing meanwhile.
+      // The user may have continued writing meanwhile.
       ask();
       return;
     }

@@ -90,7 +90,7 @@ public final class Desktop {
             look.install();
             desktop.show(session.join(), look, programs, files, ports);
           } catch (RuntimeException | Error fault) {
-            // There is no window that could tell it: whoever waits does.
+            // There is no window that could tell it: the waiting thread does.
             desktop.closed.completeExceptionally(fault);
           }
         });
@@ -115,7 +115,7 @@ public final class Desktop {
   /**
    * Options of the controller.
    *
-   * @param wanted the installation that somebody asked for; one of last time gives way to the robot
+   * @param wanted the installation that the user asked for; one of last time gives way to the robot
    */
   private ControllerOptions options(Optional<StartInstallation> wanted) {
     ControllerOptions bare = options(settings);

@@ -303,7 +303,7 @@ final class DesktopWindow {
     failureTold = failure.isPresent();
   }
 
-  /** What is done every few seconds: one part goes on when another has failed. */
+  /** What is done every few seconds: one part continues when another has failed. */
   private void keep() {
     Faults.guard(autosave::look);
     Faults.guard(disk::look);

@@ -12,8 +12,7 @@ import org.pendant.desktop.shell.Notices.Choice;
 
 /**
  * Document saver: saves programs and the installation. What others have written to a file meanwhile
- * is replaced only by somebody who was asked. Only the dispatch thread calls it; it writes
- * elsewhere.
+ * is replaced only by a user who was asked. Only the dispatch thread calls it; it writes elsewhere.
  */
 final class DocumentSaver {
   private final SaveQueue queue;

@@ -35,7 +35,7 @@ final class FileDrop extends TransferHandler {
       }
       return true;
     } catch (UnsupportedFlavorException | IOException e) {
-      // Whoever offered the files has taken them back; the drop then shows as not taken.
+      // The program that offered the files has taken them back; the drop then shows as not taken.
       return false;
     }
   }

@@ -17,7 +17,7 @@ import org.pendant.kit.theme.WrappedText;
 
 /**
  * Guarded view, which harms no other when it throws. A strip above it says so as long as it does:
- * what it shows may be old then, and nobody must take it for the state of the robot.
+ * what it shows may be old then, and must not be taken for the state of the robot.
  */
 final class GuardedView implements View {
   /** So many turns pass after one that has failed, about a second. */

@@ -115,7 +115,7 @@ final class Menus {
     }
   }
 
-  /** How many characters of the id a begin explains, whole words only; -1 if it is another one. */
+  /** How many characters of the id a start explains, whole words only; -1 if it is another one. */
   private static int fit(String id, String begin) {
     boolean fits =
         begin.isEmpty()

@@ -120,7 +120,7 @@ final class PastViews {
   /**
    * Takes the newest snapshot and has the editor show the line of the past.
    *
-   * @return whether there is a past to show, so that nobody else shows a line
+   * @return whether there is a past to show, so that no other view shows a line
    */
   boolean follow(ControllerState live, LogView log) {
     lookBack.take(live);
@@ -170,7 +170,7 @@ final class PastViews {
   }
 
   private void unmark() {
-    // Everybody else's mark comes back with the next snapshot.
+    // The mark of all others comes back with the next snapshot.
     programs.all().forEach(each -> editor.setExecution(each, Execution.NONE));
     marked = Optional.empty();
   }

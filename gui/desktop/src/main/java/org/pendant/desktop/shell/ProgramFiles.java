@@ -135,7 +135,7 @@ final class ProgramFiles {
   }
 
   private void opened(SavedProgram read) {
-    // Somebody else may have opened it meanwhile.
+    // Another command may have opened it meanwhile.
     Optional<ProgramDocument> already = programs.of(read.path());
     ProgramDocument before = programs.current();
     programs.select(already.orElseGet(() -> ProgramDocument.of(read)));
@@ -143,7 +143,7 @@ final class ProgramFiles {
     remember(read.path());
   }
 
-  /** The example, or a new program that nobody has touched. */
+  /** The example, or a new program that has not been touched. */
   private void closeUntouched(ProgramDocument before) {
     if (before.file().isEmpty() && !before.modified()) {
       programs.close(before, before);

@@ -127,7 +127,7 @@ final class ProgramRunner {
     }
   }
 
-  /** Goes on with a held or paused program, or starts the current one as it stands. */
+  /** Continues a paused program, or starts the current one as it stands. */
   void runOrResume() {
     if (session.state().debug().held()) {
       send(new DebugCommand.Debug(Debugger::resume));
@@ -153,7 +153,7 @@ final class ProgramRunner {
     }
   }
 
-  /** Runs a held program to its next line; holds one that runs, or one that it starts. */
+  /** Runs a paused program to its next line; holds one that runs, or one that it starts. */
   void step() {
     Optional<DebugState.Stop> stop = session.state().debug().stop();
     if (stop.isPresent()) {

@@ -72,7 +72,7 @@ final class ShellWorkbench implements Workbench {
 
   /**
    * Keys go there afterwards, except when this happens by itself, at a stop of the debugger, while
-   * keys go somewhere else on purpose. The caret of somebody who is writing stays as well.
+   * keys go somewhere else on purpose. The caret of a user who is writing stays as well.
    */
   @Override
   public void showSource(int line, int column) {

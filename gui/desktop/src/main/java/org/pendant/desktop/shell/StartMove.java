@@ -35,7 +35,7 @@ final class StartMove implements StartArm {
   private final JogHold hold;
   private Optional<Move> move = Optional.empty();
 
-  /** A move from its begin to its end. */
+  /** A move from its start to its end. */
   private static final class Move {
     private final Consumer<String> ended;
 

@@ -18,7 +18,7 @@ import javax.swing.text.JTextComponent;
  * may take the focus away.
  */
 final class Typing {
-  /** Somebody who has typed within this time will type on. */
+  /** A user who has typed within this time will continue. */
   private static final long PAUSE_NS = TimeUnit.SECONDS.toNanos(2);
 
   private final AWTEventListener listener = this::see;
@@ -41,7 +41,7 @@ final class Typing {
     }
   }
 
-  /** Whether somebody is writing in a text of {@code view} just now. */
+  /** Whether the user is writing in a text of {@code view} just now. */
   boolean within(Component view) {
     return !asked()
         && owner() instanceof JTextComponent text

@@ -24,7 +24,7 @@ public final class HeldView implements View {
   private final View view;
   private final JLayer<JComponent> layer;
 
-  /** {@code tell} hears a sentence whenever somebody wants to act on the past. */
+  /** {@code tell} hears a sentence whenever the user wants to act on the past. */
   public HeldView(View view, LookBack lookBack, Consumer<String> tell) {
     this.view = view;
     layer =

@@ -19,7 +19,7 @@ import org.pendant.recording.RecordingMark;
 
 /**
  * Look back: which moment people look at: the current one, one of what the controller has just
- * done, or one of a file. The controller goes on meanwhile. Only the dispatch thread calls it.
+ * done, or one of a file. The controller continues meanwhile. Only the dispatch thread calls it.
  */
 public final class LookBack {
   /** How much the timeline shows at first, s. */
@@ -134,7 +134,7 @@ public final class LookBack {
         .flatMap(state -> recording.programAt(seconds(state.frame())));
   }
 
-  /** What must be read before anybody takes the past for now; empty for now. */
+  /** What must be read before the past can be taken for the present; empty for now. */
   public String banner() {
     if (frame.isEmpty()) {
       return "";

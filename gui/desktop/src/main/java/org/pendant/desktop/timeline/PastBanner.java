@@ -25,7 +25,7 @@ public final class PastBanner extends JPanel {
   private final JButton live = new JButton("Live");
   private final JButton recorded = new JButton("Show the text that ran");
 
-  /** Hidden until somebody looks back. */
+  /** Hidden until the user looks back. */
   public PastBanner(LookBack lookBack, RecordedText text) {
     super(new MigLayout("insets 6 12 6 12, gap 8, hidemode 3", "[grow, fill, 0::][][]"));
     this.lookBack = lookBack;

@@ -51,7 +51,7 @@ final class TrackWatch {
     try {
       return Optional.of(Tracks.of(recording, range, buckets));
     } catch (UncheckedIOException e) {
-      // A file has gone. Whoever looks at a moment of it is told; here nothing is drawn.
+      // A file has gone. A user who looks at a moment of it is told; here nothing is drawn.
       return Optional.of(Tracks.NONE);
     } catch (RuntimeException | Error fault) {
       Faults.report(fault);

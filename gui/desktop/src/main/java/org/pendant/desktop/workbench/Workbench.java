@@ -27,6 +27,6 @@ public interface Workbench {
   /** The files of the programs and the installation that are open; nothing is exported to them. */
   List<Path> openFiles();
 
-  /** Tells something at the edge of the window, without stopping anybody. */
+  /** Tells something at the edge of the window, without stopping the user. */
   void notify(String text);
 }

@@ -57,7 +57,7 @@ final class LiveVariablesTest {
     variables.refresh(controller.state(), false);
   }
 
-  /** Lets robot time and the clock of the screen go on, and looks. */
+  /** Lets robot time and the clock of the screen continue, and looks. */
   private void pass(int frames, long ms) {
     for (int i = 0; i < frames; i++) {
       controller.advance();

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** Numbers that follow the robot until somebody types over one. */
+/** Numbers that follow the robot until the user types over one. */
 final class DraftTest {
   private final Draft draft =
       new Draft(

@@ -29,7 +29,7 @@ import org.pendant.project.program.text.ProgramText;
 import org.pendant.project.program.text.ReadProgram;
 
 /**
- * Processes that are killed while somebody edits program trees in them; {@code -Dtest.kills=47} or
+ * Processes that are killed while the user edits program trees in them; {@code -Dtest.kills=47} or
  * more for a thorough run.
  */
 @Tag("slow")

@@ -14,10 +14,10 @@ import org.pendant.language.signature.Catalogue;
  * Analysis schedule: decides when the text of one editor is analysed: after a pause in typing, or
  * immediately when the user waits for it. Results of a text that has changed since are dropped,
  * texts that have changed before their turn came are not read, and long texts are read less often:
- * reading takes time and memory from whoever types. Only the dispatch thread calls it.
+ * reading takes time and memory from the user who types. Only the dispatch thread calls it.
  */
 public final class AnalysisSchedule {
-  /** How long nobody may type before an analysis begins. */
+  /** How long typing must rest before an analysis begins. */
   static final int PAUSE_MS = 150;
 
   /** The same for a long text. */
@@ -83,7 +83,7 @@ public final class AnalysisSchedule {
         isLong() ? LONG_PAUSE_MS : PAUSE_MS, () -> dispatch.execute(() -> startIfStill(changed)));
   }
 
-  /** Whether the text is so long that nothing should be looked up while somebody types. */
+  /** Whether the text is so long that nothing should be looked up while the user types. */
   public boolean isLong() {
     return text.get().length() > LONG;
   }
@@ -107,13 +107,13 @@ public final class AnalysisSchedule {
     start();
   }
 
-  /** The same for what nobody has asked for: long texts rest between two readings. */
+  /** The same for what was not asked for: long texts rest between two readings. */
   public void whenDue(Consumer<AnalysedText> receiver) {
     whenRested(receiver);
     startIfStill(version);
   }
 
-  /** The same, but nothing is hurried for it: while somebody types it comes at the next pause. */
+  /** The same, but nothing is hurried for it: while the user types it comes at the next pause. */
   public void whenRested(Consumer<AnalysedText> receiver) {
     Optional<AnalysedText> current = current();
     if (current.isPresent()) {
@@ -146,7 +146,7 @@ public final class AnalysisSchedule {
         0,
         () -> {
           if (wanted != version) {
-            return; // somebody types faster than texts are read
+            return; // the user types faster than texts are read
           }
           long begin = clockNs.getAsLong();
           AnalysedText result = AnalysedText.of(name, now, catalogue);

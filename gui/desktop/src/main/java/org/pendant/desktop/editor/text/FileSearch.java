@@ -18,7 +18,7 @@ import org.pendant.language.source.ByteText;
  * @param query what for
  */
 public record FileSearch(Path folder, SearchQuery query) {
-  /** More places than anybody reads. */
+  /** More places than a user reads. */
   public static final int MAX_PLACES = 2_000;
 
   /** More files than a folder of programs has. */
@@ -32,7 +32,7 @@ public record FileSearch(Path folder, SearchQuery query) {
    * @param files how many scripts were read
    * @param places how many places were found
    * @param skipped how many could not be read or are larger than 4 MiB
-   * @param complete whether all was looked at: nobody cancelled and no limit was met
+   * @param complete whether all was looked at: it was not cancelled and no limit was met
    */
   public record Summary(int files, int places, int skipped, boolean complete) {
 

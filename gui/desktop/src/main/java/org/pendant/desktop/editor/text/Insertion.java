@@ -26,7 +26,7 @@ public record Insertion(Edit edit, int caret) {
     return new Insertion(Edit.replace(start, end, insert), start + completion.caret());
   }
 
-  /** Where the word begins that ends at or goes on over {@code caret}. */
+  /** Where the word begins that ends at or continues over {@code caret}. */
   public static int wordStart(CharSequence text, int caret) {
     int start = caret;
     while (start > 0 && isWord(text.charAt(start - 1))) {

@@ -11,11 +11,11 @@ import java.util.regex.PatternSyntaxException;
  *
  * @param words the text or the regular expression
  * @param matchCase whether capitals differ from small letters
- * @param wholeWord whether a match must not go on as a name at either end
+ * @param wholeWord whether a match must not continue as a name at either end
  * @param regex whether {@code words} is a regular expression as {@link Pattern} reads it
  */
 public record SearchQuery(String words, boolean matchCase, boolean wholeWord, boolean regex) {
-  /** More matches than anybody looks at; counting ends here. */
+  /** More matches than a user looks at; counting ends here. */
   public static final int MAX_MATCHES = 20_000;
 
   /** One that finds nothing. */

@@ -37,7 +37,7 @@ record StyledLines(List<StyledLine> lines, Map<String, Style> names) {
           names.putIfAbsent(text.substring(from, to), token.style());
         }
         if (to > end) {
-          break; // it goes on in the next line
+          break; // it continues in the next line
         }
         next++;
       }

@@ -15,7 +15,7 @@ public final class Trail<P> {
   private final Deque<P> behind = new ArrayDeque<>();
   private final Deque<P> ahead = new ArrayDeque<>();
 
-  /** Somebody jumps away from {@code place}; what was ahead is forgotten. */
+  /** The user jumps away from {@code place}; what was ahead is forgotten. */
   public void left(P place) {
     if (!place.equals(behind.peek())) {
       push(behind, place);

@@ -13,7 +13,7 @@ interface FieldView {
     return component();
   }
 
-  /** Shows the item as it is now, without disturbing whoever types the same. */
+  /** Shows the item as it is now, without disturbing a user who types the same. */
   void show(Item item);
 
   /** Says what is wrong with it; empty for nothing. */

@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 /** Form files: chooses and reads files for forms. */
 interface FormFiles {
 
-  /** Asks for a file; {@code chosen} hears of it unless nobody chooses one. */
+  /** Asks for a file; {@code chosen} hears of it unless none is chosen. */
   void choose(String title, String ending, Consumer<Path> chosen);
 
   /**

@@ -77,7 +77,7 @@ record NodeForm(String kind, String title, String about, List<Part> parts) {
         .findFirst();
   }
 
-  /** The first item that somebody can change. */
+  /** The first item that the user can change. */
   Optional<Item> firstField() {
     return items().filter(NodeForm::hasValue).findFirst();
   }

@@ -84,7 +84,7 @@ public final class NodeForms {
    */
   public void show(Optional<ProgramNode> node) {
     presenter.select(node);
-    // Somebody may be typing in the form: it changes when that is done.
+    // The user may be typing in the form: it changes when that is done.
     renderLater();
   }
 
@@ -187,7 +187,9 @@ public final class NodeForms {
     return presenter.problem(form, name);
   }
 
-  /** Other controls, as far as those that there are do not fit; whoever types goes on typing. */
+  /**
+   * Other controls, as far as those that there are do not fit; a user who types continues typing.
+   */
   private void rebuild(Optional<NodeForm> form, boolean sameKind) {
     Component focused = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
     boolean inside = focused != null && SwingUtilities.isDescendingFrom(focused, sheet);

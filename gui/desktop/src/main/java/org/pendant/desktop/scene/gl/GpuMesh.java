@@ -15,7 +15,7 @@ import org.pendant.desktop.scene.mesh.Mesh;
 final class GpuMesh implements AutoCloseable {
   private static final int FLOATS = Mesh.STRIDE * Float.BYTES;
 
-  /** Position, normal; then place and finish, and two bytes that nobody reads. */
+  /** Position, normal; then place and finish, and two bytes that are not read. */
   private static final int STRIDE_BYTES = FLOATS + 4;
 
   private final int array;

@@ -249,7 +249,7 @@ final class SceneRenderer implements AutoCloseable {
     sight.bodies.ball().draw();
   }
 
-  /** From the flange to the tool centre point, so that nobody wonders what holds it. */
+  /** From the flange to the tool centre point, so that it is clear what carries it. */
   private static void drawRod(Sight sight, ShaderProgram solid, Matrix4f flange, Matrix4f tcp) {
     Vector3f from = flange.getTranslation(new Vector3f());
     Vector3f way = tcp.getTranslation(new Vector3f()).sub(from);

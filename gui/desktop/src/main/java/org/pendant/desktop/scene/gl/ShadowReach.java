@@ -7,7 +7,7 @@ import org.pendant.desktop.scene.mesh.Mesh;
 
 /**
  * Shadow reach: the part of a level floor that shadows can reach: a rectangle around where the
- * corners of boxes throw theirs. Elsewhere nobody has to look.
+ * corners of boxes throw theirs. Elsewhere no lookup is needed.
  */
 final class ShadowReach {
   private static final int CORNERS = 8;

@@ -5,7 +5,7 @@ import java.util.List;
 
 /** Lathe: turns outlines around the z axis of the part's frame. */
 final class Lathe {
-  /** Corners of what is round, at best; at this number nobody sees them. */
+  /** Corners of what is round, at best; at this number they are not seen. */
   static final int AROUND = 48;
 
   private Lathe() {}

@@ -38,7 +38,7 @@ public interface ArmHand {
    * The arm is held at a point.
    *
    * @param link the link that joint 0 to 5 moves
-   * @param pointInLinkM where it is held, in the Denavit-Hartenberg frame behind that joint
+   * @param pointInLinkM where it is held, in the Denavit-Hartenberg frame after that joint
    * @param placeInBaseM where it is pulled to
    */
   void begin(int link, Vector3 pointInLinkM, Vector3 placeInBaseM);

@@ -16,7 +16,7 @@ import org.pendant.models.pose.Transforms;
  * the screen, through where the point was grabbed.
  *
  * @param link the link that joint 0 to 5 moves
- * @param inLinkM the point in the Denavit-Hartenberg frame behind that joint, m
+ * @param inLinkM the point in the Denavit-Hartenberg frame after that joint, m
  * @param grabbedInBaseM where it was grabbed, in the base frame, m
  * @param towardsScene direction in which the camera looked then
  */

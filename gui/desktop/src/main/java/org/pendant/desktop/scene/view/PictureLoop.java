@@ -138,7 +138,7 @@ final class PictureLoop {
     return drawn;
   }
 
-  /** The image before the shown one, if it has the size; nobody looks at it any more. */
+  /** The image before the shown one, if it has the size; it is not shown any more. */
   private BufferedImage image(PictureRequest request) {
     return spare
         .filter(

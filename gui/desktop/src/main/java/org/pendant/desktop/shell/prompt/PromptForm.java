@@ -247,7 +247,7 @@ final class PromptForm {
     buttons.forEach(each -> each.setEnabled(ready));
   }
 
-  /** What the focus belongs to: it changes nothing, or goes on. */
+  /** What the focus belongs to: it changes nothing, or continues. */
   Component safeChoice() {
     return safeChoice;
   }

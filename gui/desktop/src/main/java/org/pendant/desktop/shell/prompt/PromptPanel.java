@@ -15,7 +15,7 @@ import org.pendant.kit.theme.Overlay;
 
 /**
  * Prompt panel: shows popups and questions of programs, one at a time, over the views and never
- * over the footer. It takes the focus unless somebody types; the action {@value #ANSWER} gives it
+ * over the footer. It takes the focus unless the user types; the action {@value #ANSWER} gives it
  * the focus then.
  */
 public final class PromptPanel {
@@ -93,7 +93,7 @@ public final class PromptPanel {
     }
   }
 
-  /** Escape: closes what nobody waits for; what is waited for stays open, never answered by it. */
+  /** Escape: closes what is not waited for; what is waited for stays open, never answered by it. */
   private void leave() {
     if (shown.filter(each -> !each.waits()).isPresent()) {
       give(prompts.close());
@@ -166,7 +166,7 @@ public final class PromptPanel {
     return keys.isEmpty() ? "A click in here brings the keyboard here" : keys + " to answer by key";
   }
 
-  /** Whether somebody types: a key meant for the text must not answer a popup. */
+  /** Whether the user types: a key meant for the text must not answer a popup. */
   private static boolean typing() {
     return KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()
             instanceof JTextComponent field

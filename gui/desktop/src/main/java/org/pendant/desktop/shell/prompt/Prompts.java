@@ -16,7 +16,7 @@ import org.pendant.language.source.ByteText;
 
 /**
  * Prompts: popups and questions in a queue, one of which is shown. It stays until it is closed or
- * people go on to another one; then what the program waits for comes first, and what is older.
+ * people continue to another one; then what the program waits for comes first, and what is older.
  */
 final class Prompts {
   /** Keys and clicks shortly after one appears were meant for something else. */
@@ -90,7 +90,7 @@ final class Prompts {
     return shown.isPresent() && !answered && nowNs - shownAtNs >= UNREADY_NS;
   }
 
-  /** Closes a popup; a program that waits for it goes on. */
+  /** Closes a popup; a program that waits for it continues. */
   Optional<Command> close() {
     return command(
         shown

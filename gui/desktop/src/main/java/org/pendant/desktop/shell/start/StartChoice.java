@@ -54,7 +54,7 @@ public final class StartChoice {
   /**
    * A program shall start: it does, or people are asked first. What was asked before is cancelled.
    *
-   * @param first where it goes first; empty if nobody can tell
+   * @param first where it goes first; empty if that is not known
    */
   public void begin(Optional<StartPlace> first, ControllerState state, Runnable start) {
     cancel();
@@ -77,7 +77,7 @@ public final class StartChoice {
       case NOTHING, MOVING -> {}
       case ASKING, THERE -> {
         if (!stopped) {
-          // Somebody else has started a program.
+          // Another client has started a program.
           close();
           return;
         }
@@ -116,7 +116,7 @@ public final class StartChoice {
     }
   }
 
-  /** The arm shall go there as long as somebody holds. */
+  /** The arm shall go there as long as the user holds. */
   public void hold() {
     if (phase == Phase.ASKING && canMove()) {
       remark = "";
@@ -124,7 +124,7 @@ public final class StartChoice {
     }
   }
 
-  /** Nobody holds any more. */
+  /** The button is not held any more. */
   public void release() {
     arm.release();
   }
