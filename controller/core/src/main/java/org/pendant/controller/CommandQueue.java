@@ -221,11 +221,11 @@ final class CommandQueue {
   }
 
   private Reply carryOut(Command command) {
-    CommandHandler<?> handler = handlers.get(command.getClass());
-    if (handler == null) {
-      throw new IllegalStateException("nobody carries out " + command);
-    }
     try {
+      CommandHandler<?> handler = handlers.get(command.getClass());
+      if (handler == null) {
+        throw new IllegalStateException("no handler carries out " + command);
+      }
       return carryOut(handler, command);
     } catch (IllegalArgumentException e) {
       return new Reply.Refused(Refusal.Code.INVALID, e.getMessage());
