@@ -13,8 +13,8 @@ public interface CommandJournal {
    * A command comes into force.
    *
    * @param frame that has begun
-   * @param turn 0 when it has just begun; while a debugger holds the frame, how many times it has
-   *     been gone on with
+   * @param turn 0 when it has just begun; while a debugger has paused the program, how many times
+   *     it has been gone on with
    * @param command a {@link DebugCommand.Debug} stands for one {@link
    *     org.pendant.script.debug.DebugRequest}; there is none for what only looks
    */

@@ -198,7 +198,7 @@ final class CommandQueue {
   /** Refuses the secondary programs that have arrived. */
   void refuseSecondaries(String why) {
     for (PendingCommand next : secondaries) {
-      answered.add(new Answered(next, new Reply.Refused(Refusal.Code.HELD, why)));
+      answered.add(new Answered(next, new Reply.Refused(Refusal.Code.DEBUGGER, why)));
     }
     secondaries.clear();
   }

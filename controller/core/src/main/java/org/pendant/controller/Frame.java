@@ -54,7 +54,7 @@ final class Frame {
   private ProgramStatus program = ProgramStatus.NONE;
   private Optional<Ending> internalEnding = Optional.empty();
 
-  /** A debugger holds the frame that has begun. */
+  /** A debugger has paused the program in the frame that has begun. */
   private boolean held;
 
   /** The program is paused because a safety function stopped the arm. */
@@ -133,8 +133,8 @@ final class Frame {
     takeInputs();
     held = runScripts();
     if (held) {
-      // a debugger holds the frame: time stands still, and the next call continues with it
-      commandQueue.refuseSecondaries("a debugger holds program " + machine.programName());
+      // a debugger has paused the program: time stands still, and the next call continues with it
+      commandQueue.refuseSecondaries("a debugger has paused program " + machine.programName());
       publish();
       return;
     }
@@ -217,7 +217,7 @@ final class Frame {
     }
   }
 
-  /** Whether a debugger holds the scripts in the middle of this frame. */
+  /** Whether a debugger has paused the scripts in the middle of this frame. */
   private boolean runScripts() {
     try {
       if (machine.advance()) {

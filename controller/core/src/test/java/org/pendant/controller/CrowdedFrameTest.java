@@ -59,7 +59,8 @@ final class CrowdedFrameTest {
     assertTrue(controller.state().debug().held());
     CompletableFuture<Reply> reply = submitSecondary();
     controller.advance();
-    assertEquals(new Reply.Refused(Refusal.Code.HELD, "a debugger holds program p"), reply.join());
+    assertEquals(
+        new Reply.Refused(Refusal.Code.DEBUGGER, "a debugger has paused program p"), reply.join());
     var _ = submit(new DebugCommand.Debug(debugger -> debugger.resume()));
     controller.advance();
     assertEquals(List.of(), controller.logSince(0));

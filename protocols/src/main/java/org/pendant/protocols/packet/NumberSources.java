@@ -18,7 +18,7 @@ final class NumberSources {
   /** Reading one component costs about as much as reading so many of a whole. */
   private static final int COMPONENTS_PER_READ = 3;
 
-  /** How far to look back for a run that goes on: further than the parts of a joint. */
+  /** How far to look back for a run that continues: further than the parts of a joint. */
   private static final int MAX_RUNS_BACK = 16;
 
   /** Where each component that is wanted is read to. */
@@ -90,7 +90,7 @@ final class NumberSources {
       int found = last;
       while (found >= 0
           && found > last - MAX_RUNS_BACK
-          && !runs.get(found).goesOnWith(slot.type(), from, slot.at())) {
+          && !runs.get(found).continuesWith(slot.type(), from, slot.at())) {
         found--;
       }
       if (found >= 0 && found > last - MAX_RUNS_BACK) {

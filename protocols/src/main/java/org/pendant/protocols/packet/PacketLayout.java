@@ -65,7 +65,7 @@ public final class PacketLayout {
       return new PacketLayout(packet, constants.order(), slots);
     }
 
-    /** Goes on at byte {@code place}. */
+    /** Continues at byte {@code place}. */
     public Builder at(int place) {
       constants.position(place);
       return this;

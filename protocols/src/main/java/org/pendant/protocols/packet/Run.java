@@ -29,7 +29,7 @@ record Run(WireType type, int from, int count, int at, int stride) {
       MethodHandles.byteArrayViewVarHandle(short[].class, ByteOrder.LITTLE_ENDIAN);
 
   /** Whether another number could be the next one. */
-  boolean goesOnWith(WireType other, int index, int place) {
+  boolean continuesWith(WireType other, int index, int place) {
     return other == type
         && index == from + count
         && (count == 1 ? place > at : place == at + count * stride);

@@ -61,8 +61,8 @@ class RefusedScriptTest {
     ask(new DebugCommand.Debug(debugger -> debugger.set(Breakpoint.at(2))));
     Source source = Source.of("p", "def p():\n  x = 1\n  sleep(9)\nend\n");
     ask(new ProgramCommand.ReplaceProgram(box.controller().load(source).program().orElseThrow()));
-    assertEquals("a debugger holds program p", refusal(box.serverContext()));
-    assertTrue(box.nextLogged().endsWith("a debugger holds program p"));
+    assertEquals("a debugger has paused program p", refusal(box.serverContext()));
+    assertTrue(box.nextLogged().endsWith("a debugger has paused program p"));
   }
 
   @Test

@@ -16,8 +16,8 @@ public record Refusal(Code code, String text) {
     ARM_POWER,
     /** The arm cannot go there: the end of a range, a singularity, a plane, no solution. */
     ARM_RANGE,
-    /** A debugger holds the program in the middle of a frame. */
-    HELD,
+    /** A debugger has paused the program in the middle of a frame. */
+    DEBUGGER,
     /** Another client has taken it. */
     IN_USE,
     /** A value is out of its range or of another form. */

@@ -29,8 +29,8 @@ import org.pendant.script.vm.ProgramEvent;
  * @param behindS by how much robot time has fallen behind the wall clock since the controller was
  *     switched on, s: delays that the computer was too slow to catch up; not part of recordings
  * @param geometry what follows from the joints, worked out on demand
- * @param debug whether a debugger holds the frame, and where its threads are then; snapshots of a
- *     held frame repeat its number
+ * @param debug whether a debugger has paused the program, and where its threads are then; snapshots
+ *     of a held frame repeat its number
  * @param io levels of the digital signals
  * @param signals all other signals: analog ones, registers, the tool connector
  * @param assemblies data that are exchanged by EtherNet/IP, without those built in

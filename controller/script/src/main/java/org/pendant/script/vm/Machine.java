@@ -148,8 +148,8 @@ public final class Machine {
   /**
    * Runs all script threads for one frame; nothing while stopped or paused.
    *
-   * @return whether a debugger holds the program: the frame is not over then, time must not pass,
-   *     and the next call continues with this frame
+   * @return whether a debugger has paused the program: the frame is not over then, time must not
+   *     pass, and the next call continues with this frame
    */
   public boolean advance() {
     if (held || state != ProgramState.RUNNING) {
@@ -240,7 +240,7 @@ public final class Machine {
     return taken;
   }
 
-  /** Whether a debugger holds the program: neither scripts nor time continue. */
+  /** Whether a debugger has paused the program: neither scripts nor time continue. */
   public boolean held() {
     return held;
   }

@@ -72,7 +72,7 @@ final class LiveTree {
     tree.showLive(unfolded -> source.of(now, runs, unfolded), nowMs, runs);
   }
 
-  /** The samples that are shown; nothing while a debugger holds the program. */
+  /** The samples that are shown; nothing while a debugger has paused the program. */
   VariableSamples samples() {
     return tree.showsLive() ? shown : VariableSamples.NONE;
   }

@@ -35,7 +35,7 @@ final class PlotHistory implements FrameListener {
   @Override
   public void frame(ControllerState state) {
     if (state.frame() == newest) {
-      // a debugger holds the frame: no time has passed
+      // a debugger has paused the program: no time has passed
       return;
     }
     newest = state.frame();

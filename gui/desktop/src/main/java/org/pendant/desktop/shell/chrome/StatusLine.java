@@ -83,7 +83,7 @@ public final class StatusLine extends JPanel {
    * Shows how punctual the frames are; called 30 times a second.
    *
    * @param behindS by how much robot time has fallen behind the wall clock, s
-   * @param held whether a debugger holds the frame
+   * @param held whether a debugger has paused the program
    */
   public void refresh(Lateness lateness, double behindS, boolean held) {
     calls++;
