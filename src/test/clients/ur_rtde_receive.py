@@ -5,7 +5,6 @@ import math
 import os
 import signal
 import socket
-import statistics
 import struct
 import sys
 import tempfile
@@ -108,9 +107,10 @@ def reads_everything(receive):
 def holds_500_hz(receive):
     times = [row[0] for row in recorded(receive, ["timestamp"], 2)]
     steps = [round(after - before, 6) for before, after in zip(times, times[1:])]
-    # the library's own thread loses rows on a busy computer; the box sends them all
+    # the library's own thread loses and repeats rows on a busy computer; the box sends them all,
+    # so the shortest step is that of the rate asked for
     assert len(steps) > 100, len(steps)
-    assert statistics.mode(steps) == 0.002, steps
+    assert min(step for step in steps if step > 0) == 0.002, steps
     passed("500 Hz")
 
 
